@@ -106,7 +106,7 @@ bool read_body(Call& call, const World& world, const carom_body_desc* given, car
 }
 
 carom_body_desc describe(const World& world, std::uint32_t slot) {
-  const BodyDef& def = world.scene.def[slot];
+  const BodySettings& def = world.scene.def[slot];
   carom_body_desc d{};
   d.fields = kBodyFields | (def.stays_awake ? CAROM_BODY_STAYS_AWAKE : 0u);
   d.type = static_cast<std::uint32_t>(world.scene.type[slot]);

@@ -144,7 +144,7 @@ int32_t carom_body_get_damping(carom_world* world, carom_body body, double* line
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_body(call, *reading, body)) return;
-    const BodyDef& def = reading->scene.def[handle_slot(body)];
+    const BodySettings& def = reading->scene.def[handle_slot(body)];
     if (linear) *linear = def.linear_damping;
     if (angular) *angular = def.angular_damping;
   });

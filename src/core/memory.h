@@ -18,11 +18,21 @@ using Memory = std::pmr::memory_resource;
 template <class T>
 using Array = std::pmr::vector<T>;
 
-/// Room for one more element at `slot`, growing by doubling, so that the resize after it cannot fail.
+/// Capacity for an array of n elements that may grow on: a quarter more. Doubling would leave a third of it idle.
+inline std::size_t with_slack(std::size_t n) { return std::max<std::size_t>(16, n + n / 4); }
+
+/// Resize an array that grows on from step to step.
+template <class A, class... Value>
+void grow_to(A& array, std::size_t n, const Value&... value) {
+  if (n > array.capacity()) array.reserve(with_slack(n));
+  array.resize(n, value...);
+}
+
+/// Room for one more element at `slot`, so that the resize after it cannot fail.
 template <class... A>
 void make_room(std::size_t slot, A&... arrays) {
   const auto room = [slot](auto& a) {
-    if (a.capacity() <= slot) a.reserve(std::max<std::size_t>(16, 2 * slot));
+    if (a.capacity() <= slot) a.reserve(with_slack(slot + 1));
   };
   (room(arrays), ...);
 }

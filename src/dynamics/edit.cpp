@@ -61,7 +61,7 @@ Handle World::add_body(const BodyDef& def) {
 }
 
 void World::fill_body(std::uint32_t i, const BodyDef& def) {
-  put(scene.def, i, def);
+  put<BodySettings>(scene.def, i, def);
   put(scene.type, i, def.type);
   put(scene.inv_mass, i, Real(0));
   put(scene.mass, i, Real(0));

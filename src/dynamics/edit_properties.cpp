@@ -10,7 +10,7 @@ namespace carom::dynamics {
 
 void World::set_mass(std::uint32_t body, const MassGiven& given) {
   wake(*this, body);
-  BodyDef& def = scene.def[body];
+  BodySettings& def = scene.def[body];
   def.has_mass = given.mass > 0, def.has_center = given.has_center, def.has_inertia = given.has_inertia;
   def.mass = given.mass, def.center = given.center, def.inertia = given.inertia;
   settle_mass(body);
@@ -18,7 +18,7 @@ void World::set_mass(std::uint32_t body, const MassGiven& given) {
 }
 
 void World::set_damping(std::uint32_t body, Real linear, Real angular) {
-  BodyDef& def = scene.def[body];
+  BodySettings& def = scene.def[body];
   if (def.linear_damping == linear && def.angular_damping == angular) return;
   wake(*this, body);
   def.linear_damping = linear, def.angular_damping = angular;
@@ -37,7 +37,7 @@ void World::set_type(std::uint32_t body, BodyType type) {
     if (scene.type[body] != BodyType::dynamic) wake_touching(*this, i);
     pairs.forget(i);
   });
-  BodyDef& def = scene.def[body];
+  BodySettings& def = scene.def[body];
   scene.type[body] = def.type = type;
   if (type != BodyType::dynamic) def.has_mass = def.has_center = def.has_inertia = false;
   each([&](std::uint32_t i) {

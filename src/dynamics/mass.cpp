@@ -45,7 +45,7 @@ bool positive_definite(const Mat3& m) {
 }  // namespace
 
 BodyMass mass_of_body(const Scene& scene, std::uint32_t body, std::uint32_t skip) {
-  const BodyDef& def = scene.def[body];
+  const BodySettings& def = scene.def[body];
   BodyMass out;
   if (scene.type[body] != BodyType::dynamic) {
     if (def.has_center) out.center = def.center;

@@ -28,20 +28,24 @@ struct Material {
   Mix restitution_mix = Mix::maximum;
 };
 
-/// What a host says about a body (ABI: carom_body_desc), already validated.
-struct BodyDef {
+/// What a host says about a body (ABI: carom_body_desc), already validated, and what does not change in a step.
+struct BodySettings {
   BodyType type = BodyType::dynamic;
-  Pose pose;                     // body frame -> world
-  Vec3 velocity = Vec3::zero();  // m/s, of the centre of mass
-  Vec3 omega = Vec3::zero();     // rad/s, world
   bool has_mass = false, has_center = false, has_inertia = false;
+  bool stays_awake = false;  // it, and with it its island, never falls asleep
+  SweepMode continuous = SweepMode::automatic;
   Real mass = 0;                                 // kg
   Vec3 center = Vec3::zero();                    // m, body frame
   Mat3 inertia = Mat3::zero();                   // kg m^2, body axes, about center
   Real linear_damping = 0, angular_damping = 0;  // 1/s
-  bool stays_awake = false;                      // it, and with it its island, never falls asleep
-  SweepMode continuous = SweepMode::automatic;
   std::uint64_t user = 0;
+};
+
+/// What a body is made with.
+struct BodyDef : BodySettings {
+  Pose pose;                     // body frame -> world
+  Vec3 velocity = Vec3::zero();  // m/s, of the centre of mass
+  Vec3 omega = Vec3::zero();     // rad/s, world
 };
 
 /// What a host says of a body's mass after it was made.
@@ -106,7 +110,7 @@ struct Scene : Revisions {
   SlotPool bodies, collider_slots, material_slots;
 
   // by body slot
-  Array<BodyDef> def;          // as the host gave it; poses and velocities in it are stale after a step
+  Array<BodySettings> def;     // as the host gave it
   BodyAttributes attributes;   // what a host said of it beside that
   Array<Locks> locks;          // the first so many, 0 from there on; as they hold, @see settle_locks()
   Array<BodyType> type;

@@ -36,8 +36,8 @@ struct Parties {
 bool keep(const Colliders& c, const NarrowSettings& settings, PairTable& pairs, const SceneryContacts::OfPair& of) {
   for (std::uint32_t i = of.place; i < of.place + of.places; ++i) {
     PairRecord& record = pairs[i];
-    const PatchPair pair{*c.shape[record.pair.a], *c.shape[record.pair.b], c.frame[record.pair.a],
-                         c.frame[record.pair.b], 0};
+    const Pair& slots = pairs.place(i).pair;
+    const PatchPair pair{*c.shape[slots.a], *c.shape[slots.b], c.frame[slots.a], c.frame[slots.b], 0};
     if (!keep_patch(pair, settings.manifold, record.patch, record.manifold)) return false;
   }
   return true;
@@ -87,8 +87,8 @@ void arrange(PairTable& pairs, SceneryContacts& s, const SceneryContacts::OfPair
 }
 
 void fill(const Colliders& c, const NarrowSettings& settings, const SceneryPatch& patch, bool swapped, Real reach,
-          PairRecord& record) {
-  const Frame &a = c.frame[record.pair.a], &b = c.frame[record.pair.b];
+          const Pair& pair, PairRecord& record) {
+  const Frame &a = c.frame[pair.a], &b = c.frame[pair.b];
   ContactPoint point[PatchPoints::kMax];
   for (int i = 0; i < patch.count; ++i) point[i] = swapped ? exchanged(patch.point[i]) : patch.point[i];
   ManifoldSettings own = settings.manifold;
@@ -155,7 +155,8 @@ void meet_scenery(const World& world, PairTable& pairs, NarrowReport& report, co
       PairTable::Place& place = pairs.place(of.place + k);
       PairRecord& record = pairs[of.place + k];
       if (k < of.count)
-        fill(c, settings, s.patches[s.order[of.first + k]], parties.swapped, parties.reach(c, settings), record);
+        fill(c, settings, s.patches[s.order[of.first + k]], parties.swapped, parties.reach(c, settings), place.pair,
+             record);
       place.points = static_cast<std::uint32_t>(record.manifold.count);
       place.horizon = kInfinity;  // not the narrow phase's
     }

@@ -233,7 +233,7 @@ void add_joints(Hash& h, const World& world) {
 void add_pairs(Hash& h, const World& world) {
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     const PairRecord& record = world.pairs[i];
-    h.add(std::uint64_t(record.pair.a) << 32 | record.pair.b);
+    h.add(world.pairs.place(i).pair.key());
     for (int k = 0; k < record.manifold.count; ++k) h.add_coefficients(record.manifold.point[k].on_a);
   }
 }

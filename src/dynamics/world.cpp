@@ -81,8 +81,8 @@ std::uint64_t World::hash() const {
     }
     if (state.held_q[i] != state.q[i]) h.add_coefficients(state.held_q[i]);
   }
-  const auto add_record = [&](const PairRecord& r) {
-    h.add(r.pair.key());
+  const auto add_record = [&](const Pair& pair, const PairRecord& r) {
+    h.add(pair.key());
     h.add_coefficients(r.memory.direction);
     for (int k = 0; k < r.manifold.count; ++k) {
       const ContactPoint& p = r.manifold.point[k];
@@ -93,7 +93,7 @@ std::uint64_t World::hash() const {
       h.add((std::uint64_t(p.feature) << 32) | p.age);
     }
   };
-  for (std::size_t i = 0; i < pairs.size(); ++i) add_record(pairs[i]);
+  for (std::size_t i = 0; i < pairs.size(); ++i) add_record(pairs.place(i).pair, pairs[i]);
   const auto add_impulse = [&](const OldImpulse& o) {
     h.add(o.pair.key());
     h.add_coefficients(o.place);

@@ -31,20 +31,25 @@ const std::vector<CoherentPair>& sequences(int family, bool fast) {
 
 enum class How { cold, warm, carried };
 
+struct Memory {
+  QueryMemory query;
+  Certificate certificate;
+};
+
 void run(benchmark::State& state, int family, bool fast, How how, Real share) {
   const std::vector<CoherentPair>& pairs = sequences(family, fast);
   const QuerySettings settings;
   std::size_t frames = 0, supports = 0, epa = 0, carried = 0, violations = 0;
-  const auto step = [&](const CoherentPair& p, const Frame& pose, QueryMemory& memory, QueryResult& r) {
+  const auto step = [&](const CoherentPair& p, const Frame& pose, Memory& memory, QueryResult& r) {
     SupportFault fault;
     const Real width = share * std::min(p.a.bounding_radius, p.b.bounding_radius);
     if (how == How::carried && carry_over(p.a, p.b, pose, width, 0, memory.certificate, r)) return true;
-    generic_distance(p.a, p.b, pose, settings, how == How::cold ? nullptr : &memory, r, fault);
+    generic_distance(p.a, p.b, pose, settings, how == How::cold ? nullptr : &memory.query, r, fault);
     if (how == How::carried) certify(r, pose, 0, memory.certificate);
     return false;
   };
   for (const CoherentPair& p : pairs) {  // counted and judged once, outside the clock
-    QueryMemory memory;
+    Memory memory;
     for (const Frame& pose : p.b_in_a) {
       QueryResult r, truth;
       SupportFault fault;
@@ -59,14 +64,14 @@ void run(benchmark::State& state, int family, bool fast, How how, Real share) {
     }
   }
   std::size_t i = 0, frame = 0;
-  QueryMemory memory;
+  Memory memory;
   for (auto _ : state) {
     QueryResult r;
     step(pairs[i], pairs[i].b_in_a[frame], memory, r);
     benchmark::DoNotOptimize(r);
     if (++frame < kFrames) continue;
     frame = 0;
-    memory = QueryMemory();
+    memory = Memory();
     if (++i == pairs.size()) i = 0;
   }
   const double n = static_cast<double>(frames);

@@ -79,7 +79,7 @@ void collide_pair(benchmark::State& state, Form form_a, Form form_b, Pose kind, 
     SupportFault fault;
     const Frame& at_b = poses[i];
     if (++i == poses.size()) i = 0;
-    collide(a, at_a, b, at_b, settings, memory, found, report, fault);
+    collide(a, at_a, b, at_b, settings, memory, nullptr, found, report, fault);
     update_cache(at_a, at_b, found, settings.manifold, manifold);
     points += static_cast<std::size_t>(manifold.count), ++passes;
     benchmark::DoNotOptimize(manifold.point[0].separation);

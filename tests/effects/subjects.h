@@ -83,7 +83,7 @@ inline std::vector<Subject> subjects() {
   spinning.friction = 0, spinning.spinning = 0.1;
   const auto set_drag = [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::drag, {0.1, 0.1}); };
   const auto unset_drag = [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::drag, {}); };
-  const auto damp = [](Real BodyDef::*which, Real rate) {
+  const auto damp = [](Real BodySettings::*which, Real rate) {
     return [=](Stage0& s) { s.t.world.scene.def[s.one].*which = rate, ++s.t.world.scene.revision; };
   };
   const auto drive = [hinge](Stage0& s, bool limit) {
@@ -106,8 +106,8 @@ inline std::vector<Subject> subjects() {
          s.t.world.scene.inertia[s.one] = Mat3::identity(), s.t.world.scene.inv_inertia[s.one] = Mat3::identity();
          ++s.t.world.scene.revision;
        }},
-      {+EffectId::linear_damping, damp(&BodyDef::linear_damping, 0.5), damp(&BodyDef::linear_damping, 0)},
-      {+EffectId::angular_damping, damp(&BodyDef::angular_damping, 0.5), damp(&BodyDef::angular_damping, 0)},
+      {+EffectId::linear_damping, damp(&BodySettings::linear_damping, 0.5), damp(&BodySettings::linear_damping, 0)},
+      {+EffectId::angular_damping, damp(&BodySettings::angular_damping, 0.5), damp(&BodySettings::angular_damping, 0)},
       {+EffectId::scenery,
        [](Stage0& s) {
          s.touching();

@@ -34,12 +34,11 @@ inline void miss(const Ray& ray, CastResult& result) {
   result.upper = kInfinity;
 }
 
-/// Cast a ray against a sphere, a capsule or a box in closed form: the same answer as by support functions, within both
-/// brackets.
+/// Cast a ray against a sphere, capsule, box, cylinder, cone or ellipsoid in closed form: the same answer as by support
+/// functions, within both brackets.
 /// @param r       speed, reach finite
-/// @return        false where there is no routine (other forms, a box swollen by a target, what is as thin as rounding,
-/// no
-///                motion, a line nearly along a capsule): result is untouched then
+/// @return        false where there is no routine (other forms, what a target swells to no form, what is as thin as
+///                rounding, no motion, a line nearly along a surface): result is untouched then
 /// @accuracy      the bracket is of the shape swollen and shrunk by r.rounding: as wide as rounding leaves it
 /// @oracle        tests/unit/collision/cast/test_ray_forms
 bool cast_at_form(const Ray& ray, const Shape& shape, const Frame& frame, const LocalRay& r,

@@ -1,4 +1,4 @@
-// Rays in closed form: sphere, capsule, box. Each routine says where a line enters and leaves the form swollen by some
+// Rays in closed form: sphere, capsule, box, cylinder, cone, ellipsoid. Each routine says where a line enters and leaves the form swollen by some
 // more, and is asked three times: swollen and shrunk by all that rounding can have done, which gives the bracket, and
 // as it is.
 #include "collision/cast/local_ray.h"
@@ -132,6 +132,163 @@ class Box {
   Vec3 half_, o_, u_, by_;
 };
 
+/// Where a line is between two parallel planes across y, as a part of a chord.
+/// @param lo, hi  m, of the planes   @param y, u  m and 1: the line's height at the foot, and what it rises   @param from  m, at the foot
+void cut_by_planes(Real lo, Real hi, Real y, Real u, Real from, Chord& c) {
+  if (u == 0) {
+    c.met &= lo <= y && y <= hi;
+    return;
+  }
+  const Real a = (lo - y) / u, b = (hi - y) / u;
+  c.in = std::max(c.in, from + std::min(a, b)), c.out = std::min(c.out, from + std::max(a, b));
+}
+
+/// What is inside an endless cylinder about y and between two planes.
+class Cylinder {
+ public:
+  Cylinder(const Shape& shape, const LocalRay& r, Real)
+      : radius_(shape.radius), half_(shape.half_height), u_(r.u), foot_(r.o - r.start * r.u), from_(-r.start) {
+    flat2_ = u_.x() * u_.x() + u_.z() * u_.z();
+    along_ = flat2_ < 1e-30;  // strays from the axis by less than 1e-15 of its length
+    if (along_) {
+      off_ = std::sqrt(foot_.x() * foot_.x() + foot_.z() * foot_.z());
+      return;
+    }
+    flat_ = std::sqrt(flat2_);
+    off_ = std::fabs(foot_.x() * u_.z() - foot_.z() * u_.x()) / flat_;
+    pass_ = -(foot_.x() * u_.x() + foot_.z() * u_.z()) / flat2_;
+    blur_ = 16 * kUnitRoundoff * foot_.norm() / flat_;
+  }
+  /// In between, where the line passes the axis is known too badly.
+  bool usable(const LocalRay& r) const {
+    return std::min(radius_, half_) > 4 * r.rounding && (along_ || flat2_ > 1.0 / 4096);
+  }
+  Chord chord(Real more) const {
+    const Real radius = radius_ + more;
+    if (!(off_ <= radius)) return {};
+    Chord c{true, -kInfinity, kInfinity};
+    if (!along_) {
+      const Real half = std::sqrt((radius - off_) * (radius + off_)) / flat_;
+      const Real blur = more > 0 ? blur_ : more < 0 ? -blur_ : 0;
+      c.in = from_ + pass_ - half - blur, c.out = from_ + pass_ + half + blur;
+    }
+    cut_by_planes(-half_ - more, half_ + more, foot_.y(), u_.y(), from_, c);
+    c.met &= c.in <= c.out;
+    return c;
+  }
+  Vec3 outward(const LocalRay& r, Real s) const {
+    const Vec3 p = r.o + s * r.u;
+    const Real off = std::sqrt(p.x() * p.x() + p.z() * p.z());
+    if (off == 0 || std::fabs(p.y()) - half_ > off - radius_) return Vec3(0, p.y() < 0 ? -1 : 1, 0);
+    return Vec3(p.x() / off, 0, p.z() / off);
+  }
+
+ private:
+  Real radius_, half_;
+  Vec3 u_, foot_;  // m, the line's nearest point to the origin
+  Real from_;      // m, where that is
+  bool along_ = false;
+  Real flat2_ = 0, flat_ = 0, off_ = 0, pass_ = 0, blur_ = 0;
+};
+
+/// What is under the surface of an endless cone, apex up, and above its base. With p and v the line's place and
+/// direction across y, W and V how wide the cone is there and by how much it widens along the line, the line is on the
+/// surface, or on that of the cone mirrored at the apex, where |p + t v| = |W + t V|:
+///
+///     a t^2 + 2 b t + c = 0,   a = v.v - V V,  b = p.v - W V,  b b - a c = |W v - V p|^2 - (p x v)^2
+///
+/// The last form keeps its digits where the line grazes.
+class Cone {
+ public:
+  Cone(const Shape& shape, const LocalRay& r, Real)
+      : half_(shape.half_height),
+        slope_(shape.radius / (2 * shape.half_height)),
+        secant_(std::sqrt(1 + slope_ * slope_)),
+        u_(r.u),
+        foot_(r.o - r.start * r.u),
+        from_(-r.start),
+        size_(std::min(shape.radius, shape.half_height)) {
+    widens_ = -slope_ * u_.y();
+    const Real flat2 = u_.x() * u_.x() + u_.z() * u_.z();
+    a_ = flat2 - widens_ * widens_;
+    is_steep_ = std::fabs(a_) < (flat2 + widens_ * widens_) / 64;
+    cross_ = foot_.x() * u_.z() - foot_.z() * u_.x();
+  }
+  /// Not what runs along the surface, where it passes that is known too badly; nor cones like plates or needles.
+  bool usable(const LocalRay& r) const {
+    return size_ > 4 * r.rounding && !is_steep_ && slope_ > 1.0 / 64 && slope_ < 64;
+  }
+  Chord chord(Real more) const {
+    const Real apex = half_ + more * secant_ / slope_, above = apex - foot_.y(), wide = slope_ * above;
+    const Real x = wide * u_.x() - widens_ * foot_.x(), z = wide * u_.z() - widens_ * foot_.z();
+    const Real reach = std::sqrt(x * x + z * z), off = std::fabs(cross_);
+    if (off > reach && a_ > 0) return {};  // a line steeper than the flank passes through, whatever rounding says
+    const Real b = foot_.x() * u_.x() + foot_.z() * u_.z() - wide * widens_;
+    const Real root = std::sqrt(std::max(reach - off, Real(0)) * (reach + off)), length = std::fabs(b) + root;
+    const Real blur = (more > 0 ? 32 : more < 0 ? -32 : 0) * kUnitRoundoff * length / std::fabs(a_);
+    Chord c{true, -kInfinity, kInfinity};
+    if (a_ > 0) {
+      if (!(above + b / a_ * u_.y() >= 0)) return {};  // the mirrored one
+      c.in = from_ + (-b - root) / a_ - blur, c.out = from_ + (-b + root) / a_ + blur;
+    } else if (u_.y() > 0) {
+      c.out = from_ + (-b + root) / a_ + blur;  // a < 0: the smaller one
+    } else {
+      c.in = from_ + (-b - root) / a_ - blur;
+    }
+    cut_by_planes(-half_ - more, kInfinity, foot_.y(), u_.y(), from_, c);
+    c.met &= c.in <= c.out;
+    return c;
+  }
+  Vec3 outward(const LocalRay& r, Real s) const {
+    const Vec3 p = r.o + s * r.u;
+    const Real off = std::sqrt(p.x() * p.x() + p.z() * p.z());
+    if (-half_ - p.y() > (off - slope_ * (half_ - p.y())) / secant_) return Vec3(0, -1, 0);
+    if (off == 0) return Vec3::unit_y();
+    return Vec3(p.x() / off, slope_, p.z() / off) / secant_;
+  }
+
+ private:
+  Real half_, slope_, secant_;
+  Vec3 u_, foot_;  // m, the line's nearest point to the origin
+  Real from_;      // m, where that is
+  Real size_;
+  Real widens_ = 0, a_ = 0, cross_ = 0;
+  bool is_steep_ = false;
+};
+
+/// A ball in coordinates divided by its radii. Scaled by 1 + more / the least of them it holds all that is within more.
+class Ellipsoid {
+ public:
+  Ellipsoid(const Shape& shape, const LocalRay& r, Real) : radii_(shape.half), from_(-r.start) {
+    const Vec3 foot = r.o - r.start * r.u;
+    Vec3 at, along;
+    for (int i = 0; i < 3; ++i) at[i] = foot[i] / radii_[i], along[i] = r.u[i] / radii_[i];
+    length_ = along.norm();
+    along /= length_;
+    foot_ = -along.dot(at);
+    off_ = (at + foot_ * along).norm();
+  }
+  /// Not what is much longer than it is thin: brackets would be too wide.
+  bool usable(const LocalRay& r) const {
+    return radii_.min_entry() > 4 * r.rounding && radii_.max_entry() < 64 * radii_.min_entry();
+  }
+  Chord chord(Real more) const {
+    Chord c = through_ball(off_, foot_, 1 + more / radii_.min_entry());
+    c.in = from_ + c.in / length_, c.out = from_ + c.out / length_;
+    return c;
+  }
+  Vec3 outward(const LocalRay& r, Real s) const {
+    Vec3 n = r.o + s * r.u;
+    for (int i = 0; i < 3; ++i) n[i] /= radii_[i] * radii_[i];
+    return n.normalized();
+  }
+
+ private:
+  Vec3 radii_;
+  Real from_;                            // m, where the line is nearest to the origin
+  Real length_ = 0, foot_ = 0, off_ = 0;  // 1/m, and 1, in radii
+};
+
 template <class Form>
 bool answer(const Ray& ray, const Shape& shape, const Frame& frame, const LocalRay& r, const CastSettings& settings,
             CastResult& result) {
@@ -183,6 +340,12 @@ bool cast_at_form(const Ray& ray, const Shape& shape, const Frame& frame, const 
       return answer<Capsule>(ray, shape, frame, r, settings, result);
     case Form::box:
       return settings.target == 0 && answer<Box>(ray, shape, frame, r, settings, result);
+    case Form::cylinder:
+      return settings.target == 0 && answer<Cylinder>(ray, shape, frame, r, settings, result);
+    case Form::cone:
+      return settings.target == 0 && answer<Cone>(ray, shape, frame, r, settings, result);
+    case Form::ellipsoid:
+      return settings.target == 0 && answer<Ellipsoid>(ray, shape, frame, r, settings, result);
     default:
       return false;
   }

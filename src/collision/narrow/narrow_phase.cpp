@@ -26,19 +26,19 @@ void to_world(const Frame& first, bool swapped, Candidates& found) {
 
 /// The generic path: one point, the pair's nearest.
 void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b,
-                     const NarrowSettings& settings, QueryMemory& memory, Candidates& found, NarrowReport& report,
-                     SupportFault& fault) {
+                     const NarrowSettings& settings, QueryMemory& memory, Certificate* certificate, Candidates& found,
+                     NarrowReport& report, SupportFault& fault) {
   const Frame b_in_a = relative(frame_a, frame_b);
   if (!usable(b_in_a)) return;
   QuerySettings query = settings.query;
   query.max_distance = settings.manifold.contact_distance;
   QueryResult result;
-  const Real shell = shells(query), width = settings.carry_over * size_of_pair(a, b, b_in_a);
-  if (width > 0 && carry_over(a, b, b_in_a, width, shell, memory.certificate, result)) {
+  const Real shell = shells(query), width = certificate ? settings.carry_over * size_of_pair(a, b, b_in_a) : 0;
+  if (width > 0 && carry_over(a, b, b_in_a, width, shell, *certificate, result)) {
     report.carried += 1;
   } else {
     generic_distance(a, b, b_in_a, query, settings.warm_separation ? &memory : nullptr, result, fault);
-    if (width > 0) certify(result, b_in_a, shell, memory.certificate);
+    if (width > 0) certify(result, b_in_a, shell, *certificate);
     report.gjk_calls += 1;
     report.epa_calls += result.epa_iterations > 0;
   }
@@ -130,7 +130,8 @@ class Findings {
 }  // namespace
 
 void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b, const NarrowSettings& settings,
-             QueryMemory& memory, Candidates& found, NarrowReport& report, SupportFault& fault) {
+             QueryMemory& memory, Certificate* certificate, Candidates& found, NarrowReport& report,
+             SupportFault& fault) {
   found.count = 0;
   found.whole = found.on_rim = false;
   found.gap = -kInfinity;
@@ -153,27 +154,29 @@ void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& 
                           fault);
     to_world(first, flat_b, found);
   } else {
-    collide_generic(a, frame_a, b, frame_b, settings, memory, found, report, fault);
+    collide_generic(a, frame_a, b, frame_b, settings, memory, certificate, found, report, fault);
   }
 }
 
 /// A pair's record brought up to date; without points if a support function misbehaved.
-static void update(const PatchPair& pair, const NarrowSettings& settings, PairRecord& record, Candidates& found,
-                   NarrowReport& report, SupportFault& fault) {
+static void update(const PatchPair& pair, const NarrowSettings& settings, PairRecord& record, Certificate* certificate,
+                   Candidates& found, NarrowReport& report, SupportFault& fault) {
   if (one_shot(settings.manifold.kind) && keep_patch(pair, settings.manifold, record.patch, record.manifold)) {
     ++report.kept_patches;
     return;
   }
-  collide(pair.a, pair.frame_a, pair.b, pair.frame_b, settings, record.memory, found, report, fault);
+  collide(pair.a, pair.frame_a, pair.b, pair.frame_b, settings, record.memory, certificate, found, report, fault);
   record.patch.firm = false;
   if (fault.kind == SupportFault::none) update_manifold(pair, found, settings.manifold, record, report, fault);
   if (fault.kind == SupportFault::none) return;
   record.manifold.count = 0;
   record.memory = QueryMemory{};
+  if (certificate) *certificate = Certificate{};
 }
 
 void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTable& pairs, NarrowReport& report,
                   Array<SupportFault>& faults, Jobs* jobs) {
+  if (settings.carry_over > 0) pairs.keep_certificates();
   Findings findings(report, *faults.get_allocator().resource());
   const auto part = [&](std::uint32_t begin, std::uint32_t end, Whose whose) {
     const FloatGuard guard;
@@ -195,7 +198,7 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
       }
       own.manifold.contact_distance = reach;
       SupportFault fault;
-      update(pair, own, record, found, own_report, fault);
+      update(pair, own, record, pairs.certificate(i), found, own_report, fault);
       guard.put_back();
       place.points = static_cast<std::uint32_t>(record.manifold.count);
       place.horizon =

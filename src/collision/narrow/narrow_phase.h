@@ -21,14 +21,14 @@ struct NarrowSettings {
   Real carry_over = 0;  // bracket width, relative to the pair's size, up to which an earlier answer is carried over
 };
 
-/// All that is kept of a pair whose bounds overlap. What a pair at rest is asked for stands first, @see
-/// PairTable::fetch
+/// All that is kept of a pair whose bounds overlap, but for certificates. What a pair at rest is asked for stands first,
+/// @see PairTable::fetch
 struct alignas(64) PairRecord {
-  Pair pair{};
   PatchMemory patch;
   Manifold manifold;
   QueryMemory memory;
 };
+static_assert(sizeof(PairRecord) == 512, "eight cache lines");
 
 /// Records of the pairs of the current step, in ascending order of pair; a record survives as long as its bounds
 /// overlap. Those of pairs that lie still can be inactive: kept, each by one or both of its colliders, but not gone
@@ -36,7 +36,7 @@ struct alignas(64) PairRecord {
 class PairTable {
  public:
   explicit PairTable(Memory* memory)
-      : order_(memory), next_(memory), records_(memory), free_(memory), inactive_(memory), head_(memory) {}
+      : order_(memory), next_(memory), records_(memory), certificates_(memory), free_(memory), inactive_(memory), head_(memory) {}
 
   /// Keep records of pairs still there, take back inactive ones, start new ones, drop the rest. `pairs` ascending.
   /// Linear: both lists are sorted.
@@ -59,18 +59,29 @@ class PairTable {
   /// Drop what is still inactive by a collider.
   void release(std::uint32_t collider);
   std::size_t inactive_count() const { return inactive_count_; }
-  /// Call f(record) for every inactive record, in an order that follows from the history alone.
+  /// Call f(pair, record) for every inactive record, in an order that follows from the history alone.
   template <class F>
   void each_inactive(F&& f) const {
     for (std::size_t r = 0; inactive_count_ > 0 && r < inactive_.size(); ++r)
-      if (inactive_[r].holders != none) f(records_[r]);
+      if (inactive_[r].holders != none) f(inactive_[r].pair, records_[r]);
   }
-  /// The record of a pair, inactive or not; null if there is none.
-  const PairRecord* find(const Pair& pair) const;
+  struct Found {
+    const PairRecord* record;
+    const Certificate* certificate;
+  };
+  /// What is kept of a pair, inactive or not; null if there is nothing.
+  Found find(const Pair& pair) const;
 
   std::size_t size() const { return order_.size(); }
   PairRecord& operator[](std::size_t i) { return records_[order_[i].record]; }
   const PairRecord& operator[](std::size_t i) const { return records_[order_[i].record]; }
+
+  /// Certificates take memory from here on.
+  void keep_certificates() {
+    if (certificates_.size() < records_.size()) core::grow_to(certificates_, records_.size());
+  }
+  /// Null until keep_certificates().
+  Certificate* certificate(std::size_t i) { return certificate_of(order_[i].record); }
 
   /// What a step asks of every pair, side by side: records are large, and most pairs do not touch.
   struct Place {
@@ -101,20 +112,28 @@ class PairTable {
   static constexpr std::uint32_t kNew = 0xFFFFFFFFu;
   /// An inactive record stands in a list of each collider that holds it.
   struct Inactive {
+    Pair pair{};
     std::uint32_t next[2] = {kNew, kNew};  // record after this one in the list of A, of B
     std::uint32_t at = 0;                  // its place when it was inactive: orders the records of a run
     std::uint8_t holders = none;
   };
   std::uint32_t& next_in_list(std::uint32_t record, std::uint32_t collider) {
-    return inactive_[record].next[records_[record].pair.b == collider];
+    return inactive_[record].next[inactive_[record].pair.b == collider];
   }
   std::uint32_t find_inactive(const Pair& pair) const;
   void unpark(std::uint32_t record);
   bool take_back(const Pair& pair);
-  std::uint32_t fresh_record(const Pair& pair);
+  std::uint32_t fresh_record();
+  Certificate* certificate_of(std::uint32_t record) {
+    return record < certificates_.size() ? &certificates_[record] : nullptr;
+  }
+  const Certificate* certificate_of(std::uint32_t record) const {
+    return record < certificates_.size() ? &certificates_[record] : nullptr;
+  }
 
   Array<Place> order_, next_;  // by ascending pair
   Array<PairRecord> records_;
+  Array<Certificate> certificates_;  // by record; empty until answers are carried over
   Array<std::uint32_t> free_;
   Array<Inactive> inactive_;       // by record; empty until the first is inactive
   Array<std::uint32_t> head_;  // by collider: the first record that it deactivates, or kNew
@@ -143,7 +162,9 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
                   Array<SupportFault>& faults, Jobs* jobs = nullptr);
 
 /// Candidates of one pair: double dispatch over the two forms, the generic path where no specific routine fits.
+/// @param certificate  null: no answer is carried over
 void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b, const NarrowSettings& settings,
-             QueryMemory& memory, Candidates& found, NarrowReport& report, SupportFault& fault);
+             QueryMemory& memory, Certificate* certificate, Candidates& found, NarrowReport& report,
+             SupportFault& fault);
 
 }  // namespace carom::collision

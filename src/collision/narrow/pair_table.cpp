@@ -22,7 +22,7 @@ void PairTable::update(const Array<Pair>& pairs) {
   }
   while (old < order_.size()) free_.push_back(order_[old++].record);
   for (Place& place : next_)
-    if (place.record == kNew) place.record = fresh_record(place.pair);
+    if (place.record == kNew) place.record = fresh_record();
   order_.swap(next_);
 }
 
@@ -39,17 +39,17 @@ bool PairTable::take_back(const Pair& pair) {
   return next_.size() > before;
 }
 
-std::uint32_t PairTable::fresh_record(const Pair& pair) {
+std::uint32_t PairTable::fresh_record() {
   std::uint32_t r;
   if (free_.empty()) {
     r = static_cast<std::uint32_t>(records_.size());
-    records_.emplace_back();
+    core::grow_to(records_, r + std::size_t(1));
   } else {
     r = free_.back();
     free_.pop_back();
     records_[r] = PairRecord{};
+    if (Certificate* const old = certificate_of(r)) *old = Certificate{};
   }
-  records_[r].pair = pair;
   return r;
 }
 
@@ -60,7 +60,7 @@ void PairTable::resize_runs(const Array<Run>& runs) {
   next_.reserve(order_.size() + come);
   free_.reserve(records_.size() + come);
   if (records_.capacity() < records_.size() + come)
-    records_.reserve(std::max(2 * records_.capacity(), records_.size() + come));
+    records_.reserve(core::with_slack(records_.size() + come));
   const auto copy_up_to = [&](std::size_t end) {
     next_.insert(next_.end(), order_.begin() + static_cast<std::ptrdiff_t>(from),
                  order_.begin() + static_cast<std::ptrdiff_t>(end));
@@ -70,7 +70,7 @@ void PairTable::resize_runs(const Array<Run>& runs) {
     copy_up_to(run.first + std::min(run.count, run.wanted));
     for (; from < run.first + run.count; ++from) free_.push_back(order_[from].record);
     const Pair pair = order_[run.first].pair;
-    for (std::uint32_t k = run.count; k < run.wanted; ++k) next_.push_back({pair, fresh_record(pair)});
+    for (std::uint32_t k = run.count; k < run.wanted; ++k) next_.push_back({pair, fresh_record()});
   }
   copy_up_to(order_.size());
   order_.swap(next_);
@@ -88,7 +88,7 @@ void PairTable::forget(std::uint32_t collider) {
   order_.resize(kept);
   release(collider);
   for (std::uint32_t r = 0; inactive_count_ > 0 && r < inactive_.size(); ++r)  // those that only the other one holds
-    if (inactive_[r].holders != none && (records_[r].pair.a == collider || records_[r].pair.b == collider)) {
+    if (inactive_[r].holders != none && (inactive_[r].pair.a == collider || inactive_[r].pair.b == collider)) {
       unpark(r);
       free_.push_back(r);
     }
@@ -101,13 +101,14 @@ void PairTable::deactivate(const Array<std::uint8_t>& holders, std::size_t slots
   for (std::size_t i = 0; i < order_.size(); ++i) {
     const std::uint32_t r = order_[i].record;
     inactive_[r].holders = holders[i];
+    inactive_[r].pair = order_[i].pair;
     inactive_[r].at = static_cast<std::uint32_t>(i);
     if (holders[i] == none) {
       order_[kept++] = order_[i];
       continue;
     }
     ++inactive_count_;
-    const Pair& p = records_[r].pair;
+    const Pair& p = order_[i].pair;
     if (holders[i] & by_a) inactive_[r].next[0] = std::exchange(head_[p.a], r);
     if (holders[i] & by_b) inactive_[r].next[1] = std::exchange(head_[p.b], r);
   }
@@ -116,7 +117,7 @@ void PairTable::deactivate(const Array<std::uint8_t>& holders, std::size_t slots
 
 /// Lists are short: a collider has few neighbours, and what lies still under many (a floor) holds none of them.
 void PairTable::unpark(std::uint32_t record) {
-  const Pair p = records_[record].pair;
+  const Pair p = inactive_[record].pair;
   const auto leave = [&](std::uint32_t collider) {
     std::uint32_t* link = &head_[collider];
     while (*link != record) link = &next_in_list(*link, collider);
@@ -133,7 +134,7 @@ std::uint32_t PairTable::find_inactive(const Pair& pair) const {
   if (inactive_count_ == 0) return kNew;
   for (const std::uint32_t collider : {pair.a, pair.b}) {
     std::uint32_t r = collider < head_.size() ? head_[collider] : kNew;
-    while (r != kNew && !(records_[r].pair == pair)) r = inactive_[r].next[records_[r].pair.b == collider];
+    while (r != kNew && !(inactive_[r].pair == pair)) r = inactive_[r].next[inactive_[r].pair.b == collider];
     if (r != kNew) return r;
   }
   return kNew;
@@ -149,17 +150,19 @@ void PairTable::release(std::uint32_t collider) {
   }
 }
 
-const PairRecord* PairTable::find(const Pair& pair) const {
+PairTable::Found PairTable::find(const Pair& pair) const {
+  const auto found = [&](std::uint32_t record) -> Found { return {&records_[record], certificate_of(record)}; };
   const auto before = [](const Place& place, const Pair& p) { return place.pair < p; };
   const auto at = std::lower_bound(order_.begin(), order_.end(), pair, before);
-  if (at != order_.end() && at->pair == pair) return &records_[at->record];
+  if (at != order_.end() && at->pair == pair) return found(at->record);
   const std::uint32_t inactive = find_inactive(pair);
-  return inactive == kNew ? nullptr : &records_[inactive];
+  return inactive == kNew ? Found{nullptr, nullptr} : found(inactive);
 }
 
 void PairTable::clear() {
   order_.clear();
   records_.clear();
+  certificates_.clear();
   free_.clear();
   inactive_.clear();
   head_.clear();

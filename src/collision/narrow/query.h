@@ -50,7 +50,6 @@ struct Certificate {
 /// What one query leaves for the next one of the same pair.
 struct QueryMemory {
   Vec3 direction = Vec3::zero();  // A's frame: last separating direction (A to B); zero: none yet
-  Certificate certificate;        // kept by the narrow phase if answers are carried over
 };
 
 /// The length that tolerances are relative to: the smaller bounding radius. A point has none; against a point it is the

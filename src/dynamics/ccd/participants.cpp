@@ -193,14 +193,14 @@ void leave_to_sweep(const World& world, BroadPhases& broad, PairTable& pairs, co
   const Colliders& table = world.scene.colliders;
   const State& s = world.state;
   const Real reach = world.scene.dials[Dial::contact_distance], tolerance = world.scene.dials[Dial::position_tolerance];
-  const auto closes_fast = [&](const PairRecord& r) {
-    const std::uint32_t a = table.body[r.pair.a], b = table.body[r.pair.b];
+  const auto closes_fast = [&](const Pair& pair, const PairRecord& r) {
+    const std::uint32_t a = table.body[pair.a], b = table.body[pair.b];
     bool fast = false;
     for (int k = 0; k < r.manifold.count; ++k) {
       const ContactPoint& p = r.manifold.point[k];
       if (!(p.separation > -tolerance)) return false;
-      const Vec3 arm_a = table.frame[r.pair.a].apply(p.on_a) - s.x[a];
-      const Vec3 arm_b = table.frame[r.pair.b].apply(p.on_b) - s.x[b];
+      const Vec3 arm_a = table.frame[pair.a].apply(p.on_a) - s.x[a];
+      const Vec3 arm_b = table.frame[pair.b].apply(p.on_b) - s.x[b];
       const Vec3 u = s.v[b] + s.omega[b].cross(arm_b) - s.v[a] - s.omega[a].cross(arm_a);
       fast |= -u.dot(p.normal) * time.dt > std::max(p.separation, reach);
     }
@@ -218,7 +218,7 @@ void leave_to_sweep(const World& world, BroadPhases& broad, PairTable& pairs, co
     }
     for (; lo < pairs.size() && pairs.place(lo).pair == pair; ++lo) {
       PairRecord& r = pairs[lo];
-      if (pairs.place(lo).points == 0 || !closes_fast(r)) continue;
+      if (pairs.place(lo).points == 0 || !closes_fast(pair, r)) continue;
       r.manifold.count = 0;
       r.patch.firm = false;
       pairs.place(lo).points = 0;

@@ -118,7 +118,7 @@ int Sweeper::find_points(const Strike& s, Manifold& manifold) {
   Candidates found;
   SupportFault fault;
   if (is_scenery(b) && world_.plan->scenery) scenery_points({b, a, frame_b, frame_a}, settings, s.normal, manifold);
-  collide(a, frame_a, b, frame_b, settings, memory, found, report_.narrow, fault);
+  collide(a, frame_a, b, frame_b, settings, memory, nullptr, found, report_.narrow, fault);
   const PatchPair pair{a, b, frame_a, frame_b, shells(settings.query) / 2};
   PatchMemory patch;
   if (fault.kind == SupportFault::none && found.count > 0) {

@@ -180,7 +180,7 @@ void make_room_for_spins(const World& world) {
 void list_contact_pairs(const World& world) {
   Contacts& c = *world.contacts;
   c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear();
-  c.contact_pairs.reserve(c.rows.size());
+  c.contact_pairs.reserve(world.pairs.size());
   std::uint64_t rub = 0;
   for (std::size_t i = 0; i < world.pairs.size(); ++i) {
     const std::uint32_t first = c.first_row[i], count = c.first_row[i + 1] - first;

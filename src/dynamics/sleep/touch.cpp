@@ -52,11 +52,13 @@ bool touches(const World& world, NarrowReport& report, const NarrowSettings& set
     return touches_scenery(world, report, settings, pair);
   NarrowSettings own = settings;
   own.manifold.contact_distance += c.reach[pair.a] + c.reach[pair.b];
-  const PairRecord* const record = world.pairs.find(pair);
-  QueryMemory memory = record ? record->memory : QueryMemory{};
+  const PairTable::Found kept = world.pairs.find(pair);
+  QueryMemory memory = kept.record ? kept.record->memory : QueryMemory{};
+  Certificate certificate = kept.certificate ? *kept.certificate : Certificate{};
   Candidates found;
   SupportFault fault;
-  collide(*c.shape[pair.a], c.frame[pair.a], *c.shape[pair.b], c.frame[pair.b], own, memory, found, report, fault);
+  collide(*c.shape[pair.a], c.frame[pair.a], *c.shape[pair.b], c.frame[pair.b], own, memory, &certificate, found, report,
+          fault);
   return found.count > 0 || fault.kind != SupportFault::none;  // a fault is the narrow phase's to tell
 }
 

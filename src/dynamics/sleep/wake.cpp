@@ -7,17 +7,17 @@
 namespace carom::dynamics {
 namespace {
 
-/// Call f(record) for the record of every pair that a sleeper may be in. Those who fell asleep in the last step are not
+/// Call f(pair, record) for the record of every pair that a sleeper may be in. Those who fell asleep in the last step are not
 /// inactive yet.
 template <class F>
 void each_record(const World& world, F&& f) {
   world.pairs.each_inactive(f);
-  for (std::size_t i = 0; i < world.pairs.size(); ++i) f(world.pairs[i]);
+  for (std::size_t i = 0; i < world.pairs.size(); ++i) f(world.pairs.place(i).pair, world.pairs[i]);
 }
 
-void wake_both(World& world, const PairRecord& r) {
-  wake(world, world.scene.colliders.body[r.pair.a]);
-  wake(world, world.scene.colliders.body[r.pair.b]);
+void wake_both(World& world, const Pair& pair) {
+  wake(world, world.scene.colliders.body[pair.a]);
+  wake(world, world.scene.colliders.body[pair.b]);
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ void wake_all(const World& world, Sleepers to) {
 
 void wake_touching(World& world, std::uint32_t collider) {
   if (world.sleep->count == 0) return;
-  each_record(world, [&](const PairRecord& r) {
-    if ((r.pair.a == collider || r.pair.b == collider) && r.manifold.count > 0) wake_both(world, r);
+  each_record(world, [&](const Pair& pair, const PairRecord& r) {
+    if ((pair.a == collider || pair.b == collider) && r.manifold.count > 0) wake_both(world, pair);
   });
 }
 
@@ -61,8 +61,8 @@ void wake_joined(const World& world, Sleepers to, std::uint32_t body) {
 void wake_wearing(World& world, std::uint32_t material) {
   if (world.sleep->count == 0) return;
   const Colliders& c = world.scene.colliders;
-  each_record(world, [&](const PairRecord& r) {
-    if (c.material[r.pair.a] == material || c.material[r.pair.b] == material) wake_both(world, r);
+  each_record(world, [&](const Pair& pair, const PairRecord&) {
+    if (c.material[pair.a] == material || c.material[pair.b] == material) wake_both(world, pair);
   });
 }
 

@@ -30,7 +30,7 @@ struct Needs {
   std::size_t fallen = 0, woken = 0, stirred = 0, rejoined = 0;
   std::size_t touching = 0, within = 0, slept = 0, faulty = 0, apart = 0, unbroken = 0;
   std::uint32_t attributes = 0;  // of bodies: a bit for each that some body has
-  bool modes = false;
+  bool modes = false, certificates = false;
   bool filter = false, sensor = false, surface = false;
 
   struct Set {

@@ -52,12 +52,13 @@ void certificate(Io& io, C& c) {
 enum RecordBits : std::uint8_t { kPoints = 7, kWarm = 8, kCertain = 16, kFirm = 32, kOfB = 64, kMoreCorners = 128 };
 
 /// All of a record but its pair.
-template <class Io, class R>
-void record(Io& io, R& r, int& points) {
+/// @param certified  null: there is no certificate
+template <class Io, class R, class C>
+void record(Io& io, R& r, C* certified, int& points) {
   const bool warm = Io::saves && !zero_bits(r.memory.direction);
   const auto bits =
       io.value(Io::saves ? static_cast<std::uint8_t>(
-                               r.manifold.count | (warm ? kWarm : 0) | (r.memory.certificate.known ? kCertain : 0) |
+                               r.manifold.count | (warm ? kWarm : 0) | (certified && certified->known ? kCertain : 0) |
                                (r.patch.firm ? kFirm : 0) | (r.patch.firm && r.patch.of_b ? kOfB : 0) |
                                (r.manifold.has_more_corners ? kMoreCorners : 0))
                          : std::uint8_t(0));
@@ -69,7 +70,12 @@ void record(Io& io, R& r, int& points) {
     const Vec3 direction = io.vec(r.memory.direction);
     keep(io, r.memory.direction, direction);
   }
-  if (bits & kCertain) certificate(io, r.memory.certificate);
+  if constexpr (Io::loads)
+    if (certified) *certified = Certificate{};
+  if (bits & kCertain) {
+    if constexpr (Io::checks) io.needs.certificates = true;
+    certificate(io, *certified);
+  }
   keep(io, r.manifold.count, points), keep(io, r.manifold.has_more_corners, (bits & kMoreCorners) != 0);
   for (int k = 0; k < points; ++k) point(io, r.manifold.point[k]);
   if (!(bits & kFirm)) return;
@@ -102,6 +108,7 @@ class PairTableImage {
     if constexpr (Io::loads) {
       t.clear();
       t.order_.resize(places), t.records_.resize(records), t.free_.resize(free);
+      if (t.certificates_.capacity() >= records) t.certificates_.resize(records);  // as make_room() found
       if (inactive > 0) t.inactive_.resize(records), t.head_.assign(world.scene.colliders.slots(), kNew);
     }
     Array<std::uint8_t> seen(Io::checks ? records : 0, 0, world.memory);  // by record
@@ -127,6 +134,7 @@ class PairTableImage {
     PairTable& t = world.pairs;
     const std::size_t inactive = n.inactive > 0 ? n.records : 0;
     t.order_.reserve(n.places), t.records_.reserve(n.records), t.free_.reserve(n.free_records);
+    t.certificates_.reserve(n.certificates ? n.records : 0);
     t.inactive_.reserve(inactive), t.head_.reserve(inactive ? world.scene.colliders.slots() : 0);
   }
 
@@ -150,14 +158,14 @@ class PairTableImage {
       const bool scenery = is_scenery(*shape[p.a]) || is_scenery(*shape[p.b]);
       io.demand(k == 0 || last < p || (last == p && scenery));
       PairRecord none;
-      record(io, none, points);
+      Certificate unknown;
+      record(io, none, &unknown, points);
       io.demand(points == 0 || scenery || horizon == -kInfinity);  // what touches is asked again
       last = p;
     } else {
-      record(io, t.records_[at], points);
+      record(io, t.records_[at], t.certificate_of(at), points);
     }
     if constexpr (Io::loads) {
-      t.records_[at].pair = p;
       t.order_[k] = {p, at, static_cast<std::uint32_t>(points), horizon};
     }
   }
@@ -175,7 +183,7 @@ class PairTableImage {
       r = io.value(r);
       once(r);
       if (io.bad()) return;
-      const Pair p = pair(io, world, Io::saves ? t.records_[r].pair : Pair{0, 0});
+      const Pair p = pair(io, world, Io::saves ? t.inactive_[r].pair : Pair{0, 0});
       PairTable::Inactive now = Io::saves ? t.inactive_[r] : PairTable::Inactive{};
       now.holders = io.value(now.holders), now.at = io.value(now.at);
       io.demand(now.holders >= 1 && now.holders <= 3);
@@ -183,12 +191,14 @@ class PairTableImage {
       int points = 0;
       if constexpr (Io::checks) {
         PairRecord none;
-        record(io, none, points);
+        Certificate unknown;
+        record(io, none, &unknown, points);
         links[r] = now, pairs[r] = p;
       } else {
-        record(io, t.records_[r], points);
+        record(io, t.records_[r], t.certificate_of(r), points);
       }
-      if constexpr (Io::loads) t.records_[r].pair = p, t.inactive_[r] = now;
+      now.pair = p;
+      if constexpr (Io::loads) t.inactive_[r] = now;
     }
     if constexpr (Io::loads) t.inactive_count_ = inactive;
     heads(io, world, links, pairs);

@@ -69,7 +69,7 @@ Structure structure_of(const World& world, Memory* memory) {
   ShapePrints shapes(memory);
   return {print_of(s.bodies,
                    [&](Hash& h, std::uint32_t i) {
-                     const BodyDef& d = s.def[i];
+                     const BodySettings& d = s.def[i];
                      h.add(static_cast<std::uint64_t>(d.type) | (d.stays_awake ? 256u : 0u));
                      h.add(s.mass[i]), h.add(d.linear_damping), h.add(d.angular_damping);
                      add(h, s.center[i]), add(h, s.inertia[i]);

@@ -119,7 +119,8 @@ struct WholeBodies {
   static void go(Io& io, W& world, auto&&) {
     each_alive(world.scene.bodies, [&](std::uint32_t i) {
       if (io.bad()) return;
-      BodyDef def = Io::saves ? world.scene.def[i] : BodyDef();
+      BodyDef def;
+      if constexpr (Io::saves) static_cast<BodySettings&>(def) = world.scene.def[i];
       describe(io, def);
       if constexpr (Io::checks)
         if (!io.bad()) world.fill_body(i, def);

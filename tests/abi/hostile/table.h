@@ -135,7 +135,7 @@ inline Argument joint_motor(Context& c) {
   auto d = fresh<carom_joint_motor>(carom_joint_motor_init);
   d.enabled = c.source.below(2), d.speed = c.between(-3, 3), d.max_force = c.between(0, 50);
   return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_motor, enabled, 2u), HOSTILE_NUMBERS(carom_joint_motor, speed, 1, {-1e6, 1e6}),
-                          HOSTILE_NUMBERS(carom_joint_motor, most, 1, {0, 1e30})});
+                          HOSTILE_NUMBERS(carom_joint_motor, max_force, 1, {0, 1e30})});
 }
 inline Argument joint_transmission(Context& c) {
   auto d = fresh<carom_joint_transmission>(carom_joint_transmission_init);
@@ -162,7 +162,7 @@ inline Argument joint_axis(Context& c) {
                           HOSTILE_NUMBERS(carom_joint_axis, lower, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(carom_joint_axis, upper, 1, {-1e9, 1e9}),
                           HOSTILE_NUMBERS(carom_joint_axis, stop_stiffness, 1, {0, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, stop_damping, 1, {0, 1e30}),
                           HOSTILE_NUMBERS(carom_joint_axis, target, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(carom_joint_axis, speed, 1, {-1e6, 1e6}),
-                          HOSTILE_NUMBERS(carom_joint_axis, effort, 1, {-1e30, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, most, 1, {0, 1e30}),
+                          HOSTILE_NUMBERS(carom_joint_axis, effort, 1, {-1e30, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, max_force, 1, {0, 1e30}),
                           HOSTILE_NUMBERS(carom_joint_axis, drive_stiffness, 1, {0, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, drive_damping, 1, {0, 1e30}),
                           HOSTILE_NUMBERS(carom_joint_axis, rest, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(carom_joint_axis, spring_stiffness, 1, {0, 1e30}),
                           HOSTILE_NUMBERS(carom_joint_axis, spring_damping, 1, {0, 1e30})});
@@ -178,7 +178,7 @@ inline Argument joint_orientation_drive(Context& c) {
                           HOSTILE_RESERVED(carom_joint_orientation_drive, reserved), HOSTILE_UNIT(carom_joint_orientation_drive, target, 4),
                           HOSTILE_NUMBERS(carom_joint_orientation_drive, velocity, 3, {-1e6, 1e6}),
                           HOSTILE_NUMBERS(carom_joint_orientation_drive, effort, 3, {-1e30, 1e30}),
-                          HOSTILE_NUMBERS(carom_joint_orientation_drive, most, 3, {0, 1e30}),
+                          HOSTILE_NUMBERS(carom_joint_orientation_drive, max_force, 3, {0, 1e30}),
                           HOSTILE_NUMBERS(carom_joint_orientation_drive, stiffness, 1, {0, 1e30}),
                           HOSTILE_NUMBERS(carom_joint_orientation_drive, damping, 1, {0, 1e30})});
 }
@@ -187,7 +187,7 @@ inline Argument joint_spring(Context& c) {
   d.enabled = c.source.below(2), d.target = c.between(0, 1), d.frequency = c.between(0, 5), d.damping = c.between(0, 1), d.max_force = 100;
   return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_spring, enabled, 2u), HOSTILE_NUMBERS(carom_joint_spring, target, 1, {-1e9, 1e9}),
                           HOSTILE_NUMBERS(carom_joint_spring, frequency, 1, {0, 1e4}), HOSTILE_NUMBERS(carom_joint_spring, damping, 1, {0, 1e3}),
-                          HOSTILE_NUMBERS(carom_joint_spring, most, 1, {0, 1e30})});
+                          HOSTILE_NUMBERS(carom_joint_spring, max_force, 1, {0, 1e30})});
 }
 inline Argument field_desc(Context& c) {
   auto d = fresh<carom_force_field_desc>(carom_force_field_desc_init);

@@ -134,8 +134,8 @@ static void both_orders_find_the_same_points(void**) {
       Candidates one, two;
       NarrowReport report;
       SupportFault fault;
-      collide(a, frame_a, b, frame_b, settings, memory, one, report, fault);
-      collide(b, frame_b, a, frame_a, settings, memory, two, report, fault);
+      collide(a, frame_a, b, frame_b, settings, memory, nullptr, one, report, fault);
+      collide(b, frame_b, a, frame_a, settings, memory, nullptr, two, report, fault);
       assert_int_equal(report.gjk_calls, 0);
       const Real rounding = 64 * kUnitRoundoff * (pair_size(a, b, relative(frame_a, frame_b)) + frame_a.p.norm());
       for (int k = 0; k < one.count; ++k) {
@@ -170,7 +170,7 @@ static void the_generic_path_finds_what_routines_find(void**) {
       SupportFault fault;
       for (const bool routines : {true, false}) {
         QueryMemory memory;
-        collide(a, frame_a, b, frame_b, routines ? with : without, memory, routines ? one : two, report, fault);
+        collide(a, frame_a, b, frame_b, routines ? with : without, memory, nullptr, routines ? one : two, report, fault);
       }
       // Both stop at the contact distance; only a pair on the very limit may be seen by one of them alone.
       if (one.count == 0 || two.count == 0) {

@@ -59,7 +59,7 @@ static void union_find_agrees_with_breadth_first_search(void**) {
       if (row.a == row.b || !(row.moves_a || row.moves_b)) continue;
       const std::uint32_t count = 1 + random.below(4), first = static_cast<std::uint32_t>(c.rows.size());
       for (std::uint32_t i = 0; i < count; ++i) c.rows.push_back(row);
-      c.meetings.push_back({first, count, row.a, row.b, row.moves_a, row.moves_b, true});
+      c.contact_pairs.push_back({first, count, row.a, row.b, row.moves_a, row.moves_b, true});
     }
     partition_rows(c, bodies, true);
     const std::vector<std::uint32_t> want = labels_by_search(c.rows);

@@ -36,7 +36,8 @@ void gather(const World& world, DirectGroups& d) {
   std::size_t points = 0;
   for (std::size_t g = 0; g < c.groups(); ++g)
     if (c.answered_directly(g)) points += c.group_begin[g + 1] - c.group_begin[g];
-  d.contacts.resize(points);
+  grow_to(d.contacts, points);
+  if (d.bodies.capacity() < c.bodies.size()) d.bodies.reserve(with_slack(c.bodies.size()));
   const auto mark = [&] {
     d.begin.push_back({static_cast<std::uint32_t>(d.row.size()), static_cast<std::uint32_t>(d.bodies.size()),
                        static_cast<std::uint32_t>(d.links.size())});
