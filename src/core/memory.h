@@ -18,8 +18,8 @@ using Memory = std::pmr::memory_resource;
 template <class T>
 using Array = std::pmr::vector<T>;
 
-/// Capacity for an array of n elements that may grow on: a quarter more. Doubling would leave a third of it idle.
-inline std::size_t with_slack(std::size_t n) { return std::max<std::size_t>(16, n + n / 4); }
+/// Capacity for an array of n elements that may grow on: an eighth more. Doubling would leave a third of it idle.
+inline std::size_t with_slack(std::size_t n) { return std::max<std::size_t>(16, n + n / 8); }
 
 /// Resize an array that grows on from step to step.
 template <class A, class... Value>

@@ -130,7 +130,7 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   if (i < c.filter.size()) c.filter[i] = settings.filter;
   if (i < c.sensor.size()) c.sensor[i] = settings.sensor;
   if (i < scene.surface.size()) scene.surface[i] = settings.surface;
-  scene.belts += settings.surface.any();
+  scene.moving_surfaces += settings.surface.any();
   settle_mass(body);
   queries->note_changed(i);
   queries->note_moved(body);
@@ -177,7 +177,7 @@ void World::remove_collider(std::uint32_t collider) {
   link_to(scene, body, collider) = c.next[collider];
   c.live.erase(std::lower_bound(c.live.begin(), c.live.end(), collider));
   if (collider < scene.surface.size()) {
-    scene.belts -= scene.surface[collider].any();
+    scene.moving_surfaces -= scene.surface[collider].any();
     scene.surface[collider] = SurfaceVelocity{};
   }
   c.shape[collider] = nullptr;
@@ -247,7 +247,7 @@ void World::set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& 
   if (scene.surface.size() < scene.colliders.slots()) scene.surface.resize(scene.colliders.slots());
   stir(*this, scene.colliders.body[collider]);
   scene.surface[collider] = surface;
-  scene.belts += surface.any(), scene.belts -= was.any();
+  scene.moving_surfaces += surface.any(), scene.moving_surfaces -= was.any();
   ++scene.revision;
 }
 

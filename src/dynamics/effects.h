@@ -120,6 +120,9 @@ struct Plan {
   int substeps = 1;                      // of the world, whoever is in it
   bool in_pass = false;                  // they go by island: the plan has some of them, @see accuracy/passes.h
   bool idle = false;                     // nobody needs them in this step: they are left out
+  bool reads_velocities = false;         // some force does: it is given a copy, which forces before it have not changed
+  bool watches_speed = false;            // what moves far for its size is swept
+  bool host_wrote = false;               // to the state, before this step
   const Integrator* integrator = nullptr;
   const Rotation* rotation_method = nullptr;  // null: the gyroscopic effect is a force, a flow, or absent
   Array<Principal> principal;                 // by body, participants of the rotation method
@@ -140,9 +143,6 @@ struct Plan {
   Array<Vec3> read_v, read_omega;    // by body: that copy, of readers
   Array<Vec3> scratch_vectors;       // of the integrator
   Array<Quat> scratch_rotations;
-  bool reads_velocities = false;   // some force does: it is given a copy, which forces before it have not changed
-  bool watches_speed = false;      // what moves far for its size is swept
-  bool host_wrote = false;         // to the state, before this step
   Array<const Shape*> faulty;      // shapes in quarantine in this world
   Array<SupportFault> faults;      // of this step
   Array<Pair> pairs;               // of this step

@@ -31,8 +31,7 @@ std::uint32_t island_of(Contacts& c, std::uint32_t body) { return root_of(c.pare
 void partition_rows(Contacts& c, std::size_t body_slots, bool grouped) {
   const std::size_t n = c.rows.size();
   c.group_begin.clear();
-  c.group_rows.resize(n);
-  c.label.resize(n);
+  grow_to(c.group_rows, n), grow_to(c.label, n);
   c.link_label.resize(c.links.size());
   c.is_grouped = grouped;
   std::size_t met = 0;

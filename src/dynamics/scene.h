@@ -123,12 +123,11 @@ struct Scene : Revisions {
 
   Colliders colliders;             // by collider slot
   Array<SurfaceVelocity> surface;  // likewise, the first so many; the others stand still
-  std::uint32_t belts = 0;         // surfaces that move
+  std::uint32_t moving_surfaces = 0;
+  bool resists = false;            // some material resists rolling or spinning
   Array<Material> material;        // by material slot
   PairCounts apart;                // of body slots: they do not touch, whatever their filters say
   PairCounts joined;               // likewise, as joints hold them together
-
-  bool resists = false;  // some material resists rolling or spinning
 
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
   Vec3 wind = Vec3::zero();          // m/s, world: how the air moves

@@ -282,9 +282,9 @@ static void a_collider_that_comes_into_a_used_slot_stands_still(void**) {
   const Shape* cube = t.keep(box(kSlab));
   const std::uint32_t body = t.add(cube, Vec3::zero()), collider = collider_of(t, body);
   drive(t, body, Vec3(1, 0, 0));
-  assert_int_equal(t.world.scene.belts, 1);
+  assert_int_equal(t.world.scene.moving_surfaces, 1);
   t.world.remove_collider(collider);
-  assert_int_equal(t.world.scene.belts, 0);
+  assert_int_equal(t.world.scene.moving_surfaces, 0);
   assert_int_equal(handle_slot(t.world.add_collider(body, cube, Pose{}, 1000, Colliders::kNoMaterial)), collider);
   assert_true(!t.world.scene.surface_of(collider).any());
 }

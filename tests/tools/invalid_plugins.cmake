@@ -1,7 +1,7 @@
 # Plugins for `carom check` to judge: the same ball with one lie each, and one valid.
 set(carom_judged "")
 set(carom_judged_dir ${CMAKE_BINARY_DIR}/judged)
-foreach(lie HONEST HANG CRASH ABORT EXIT JUMP NAN DENT LENGTH MEMORY DECLARATION RULES)
+foreach(lie VALID HANG CRASH ABORT EXIT JUMP NAN DENT LENGTH MEMORY DECLARATION RULES)
   string(TOLOWER ${lie} name)
   add_library(judged_${name} MODULE ${CMAKE_CURRENT_LIST_DIR}/invalid_plugins/invalid_plugins.c)
   target_include_directories(judged_${name} PRIVATE ${PROJECT_SOURCE_DIR}/include)

@@ -386,15 +386,15 @@ export const CAROM_JOINT_HINGE: 1;
 export const CAROM_JOINT_SLIDER: 2;
 /** nothing is free */
 export const CAROM_JOINT_WELD: 3;
-/** the points stay `length` apart: a rod. With a limit a rope, with a spring a spring \ */
+/** the points stay `length` apart: a rod. With a limit a rope, with a spring a spring */
 export const CAROM_JOINT_DISTANCE: 4;
 /** the points stay together, B's z axis at right angles to A's y axis: a cross of two pins */
 export const CAROM_JOINT_UNIVERSAL: 5;
-/** a rope from A's point over two anchors to B's, as carom_joint_set_transmission() says; until \ then it holds nothing. Without a limit the rope neither stretches nor gives way; with one it \ may be slack */
+/** a rope from A's point over two anchors to B's, as carom_joint_set_transmission() says; until then it holds nothing. Without a limit the rope neither stretches nor gives way; with one it may be slack */
 export const CAROM_JOINT_PULLEY: 6;
-/** A's angle about the x axis of its frame, plus `ratio` times B's about its own, stays what it is; \ each relative to the world, where bearings of their own hold the wheels. Ratio 1 until \ carom_joint_set_transmission() says another: they turn against each other */
+/** A's angle about the x axis of its frame, plus `ratio` times B's about its own, stays what it is; each relative to the world, where bearings of their own hold the wheels. Ratio 1 until carom_joint_set_transmission() says another: they turn against each other */
 export const CAROM_JOINT_GEAR: 7;
-/** each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then \ all are free */
+/** each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free */
 export const CAROM_JOINT_SIX_AXIS: 8;
 export const CAROM_JOINT_COUNT: 9;
 /** rad, (-pi, pi], of B about the x axes: ball, hinge */
@@ -442,7 +442,7 @@ export const CAROM_GAINS_FORCE: 1;
 /** 1/s^2 and 1/s: force = -m (stiffness x + damping x') */
 export const CAROM_GAINS_ACCELERATION: 2;
 export const CAROM_GAINS_COUNT: 3;
-/** position_a and orientation_a are in world coordinates and hold for both \ bodies as they stand now; those of B are not read */
+/** position_a and orientation_a are in world coordinates and hold for both bodies as they stand now; those of B are not read */
 export const CAROM_JOINT_WORLD_FRAME: 1;
 /** the two bodies may touch each other; else they do not */
 export const CAROM_JOINT_COLLIDE: 2;

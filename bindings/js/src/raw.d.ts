@@ -438,10 +438,9 @@ export interface Raw {
   /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_orientation_drive_init(drive: number, struct_size: number): number;
   /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-   *  NOT_UNIT; NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
-   *  body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT;
-   *  OUT_OF_MEMORY */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
+   *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
+   *          8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_joint_create(world: number, desc: number, joint: number, error: number): number;
   /** @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_joint_destroy(world: number, joint: bigint, error: number): number;
@@ -452,18 +451,18 @@ export interface Raw {
   carom_joint_get_state(world: number, joint: bigint, state: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-   *  limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_limit(world: number, joint: bigint, coordinate: number, limit: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-   *  limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_motor(world: number, joint: bigint, coordinate: number, motor: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-   *  limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_spring(world: number, joint: bigint, coordinate: number, spring: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_limit(world: number, joint: bigint, coordinate: number, limit: number, error: number): number;
@@ -471,27 +470,26 @@ export interface Raw {
   carom_joint_get_motor(world: number, joint: bigint, coordinate: number, motor: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_spring(world: number, joint: bigint, coordinate: number, spring: number, error: number): number;
-  /** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a
-   *  pulley's distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they
-   *  may turn: turns are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in
-   *  one; a pose that the host sets between steps is no turn. Accuracy: second order in the substep, as all joints; the
-   *  rope's length errs by what joint_frequency leaves, and under the direct solver by 1e-9 m; a gear's angles err by
-   *  rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
-   *  NOT_FINITE; OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
+  /** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
+   *  distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
+   *  are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in one; a pose that the
+   *  host sets between steps is no turn.
+   *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
+   *  direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
+   *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
   carom_joint_set_transmission(world: number, joint: bigint, transmission: number, error: number): number;
   /** @param transmission out: as it was set, with its length; ratio 0: not yet
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_transmission(world: number, joint: bigint, transmission: number, error: number): number;
-  /** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
-   *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
-   *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
-   *  frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
-   *  amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
-   *  bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
-   *  substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
-   *  the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
-   *  test_six_axis_scenes.
+  /** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
+   *  and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
+   *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the frequency and
+   *  b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their amplitude and fade slower by
+   *  b h of their rate; at rest they sag by load / stiffness, to rounding where one joint bears all, in first order where soft_step
+   *  sweeps over several. A drive to a velocity holds that of the middle of a substep under the direct solver, and one with a damping
+   *  alone does under any: what a step ends with differs by what the load does in h / 2. Forces of drives are met to rounding.
+   *  Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
    *  @param axis CAROM_AXIS_*
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
    *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
@@ -499,11 +497,11 @@ export interface Raw {
   /** @param axis CAROM_AXIS_*   @param desc out: as it was set
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_axis(world: number, joint: bigint, axis: number, desc: number, error: number): number;
-  /** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect
-   *  joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
-   *  it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
-   *  field; a reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
+  /** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
+   *  Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
+   *  rounding. Oracle: tests/oracle/test_six_axis.
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
+   *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_orientation_drive(world: number, joint: bigint, drive: number, error: number): number;
   /** @param drive out: as it was set
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
@@ -514,8 +512,7 @@ export interface Raw {
    *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
    *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
-   *  BUSY */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_read_joints(world: number, field: number, scalar: number, joints: number, n: bigint, dst: number, stride: bigint, error: number): number;
   /** Number of joints, and their handles in creation order of the slots.
    *  @param joints [capacity] or NULL   @param count out: how many there are

@@ -715,9 +715,8 @@ class carom_joint_motor(ctypes.Structure):
     speed: float
     max_force: float
 class carom_joint_spring(ctypes.Structure):
-    """A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi
-    frequency and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w
-    x')."""
+    """A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi frequency
+    and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x')."""
     struct_size: int
     enabled: int
     target: float
@@ -733,8 +732,8 @@ class carom_joint_transmission(ctypes.Structure):
     anchor_b: Any
     length: float
 class carom_joint_axis(ctypes.Structure):
-    """What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
-    each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it."""
+    """What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside each other; of
+    what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it."""
     struct_size: int
     mode: int
     lower: float
@@ -755,10 +754,10 @@ class carom_joint_axis(ctypes.Structure):
     spring_stiffness: float
     spring_damping: float
 class carom_joint_orientation_drive(ctypes.Structure):
-    """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
-    locked (else it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's
-    frame is, its torque is stiffness (-e) + damping (velocity - omega), about each of A's axes `max_force` at most. Fill
-    with carom_joint_orientation_drive_init()."""
+    """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is locked (else
+    it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's frame is, its torque is
+    stiffness (-e) + damping (velocity - omega), about each of A's axes `max_force` at most. Fill with
+    carom_joint_orientation_drive_init()."""
     struct_size: int
     drive: int
     gains: int
@@ -1674,10 +1673,9 @@ def carom_joint_orientation_drive_init(drive: Any, struct_size: Any) -> int:
     ...
 def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
     """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-    NOT_UNIT; NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
-    body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT;
-    OUT_OF_MEMORY"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
+            NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
+            8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_joint_destroy(world: Any, joint: Any, error: Any) -> int:
     """@status OK; *_HANDLE; BUSY; REENTRANT"""
@@ -1692,20 +1690,20 @@ def carom_joint_get_state(world: Any, joint: Any, state: Any, error: Any) -> int
 def carom_joint_set_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-    limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_motor(world: Any, joint: Any, coordinate: Any, motor: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-    limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_spring(world: Any, joint: Any, coordinate: Any, spring: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-    limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
@@ -1717,29 +1715,28 @@ def carom_joint_get_spring(world: Any, joint: Any, coordinate: Any, spring: Any,
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
-    """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a
-    pulley's distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they
-    may turn: turns are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in
-    one; a pose that the host sets between steps is no turn. Accuracy: second order in the substep, as all joints; the
-    rope's length errs by what joint_frequency leaves, and under the direct solver by 1e-9 m; a gear's angles err by
-    rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
-    NOT_FINITE; OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT"""
+    """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
+    distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
+    are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in one; a pose that the
+    host sets between steps is no turn.
+    Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
+    direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
+            OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT"""
     ...
 def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
     """@param transmission out: as it was set, with its length; ratio 0: not yet
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
-    """Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
-    drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
-    Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
-    frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
-    amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
-    bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
-    substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
-    the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
-    test_six_axis_scenes.
+    """Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
+    and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
+    Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the frequency and
+    b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their amplitude and fade slower by
+    b h of their rate; at rest they sag by load / stiffness, to rounding where one joint bears all, in first order where soft_step
+    sweeps over several. A drive to a velocity holds that of the middle of a substep under the direct solver, and one with a damping
+    alone does under any: what a step ends with differs by what the load does in h / 2. Forces of drives are met to rounding.
+    Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
     @param axis CAROM_AXIS_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
             *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
@@ -1749,11 +1746,11 @@ def carom_joint_get_axis(world: Any, joint: Any, axis: Any, desc: Any, error: An
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
-    """Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect
-    joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
-    it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
-    field; a reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT"""
+    """Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
+    Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
+    rounding. Oracle: tests/oracle/test_six_axis.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
+            reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
     """@param drive out: as it was set
@@ -1766,8 +1763,7 @@ def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n:
     @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
     @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
-    BUSY"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of joints, and their handles in creation order of the slots.

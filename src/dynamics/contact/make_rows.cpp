@@ -155,7 +155,7 @@ void fill_all_rows(const World& world, StepReport& report, Real scale) {
     n += std::exchange(c.first_row[i], n);
   }
   c.first_row[pairs] = n;
-  c.rows.resize(n), c.geometry.resize(n);
+  grow_to(c.rows, n), grow_to(c.geometry, n);
   in_parts(world.jobs, pairs, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
     const auto before = [](const OldImpulse& old, const Pair& pair) { return old.pair < pair; };
     auto cursor = static_cast<std::size_t>(
@@ -268,7 +268,7 @@ void list_moved_bodies(const World& world, Impulses& impulses, const StepTime&) 
   c.inv_inertia_w.resize(slots);
   c.last_impact.resize(slots);
   c.shift.resize(slots, Vec3::zero()), c.turn.resize(slots, Vec3::zero());
-  impulses.old.reserve(n);
+  if (n > impulses.old.capacity()) impulses.old.reserve(with_slack(n));
   c.blocks.assign((n + kRowsAPart - 1) / kRowsAPart, {});
 }
 

@@ -33,7 +33,7 @@ void find_surfaces(const World& world, const StepTime&) {
   const Scene& scene = world.scene;
   c.driven.clear(), c.surface.clear();
   std::uint64_t driven = 0;
-  for (std::uint32_t i = 0, next; scene.belts > 0 && i < c.rows.size(); i = next) {
+  for (std::uint32_t i = 0, next; scene.moving_surfaces > 0 && i < c.rows.size(); i = next) {
     next = c.first_row[c.geometry[i].pair + 1];
     const Pair& pair = world.pairs.place(c.geometry[i].pair).pair;
     if (!allowed_surface(scene, pair.a).any() && !allowed_surface(scene, pair.b).any()) continue;

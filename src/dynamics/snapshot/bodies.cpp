@@ -307,7 +307,7 @@ void collider(Io& io, W& world, std::uint32_t slot) {
     const SurfaceVelocity now = world.scene.surface_of(slot);
     const SurfaceVelocity surface{io.vec(now.linear), io.vec(now.angular)};
     io.demand(surface.linear.abs().max_entry() <= 1e6 && surface.angular.abs().max_entry() <= 1e6);
-    if constexpr (Io::loads) world.scene.surface[slot] = surface, world.scene.belts += surface.any();
+    if constexpr (Io::loads) world.scene.surface[slot] = surface, world.scene.moving_surfaces += surface.any();
   }
 }
 
@@ -319,7 +319,7 @@ struct Shells {
       std::fill(c.filter.begin(), c.filter.end(), Filter());
       std::fill(c.sensor.begin(), c.sensor.end(), std::uint8_t(0));
       std::fill(world.scene.surface.begin(), world.scene.surface.end(), SurfaceVelocity{});
-      world.scene.belts = 0;
+      world.scene.moving_surfaces = 0;
     }
     for (std::size_t k = 0; k < c.live.size() && !io.bad(); ++k) collider(io, world, c.live[k]);
     faulty(io, world);

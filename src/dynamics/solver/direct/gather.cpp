@@ -36,8 +36,9 @@ void gather(const World& world, DirectGroups& d) {
   std::size_t points = 0;
   for (std::size_t g = 0; g < c.groups(); ++g)
     if (c.answered_directly(g)) points += c.group_begin[g + 1] - c.group_begin[g];
-  grow_to(d.contacts, points);
-  if (d.bodies.capacity() < c.bodies.size()) d.bodies.reserve(with_slack(c.bodies.size()));
+  if (points > d.contacts.capacity()) d.contacts.clear(), d.contacts.reserve(points + points / 16);
+  d.contacts.resize(points);
+  if (d.bodies.capacity() < c.bodies.size()) d.bodies.reserve(c.bodies.size() + c.bodies.size() / 16);
   const auto mark = [&] {
     d.begin.push_back({static_cast<std::uint32_t>(d.row.size()), static_cast<std::uint32_t>(d.bodies.size()),
                        static_cast<std::uint32_t>(d.links.size())});
@@ -98,8 +99,7 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   gather(world, d);
   order(d, most_factor);
   const std::size_t matrices = d.links.empty() ? 1 : 2;
-  d.factor.diagonal.resize(matrices * d.bodies.size());
-  d.factor.below.resize(matrices * d.elimination.rows.size());
+  grow_to(d.factor.diagonal, matrices * d.bodies.size()), grow_to(d.factor.below, matrices * d.elimination.rows.size());
   place_contacts(d);
   load_groups(world, memory, d);
   d.answer.resize(d.groups());
