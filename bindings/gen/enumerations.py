@@ -9,6 +9,7 @@ GROUPS = {
     "CAROM_MIX_": ("mix", "choice"),
     "CAROM_BODY_FIELD_": ("body_fields", "bits"),
     "CAROM_BODY_STAYS_AWAKE": ("body_fields", "bits"),
+    "CAROM_BODY_DISABLED": ("body_fields", "bits"),
     "CAROM_BODY_": ("body_type", "choice"),
     "CAROM_LOCK_": ("locks", "bits"),
     "CAROM_ATTRIBUTE_": ("attribute", "choice"),

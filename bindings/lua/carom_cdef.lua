@@ -180,6 +180,8 @@ int32_t carom_body_is_asleep(carom_world *world, carom_body body, uint32_t *asle
 int32_t carom_body_wake(carom_world *world, carom_body body, carom_error *error);
 int32_t carom_body_set_continuous(carom_world *world, carom_body body, uint32_t mode, carom_error *error);
 int32_t carom_body_get_continuous(carom_world *world, carom_body body, uint32_t *mode, carom_error *error);
+int32_t carom_body_set_enabled(carom_world *world, carom_body body, uint32_t enabled, carom_error *error);
+int32_t carom_body_is_enabled(carom_world *world, carom_body body, uint32_t *enabled, carom_error *error);
 int32_t carom_collider_desc_init(carom_collider_desc *desc, uint32_t struct_size);
 int32_t carom_collider_create(carom_world *world, carom_body body, const carom_collider_desc *desc, carom_collider *collider, carom_error *error);
 int32_t carom_body_create_named(carom_world *world, uint32_t type, const char *name, const double *params, uint64_t count, const double *position, carom_body *body, carom_error *error);
@@ -402,6 +404,7 @@ return {
   CAROM_BODY_FIELD_CENTER = 2,
   CAROM_BODY_FIELD_INERTIA = 4,
   CAROM_BODY_STAYS_AWAKE = 8,
+  CAROM_BODY_DISABLED = 16,
   CAROM_LOCK_LINEAR_X = 1,
   CAROM_LOCK_LINEAR_Y = 2,
   CAROM_LOCK_LINEAR_Z = 4,

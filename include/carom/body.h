@@ -58,11 +58,12 @@ CAROM_API int32_t carom_material_destroy(carom_world *world, carom_material mate
 #define CAROM_BODY_FIELD_CENTER 2u  /* center given; else from colliders. needs MASS */
 #define CAROM_BODY_FIELD_INERTIA 4u /* inertia given; else from colliders, scaled to mass. needs MASS */
 #define CAROM_BODY_STAYS_AWAKE 8u   /* it never falls asleep, nor does what it touches */
+#define CAROM_BODY_DISABLED 16u     /* it takes no part in steps, see carom_body_set_enabled() */
 
 /** What a body is made from. Fill with carom_body_desc_init(). */
 typedef struct carom_body_desc {
   uint32_t struct_size;
-  uint32_t fields;            /**< CAROM_BODY_FIELD_*, CAROM_BODY_STAYS_AWAKE bits */
+  uint32_t fields;            /**< CAROM_BODY_FIELD_*, CAROM_BODY_STAYS_AWAKE, CAROM_BODY_DISABLED bits */
   uint32_t type;              /**< CAROM_BODY_*, default DYNAMIC */
   uint32_t reserved;          /**< 0 */
   double position[3];         /**< m, world: origin of the body frame */
@@ -281,6 +282,15 @@ CAROM_API int32_t carom_body_wake(carom_world *world, carom_body body, carom_err
 CAROM_API int32_t carom_body_set_continuous(carom_world *world, carom_body body, uint32_t mode, carom_error *error);
 /** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_continuous(carom_world *world, carom_body body, uint32_t *mode, carom_error *error);
+
+/** Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing moves
+ *  it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on it wake.
+ *  It costs a step nothing. A host may still read and write it.
+ *  @param enabled 1 or 0
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (enabled: pass 0 or 1); BUSY; REENTRANT; OUT_OF_MEMORY */
+CAROM_API int32_t carom_body_set_enabled(carom_world *world, carom_body body, uint32_t enabled, carom_error *error);
+/** @param enabled out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+CAROM_API int32_t carom_body_is_enabled(carom_world *world, carom_body body, uint32_t *enabled, carom_error *error);
 
 /* ---- colliders ---- */
 #define CAROM_FILTER_CATEGORY ((uint64_t)1) /* default category, see carom_collider_set_filter() */

@@ -2,7 +2,7 @@
 #include <carom/plugin.h>
 
 /* The corner on dir's side; a zero component (of either sign) counts as positive, so that ties are repeatable. */
-static int32_t support(void *user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
   int i;
   (void)user, (void)param_len;
   for (i = 0; i < 3; ++i) out[i] = dir[i] >= 0.0 ? params[i] : -params[i];

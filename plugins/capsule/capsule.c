@@ -3,7 +3,7 @@
 
 enum { RADIUS, HALF_HEIGHT };
 
-static int32_t support(void *user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
   (void)user, (void)param_len;
   out[0] = out[2] = 0.0;
   out[1] = dir[1] >= 0.0 ? params[HALF_HEIGHT] : -params[HALF_HEIGHT];

@@ -9,7 +9,7 @@ enum { RADIUS, HALF_HEIGHT };
 /* Either the apex or a point of the base's rim, whichever lies farther along dir:
  *   dir . apex = h dy   against   dir . rim = -h dy + r |(dx, dz)|
  * All components are divided by the largest first, so that no length of dir overflows or vanishes. */
-static int32_t support(void *user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
   const double r = params[RADIUS], h = params[HALF_HEIGHT];
   const double side = larger(fabs(dir[0]), fabs(dir[2]));
   const double largest = larger(side, fabs(dir[1]));

@@ -8,7 +8,7 @@ enum { RADIUS, HALF_HEIGHT };
 
 /* A point of the rim, or the centre of a cap if dir is along the axis. x and z are divided by the larger of the two
  * before they are squared, so that no length of dir overflows or vanishes. */
-static int32_t support(void *user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
   const double largest = larger(fabs(dir[0]), fabs(dir[2]));
   (void)user, (void)param_len;
   out[0] = out[2] = 0.0;

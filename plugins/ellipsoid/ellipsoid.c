@@ -7,7 +7,7 @@ static double larger(double a, double b) { return a > b ? a : b; }
 /* The unit sphere's support of the direction seen from it, w = (rx dx, ry dy, rz dz), stretched back:
  *   out_i = r_i w_i / |w|
  * dir is divided by its largest component, then w by its own, so that nothing overflows or vanishes on the way. */
-static int32_t support(void *user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
   const double d = larger(fabs(dir[0]), larger(fabs(dir[1]), fabs(dir[2])));
   double w[3], largest = 0.0, length;
   int i;

@@ -7,7 +7,7 @@ static double larger(double a, double b) { return a > b ? a : b; }
 
 /* The point farthest along dir; the first of equals. A scan: the engine knows the vertices from the declaration below
  * and has better ways where it matters. dir is divided by its largest component, so that no product overflows. */
-static int32_t support(void *user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
   const double d = larger(fabs(dir[0]), larger(fabs(dir[1]), fabs(dir[2])));
   const double x = dir[0] / d, y = dir[1] / d, z = dir[2] / d;
   const double* best = params;

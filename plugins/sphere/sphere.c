@@ -1,7 +1,7 @@
 /* Sphere: a point with a radius. The core is the origin, so the engine swells it exactly and contacts stay cheap. */
 #include <carom/plugin.h>
 
-static int32_t support(void *user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
   (void)params;
   (void)user, (void)param_len;
   (void)dir;

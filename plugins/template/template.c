@@ -20,7 +20,7 @@ enum { RADIUS, HALF_HEIGHT };
  *   - components may be zero, of either sign: every branch below has an answer for them;
  *   - equal candidates: pick either, but always the same;
  *   - no global, no static variable, no allocation: it runs on several threads at once. */
-static int32_t support(void *user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
   const double r = params[RADIUS], h = params[HALF_HEIGHT];
   const double side = larger(fabs(dir[0]), fabs(dir[2]));
   const double largest = larger(side, fabs(dir[1])); /* > 0: dir is never zero */

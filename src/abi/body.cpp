@@ -1,10 +1,11 @@
 // Bodies: what a host says about one, checked and handed to the world, and read back.
+#include "abi/body.h"
+
 #include <carom/body.h>
 
 #include <algorithm>
 #include <array>
 
-#include "abi/body.h"
 #include "abi/collider.h"
 #include "abi/float_scope.h"
 #include "abi/record_calls.h"
@@ -31,7 +32,8 @@ constexpr double kSymmetryTolerance = 1e-9;  // of the largest entry: what a rot
 
 bool check_mass(Call& call, const carom_body_desc& d) {
   const std::uint32_t about_mass = CAROM_BODY_FIELD_CENTER | CAROM_BODY_FIELD_INERTIA;
-  if (!only_bits(call, 2, "desc->fields", d.fields, kBodyFields | CAROM_BODY_STAYS_AWAKE)) return false;
+  if (!only_bits(call, 2, "desc->fields", d.fields, kBodyFields | CAROM_BODY_STAYS_AWAKE | CAROM_BODY_DISABLED))
+    return false;
   if ((d.fields & about_mass) && !(d.fields & CAROM_BODY_FIELD_MASS))
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->fields is 0x%x: CENTER and INERTIA need MASS", d.fields);
   if (d.fields & CAROM_BODY_FIELD_MASS) {
@@ -101,6 +103,7 @@ bool read_body(Call& call, const World& world, const carom_body_desc* given, car
   def.angular_damping = d.angular_damping;
   def.user = d.user;
   def.stays_awake = d.fields & CAROM_BODY_STAYS_AWAKE;
+  def.disabled = d.fields & CAROM_BODY_DISABLED;
   def.continuous = static_cast<SweepMode>(d.continuous);
   return true;
 }
@@ -108,7 +111,8 @@ bool read_body(Call& call, const World& world, const carom_body_desc* given, car
 carom_body_desc describe(const World& world, std::uint32_t slot) {
   const BodySettings& def = world.scene.def[slot];
   carom_body_desc d{};
-  d.fields = kBodyFields | (def.stays_awake ? CAROM_BODY_STAYS_AWAKE : 0u);
+  d.fields = kBodyFields | (def.stays_awake ? CAROM_BODY_STAYS_AWAKE : 0u) |
+             (world.state.is_disabled(slot) ? CAROM_BODY_DISABLED : 0u);
   d.type = static_cast<std::uint32_t>(world.scene.type[slot]);
   const Pose pose = world.pose(slot);
   from_vec3(pose.p, d.position);
@@ -156,8 +160,8 @@ bool check_inertia(Call& call, int argument, const char* name, const double iner
   const Real d1 = a(1, 1) - l10 * a(1, 0), l21 = (a(2, 1) - l20 * a(1, 0)) / d1;
   const Real d2 = a(2, 2) - l20 * a(2, 0) - l21 * (a(2, 1) - l20 * a(1, 0));
   return (d0 > 0 && d1 > 0 && d2 > 0) ||
-         call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is not positive definite (pivots %g, %g, %g times %g)", name, d0, d1,
-                   d2, largest);
+         call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is not positive definite (pivots %g, %g, %g times %g)", name, d0,
+                   d1, d2, largest);
 }
 
 Mat3 symmetric(const double inertia[9]) {
@@ -278,6 +282,22 @@ int32_t carom_body_get_continuous(carom_world* world, carom_body body, uint32_t*
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && present(call, 3, "mode", mode))
       *mode = static_cast<std::uint32_t>(reading->scene.def[handle_slot(body)].continuous);
+  });
+}
+
+int32_t carom_body_set_enabled(carom_world* world, carom_body body, uint32_t enabled, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::body_set_enabled(body, enabled));
+    if (changing && resolve_body(call, *changing, body) && known(call, 3, "enabled", enabled, 2))
+      changing->set_enabled(handle_slot(body), enabled != 0);
+  });
+}
+
+int32_t carom_body_is_enabled(carom_world* world, carom_body body, uint32_t* enabled, carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (reading && resolve_body(call, *reading, body) && present(call, 3, "enabled", enabled))
+      *enabled = !reading->state.is_disabled(handle_slot(body));
   });
 }
 

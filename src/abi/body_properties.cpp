@@ -20,7 +20,8 @@ bool ties_keep_one(Call& call, const World& world, std::uint32_t body) {
   for (std::uint32_t i = 0; i < springs.slots.slots(); ++i) {
     if (!springs.slots.alive(i)) continue;
     const auto& def = springs.def[i];
-    if (def.body_a == body || def.body_b == body) kept &= is_dynamic(world, def.body_a == body ? def.body_b : def.body_a);
+    if (def.body_a == body || def.body_b == body)
+      kept &= is_dynamic(world, def.body_a == body ? def.body_b : def.body_a);
   }
   return kept || call.fail(CAROM_E_OUT_OF_RANGE, 3,
                            "a joint or a spring holds this body and none that is dynamic: destroy it first");
@@ -37,7 +38,8 @@ bool shapes_fit(Call& call, const World& world, std::uint32_t body, BodyType typ
 bool read_mass(Call& call, double mass, const double* center, const double* inertia, MassGiven& given) {
   if (!in_range(call, 3, "mass", mass, 0, kInfinity)) return false;
   if (mass == 0 && (center || inertia))
-    return call.fail(CAROM_E_OUT_OF_RANGE, 3, "mass is 0, which asks for that of the colliders: center and inertia must be NULL");
+    return call.fail(CAROM_E_OUT_OF_RANGE, 3,
+                     "mass is 0, which asks for that of the colliders: center and inertia must be NULL");
   if (mass != 0 && mass < kLeastMass)
     return call.fail(CAROM_E_OUT_OF_RANGE, 3, "mass is %g; it must be 0 or at least %g", mass, kLeastMass);
   if ((center && !vector_in_range(call, 4, "center", center, kMaxPosition)) ||
@@ -112,7 +114,8 @@ int32_t carom_body_get_mass(carom_world* world, carom_body body, double* mass, d
 int32_t carom_body_set_type(carom_world* world, carom_body body, uint32_t type, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::body_set_type(body, type));
-    if (!changing || !resolve_body(call, *changing, body) || !known(call, 3, "type", type, CAROM_BODY_DYNAMIC + 1)) return;
+    if (!changing || !resolve_body(call, *changing, body) || !known(call, 3, "type", type, CAROM_BODY_DYNAMIC + 1))
+      return;
     const std::uint32_t slot = handle_slot(body);
     const auto to = static_cast<BodyType>(type);
     if (!shapes_fit(call, *changing, slot, to, changing->scene.def[slot].has_mass) ||
@@ -140,7 +143,8 @@ int32_t carom_body_set_damping(carom_world* world, carom_body body, double linea
   });
 }
 
-int32_t carom_body_get_damping(carom_world* world, carom_body body, double* linear, double* angular, carom_error* error) {
+int32_t carom_body_get_damping(carom_world* world, carom_body body, double* linear, double* angular,
+                               carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_body(call, *reading, body)) return;

@@ -196,9 +196,7 @@ int32_t carom_cast_desc_init(carom_cast_desc* desc, uint32_t struct_size) {
 }
 
 int32_t carom_motion_init(carom_motion* motion, uint32_t struct_size) {
-  return init_struct(motion, struct_size, [](carom_motion& d) {
-    d.orientation[3] = 1;
-  });
+  return init_struct(motion, struct_size, [](carom_motion& d) { d.orientation[3] = 1; });
 }
 
 int32_t carom_ray_cast(carom_engine* engine, carom_shape shape, const double position[3], const double orientation[4],

@@ -25,7 +25,8 @@ class Search {
     if (const char* variable = secure_getenv("CAROM_PLUGIN_PATH")) look_in_list(variable);
     Dl_info here;
     char real[PATH_MAX];
-    if (dladdr(reinterpret_cast<const void*>(&carom_version), &here) && here.dli_fname && realpath(here.dli_fname, real))
+    if (dladdr(reinterpret_cast<const void*>(&carom_version), &here) && here.dli_fname &&
+        realpath(here.dli_fname, real))
       look_beside(real);
 #ifdef CAROM_INSTALLED_PLUGINS
     look(CAROM_INSTALLED_PLUGINS, "");
@@ -39,11 +40,13 @@ class Search {
     const int size = std::snprintf(file_.path, sizeof file_.path, "%.*s%s/%.*s.so", length, folder.data(), below,
                                    static_cast<int>(name_.size()), name_.data());
     struct stat status;
-    if (size > 0 && static_cast<std::size_t>(size) < sizeof file_.path && stat(file_.path, &status) == 0 && S_ISREG(status.st_mode))
+    if (size > 0 && static_cast<std::size_t>(size) < sizeof file_.path && stat(file_.path, &status) == 0 &&
+        S_ISREG(status.st_mode))
       return;
     file_.path[0] = 0;
     const std::size_t at = strnlen(file_.searched, sizeof file_.searched);
-    std::snprintf(file_.searched + at, sizeof file_.searched - at, "%s%.*s%s", at ? ", " : "", length, folder.data(), below);
+    std::snprintf(file_.searched + at, sizeof file_.searched - at, "%s%.*s%s", at ? ", " : "", length, folder.data(),
+                  below);
   }
   void look_in_list(std::string_view list) {
     while (!list.empty()) {

@@ -26,9 +26,7 @@ bool is_name(std::string_view name) {
 }
 
 /// "box" and "carom.box" are one name.
-std::string_view short_name(std::string_view name) {
-  return name.starts_with(kOwn) ? name.substr(kOwn.size()) : name;
-}
+std::string_view short_name(std::string_view name) { return name.starts_with(kOwn) ? name.substr(kOwn.size()) : name; }
 bool is_called(const PluginRecord& plugin, std::string_view name) {
   const std::string_view id = plugin.id;
   return id == name || (id.starts_with(kOwn) && id.substr(kOwn.size()) == short_name(name));
@@ -50,7 +48,8 @@ struct Found {
 std::int32_t find(carom_engine* engine, const char* name, Found& found, carom_error* error) {
   return guarded(error, [&](Call& call) {
     if (!is_name({name, strnlen(name, kLongestName + 1)})) {
-      call.fail(CAROM_E_OUT_OF_RANGE, 2, "\"%.80s\" is no name of a shape: 1 to 64 letters, digits, _, - and dots", name);
+      call.fail(CAROM_E_OUT_OF_RANGE, 2, "\"%.80s\" is no name of a shape: 1 to 64 letters, digits, _, - and dots",
+                name);
       return;
     }
     {
@@ -78,7 +77,8 @@ carom_shape shape_like(carom_engine& engine, const char* name, const double* par
 
 /// The same failure as argument number `argument` of the call that the host made.
 std::int32_t blamed_on(std::int32_t result, std::int32_t argument, carom_error* error) {
-  if (result != CAROM_OK && error && error->struct_size >= offsetof(carom_error, has_witness)) error->argument = argument;
+  if (result != CAROM_OK && error && error->struct_size >= offsetof(carom_error, has_witness))
+    error->argument = argument;
   return result;
 }
 
@@ -98,8 +98,9 @@ int32_t carom_shape_create_named(carom_engine* engine, const char* name, const d
         call.fail(CAROM_E_OUT_OF_RANGE, 4, "count is %llu; half_space takes 4: normal x, y, z, offset",
                   static_cast<unsigned long long>(count));
     });
-    return checked != CAROM_OK ? checked
-                               : blamed_on(carom_shape_create_half_space(engine, params, params[3], shape, error), 3, error);
+    return checked != CAROM_OK
+               ? checked
+               : blamed_on(carom_shape_create_half_space(engine, params, params[3], shape, error), 3, error);
   }
   Found found;
   std::int32_t result = guarded(error, [&](Call& call) {

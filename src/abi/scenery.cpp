@@ -123,9 +123,7 @@ extern "C" {
 int32_t carom_mesh_desc_init(carom_mesh_desc* desc, uint32_t struct_size) { return init_struct(desc, struct_size); }
 
 int32_t carom_height_field_desc_init(carom_height_field_desc* desc, uint32_t struct_size) {
-  return init_struct(desc, struct_size, [](carom_height_field_desc& d) {
-    d.spacing[0] = d.spacing[1] = 1;
-  });
+  return init_struct(desc, struct_size, [](carom_height_field_desc& d) { d.spacing[0] = d.spacing[1] = 1; });
 }
 
 int32_t carom_shape_create_mesh(carom_engine* engine, const carom_mesh_desc* desc, carom_shape* shape,

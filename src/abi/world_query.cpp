@@ -60,9 +60,9 @@ carom_world_hit cast_one(const World& world, const RayColumns& rays, std::uint64
                          const QueryOptions& options) {
   Ray ray;
   if (!rays.get(i, ray)) return bad_ray(i);
-  return answer(world, i,
-                want == CAROM_WANT_FIRST ? cast_ray(world, ray, options)
-                                         : WorldHit{kInvalid, any_on_ray(world, ray, options)});
+  return answer(
+      world, i,
+      want == CAROM_WANT_FIRST ? cast_ray(world, ray, options) : WorldHit{kInvalid, any_on_ray(world, ray, options)});
 }
 
 /// Where one answer to each ray goes.
@@ -353,17 +353,17 @@ int32_t carom_world_cast_shapes_all(carom_world* world, const carom_query_shapes
                                     carom_error* error) {
   return list_of_shapes(
       world, shapes, true, desc, {dst, stride, capacity}, count, error,
-      [](const World& in, const QueryShapes& query_shapes, std::uint64_t i, const QueryOptions& options, Array<WorldHit>& found) {
-        cast_shape_all(in, query_shapes[i], query_shapes.motion(i), options, found);
-      });
+      [](const World& in, const QueryShapes& query_shapes, std::uint64_t i, const QueryOptions& options,
+         Array<WorldHit>& found) { cast_shape_all(in, query_shapes[i], query_shapes.motion(i), options, found); });
 }
 
 int32_t carom_world_overlap_shapes(carom_world* world, const carom_query_shapes* shapes, const carom_query_desc* desc,
                                    carom_world_hit* dst, uint64_t stride, uint64_t capacity, uint64_t* count,
                                    carom_error* error) {
-  return list_of_shapes(world, shapes, false, desc, {dst, stride, capacity}, count, error,
-                        [](const World& in, const QueryShapes& query_shapes, std::uint64_t i, const QueryOptions& options,
-                           Array<WorldHit>& found) { find_overlaps(in, query_shapes[i], options, found); });
+  return list_of_shapes(
+      world, shapes, false, desc, {dst, stride, capacity}, count, error,
+      [](const World& in, const QueryShapes& query_shapes, std::uint64_t i, const QueryOptions& options,
+         Array<WorldHit>& found) { find_overlaps(in, query_shapes[i], options, found); });
 }
 
 int32_t carom_world_find_nearest(carom_world* world, const carom_query_shapes* shapes, double reach,

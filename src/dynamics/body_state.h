@@ -6,9 +6,9 @@
 
 namespace carom::dynamics {
 
-/// Whether forces act on a body at all: dynamic, there, and not in quarantine.
+/// Whether forces act on a body at all: dynamic, there, not disabled and not in quarantine.
 inline bool responds(const Scene& scene, const State& state, std::uint32_t i) {
-  return scene.inv_mass[i] > 0 && !state.quarantined[i];
+  return scene.inv_mass[i] > 0 && !state.held_out[i];
 }
 /// Whether an impulse can move it.
 inline bool yields(const Scene& scene, const State& state, std::uint32_t i) {

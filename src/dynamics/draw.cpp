@@ -186,7 +186,7 @@ class Drawing {
   void bodies() {
     kind_ = DrawLine::bodies;
     for (std::uint32_t i = 0; i < scene_.bodies.slots(); ++i)
-      if (scene_.bodies.alive(i) && !world_.state.quarantined[i])
+      if (scene_.bodies.alive(i) && !world_.state.held_out[i])
         axes(world_.state.x[i], world_.state.q[i].matrix(), i);
   }
 

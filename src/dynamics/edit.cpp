@@ -30,7 +30,7 @@ void note_resistance(Scene& s) {
 /// The slot that take() will hand out can be at most the number of slots there are.
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
-            t.x, t.q, t.held_q, t.placed_x, t.placed_q, t.v, t.omega, t.momentum, t.force, t.torque, t.quarantined, t.loaded_steps,
+            t.x, t.q, t.held_q, t.placed_x, t.placed_q, t.v, t.omega, t.momentum, t.force, t.torque, t.held_out, t.loaded_steps,
             t.cooldown_steps, t.accuracy, t.written, t.is_written);
 }
 
@@ -80,7 +80,7 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put<Vec3>(state.momentum, i, Vec3::zero());
   put<Vec3>(state.force, i, Vec3::zero());
   put<Vec3>(state.torque, i, Vec3::zero());
-  put(state.quarantined, i, std::uint8_t(0));
+  put(state.held_out, i, static_cast<std::uint8_t>(def.disabled ? Quarantine::kDisabled : 0));
   put(state.loaded_steps, i, std::uint8_t(0));
   put(state.cooldown_steps, i, std::uint8_t(0));
   put(state.accuracy, i, AccuracyNote());
@@ -100,8 +100,8 @@ void World::remove_body(std::uint32_t body) {
   settle_locks(scene, body);
   if (body < scene.modes.forbidden_of.size()) scene.modes.forbidden_of[body] = scene.modes.forced_of[body] = 0;
   state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::zero();
-  state.quarantined_count -= state.quarantined[body];
-  state.quarantined[body] = 0;
+  state.quarantined_count -= state.is_lost(body);
+  state.held_out[body] = 0;
   forget_body(*this, body);
   scene.apart.forget(body);
   if (body < events->slept.size()) events->slept[body] = 0;
@@ -302,18 +302,18 @@ void World::set_gravity(const Vec3& g) {
 void World::set_pose(std::uint32_t body, const Pose& pose) {
   const Quat q = normalized(pose.q);
   const Vec3 x = pose.p + q * scene.center[body];
-  const bool same = q == state.q[body] && x == state.x[body] && !state.quarantined[body];
+  const bool same = q == state.q[body] && x == state.x[body] && !state.is_lost(body);
   if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes nobody
   contact_views();
   stir(*this, body);
   state.q[body] = state.held_q[body] = q;
   state.x[body] = x;
-  const bool revised = state.quarantined[body] || scene.type[body] == BodyType::fixed;
-  queries->note_moved(body, revised && !state.quarantined[body]);
+  const bool revised = state.is_lost(body) || scene.type[body] == BodyType::fixed;
+  queries->note_moved(body, revised && !state.is_lost(body));
   state.mark_written(body);
   if (revised) {
-    state.quarantined_count -= state.quarantined[body];
-    state.quarantined[body] = 0;  // the host takes it back
+    state.quarantined_count -= state.is_lost(body);
+    state.held_out[body] &= Quarantine::kDisabled;  // the host takes it back
     ++scene.revision, ++scene.collider_revision;
   }
 }

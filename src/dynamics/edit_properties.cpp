@@ -58,6 +58,23 @@ void World::set_type(std::uint32_t body, BodyType type) {
   scene.bodies.note_change(), ++scene.revision, ++scene.collider_revision;
 }
 
+void World::set_enabled(std::uint32_t body, bool enabled) {
+  if (state.is_disabled(body) != enabled) return;
+  Colliders& c = scene.colliders;
+  contact_views();
+  wake(*this, body), wake_joined(*this, Sleepers(*this), body);
+  for (std::uint32_t i = scene.first_collider[body]; i != kInvalid; i = c.next[i]) {
+    wake_touching(*this, i);
+    pairs.forget(i);
+    queries->note_changed(i);
+  }
+  state.held_out[body] ^= Quarantine::kDisabled;
+  state.mark_written(body);
+  queries->note_moved(body);
+  stir(*this, body);
+  scene.bodies.note_change(), ++scene.revision, ++scene.collider_revision;
+}
+
 void World::set_collider_material(std::uint32_t collider, std::uint32_t material) {
   if (scene.colliders.material[collider] == material) return;
   stir(*this, scene.colliders.body[collider]);

@@ -63,7 +63,7 @@ void plan_bodies(const World& world, Plan& plan) {
   plan.linear.clear(), plan.rotating.clear(), plan.kinematic.clear();
   const std::uint32_t slots = scene.bodies.slots();
   for (std::uint32_t i = 0; i < slots; ++i) {
-    if (!scene.bodies.alive(i) || world.state.quarantined[i]) continue;
+    if (!scene.bodies.alive(i) || world.state.held_out[i]) continue;
     if (scene.type[i] == BodyType::kinematic) plan.kinematic.add(i);
     if (scene.inv_mass[i] > 0) (rotates(scene, i) ? plan.rotating : plan.linear).add(i);
   }
@@ -117,7 +117,7 @@ void plan_colliders(const World& world, Colliders& c, Plan& plan) {
     const bool forbidden = modes.forbids(+EffectId::collision, body) ||
                            (is_scenery(*c.shape[slot]) && modes.forbids(+EffectId::scenery, body)) ||
                            (c.is_sensor(slot) && modes.forbids(+EffectId::sensor, body));
-    c.disabled[slot] = static_cast<std::uint8_t>((faulty || world.state.quarantined[body] ? Colliders::kFaulty : 0) |
+    c.disabled[slot] = static_cast<std::uint8_t>((faulty || world.state.held_out[body] ? Colliders::kFaulty : 0) |
                                               (forbidden ? Colliders::kForbidden : 0));
     plan.local[slot] = Frame(c.local[slot].q.matrix(), c.local[slot].p - world.scene.center[body]);
     if (world.state.sleeps(body)) continue;

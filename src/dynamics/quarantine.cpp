@@ -13,8 +13,8 @@ void quarantine(Quarantining to, std::uint32_t body) {
   Quarantine& held = to;
   Revisions& scene = to;
   motion.v[body] = motion.omega[body] = host.force[body] = host.torque[body] = Vec3::zero();
-  if (held.quarantined[body]) return;
-  held.quarantined[body] = 1;
+  if (held.is_lost(body)) return;
+  held.held_out[body] |= Quarantine::kNotFinite;
   ++held.quarantined_count;
   ++scene.revision;
   ++scene.collider_revision;

@@ -43,6 +43,7 @@ struct BodySettings {
 
 /// What a body is made with.
 struct BodyDef : BodySettings {
+  bool disabled = false;
   Pose pose;                     // body frame -> world
   Vec3 velocity = Vec3::zero();  // m/s, of the centre of mass
   Vec3 omega = Vec3::zero();     // rad/s, world

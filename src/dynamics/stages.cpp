@@ -247,7 +247,8 @@ void add_impulses(Hash& h, const World& world) {
 
 void add_sleep(Hash& h, const World& world) {
   const Sleep& z = *world.sleep;
-  add_all(h, world.state.asleep), add_all(h, z.inactive), add_all(h, z.sleep_timer), add_all(h, z.woken), add_all(h, z.fallen);
+  add_all(h, world.state.asleep), add_all(h, z.inactive), add_all(h, z.sleep_timer), add_all(h, z.woken),
+      add_all(h, z.fallen);
   h.add(z.count), h.add(z.woke), h.add(std::uint64_t(z.kept.size()));
 }
 
@@ -279,7 +280,7 @@ std::array<std::uint64_t, kPartCount> prints_of(const World& world) {
   add_all(of(Part::poses), s.x), add_all(of(Part::poses), s.q);
   add_all(of(Part::velocities), s.v), add_all(of(Part::velocities), s.omega), add_all(of(Part::velocities), s.momentum);
   add_all(of(Part::forces), s.force), add_all(of(Part::forces), s.torque);
-  add_all(of(Part::quarantine), s.quarantined);
+  add_all(of(Part::quarantine), s.held_out);
   add_sleep(of(Part::sleep), world);
   add_all(of(Part::memory), s.held_q), add_all(of(Part::memory), s.loaded_steps),
       add_all(of(Part::memory), s.cooldown_steps);

@@ -47,10 +47,15 @@ struct HostForces {
   }
 };
 
+/// Who takes no part in steps, is held still and makes no contacts.
 struct Quarantine {
-  explicit Quarantine(Memory* m) : quarantined(m) {}
-  Array<std::uint8_t> quarantined;  // 1: state was not finite; held still, makes no contacts
-  std::uint64_t quarantined_count = 0;
+  explicit Quarantine(Memory* m) : held_out(m) {}
+  enum Why : std::uint8_t { kNotFinite = 1, kDisabled = 4 };  // its state left the finite world; a host says so
+  Array<std::uint8_t> held_out;                               // bits
+  std::uint64_t quarantined_count = 0;                        // of those that are not finite
+
+  bool is_lost(std::uint32_t body) const { return held_out[body] & kNotFinite; }
+  bool is_disabled(std::uint32_t body) const { return held_out[body] & kDisabled; }
 };
 
 struct SleepFlags {
@@ -61,12 +66,12 @@ struct SleepFlags {
 
 /// What is remembered of a body where a host asks for an accuracy, @see accuracy/control.h
 struct AccuracyNote {
-  std::uint8_t level = 0;      // of substeps
-  std::uint8_t wait = 0;       // steps until the next estimate
-  std::uint8_t met = 0;        // whom its island consisted of
-  bool softly = false;         // contacts of it were springs
-  bool stalled = false;        // more substeps did not lessen its error
-  float place = 0, turn = 0;   // errors over tolerances, of the last estimate
+  std::uint8_t level = 0;     // of substeps
+  std::uint8_t wait = 0;      // steps until the next estimate
+  std::uint8_t met = 0;       // whom its island consisted of
+  bool softly = false;        // contacts of it were springs
+  bool stalled = false;       // more substeps did not lessen its error
+  float place = 0, turn = 0;  // errors over tolerances, of the last estimate
   bool operator==(const AccuracyNote&) const = default;
 };
 

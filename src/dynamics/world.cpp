@@ -50,7 +50,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
           scene.inv_inertia, state.x, state.q, state.held_q, state.placed_x, state.placed_q, state.v, state.omega, state.momentum, state.force, state.torque,
-          state.quarantined, state.loaded_steps, state.cooldown_steps, state.accuracy, state.written, state.is_written);
+          state.held_out, state.loaded_steps, state.cooldown_steps, state.accuracy, state.written, state.is_written);
 }
 
 World::~World() { structure.forget(memory); }
@@ -71,7 +71,7 @@ std::uint64_t World::hash() const {
     h.add_coefficients(state.momentum[i]);
     h.add_coefficients(state.force[i]);
     h.add_coefficients(state.torque[i]);
-    h.add(std::uint64_t(state.quarantined[i]));
+    h.add(std::uint64_t(state.held_out[i]));
     const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.cooldown_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
     if (const AccuracyNote& note = state.accuracy[i]; note != AccuracyNote()) {

@@ -157,6 +157,7 @@ class World {
   void wake_body(std::uint32_t body);  // and its island
   bool asleep(std::uint32_t body) const;
   void set_continuous(std::uint32_t body, SweepMode mode);
+  void set_enabled(std::uint32_t body, bool enabled);
   void keep_ledger(bool on);  // anew, from the present state on; or not any more
 
   // ---- stepping: src/dynamics/stages.cpp ----

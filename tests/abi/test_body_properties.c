@@ -1,27 +1,26 @@
 /* What a body is and has, set and read one thing a call: poses, velocities, masses, kinds, damping, colliders. */
 #include "bench.h"
-
 #include "carom_test.h"
 
-static int make(void **state) {
+static int make(void** state) {
   static Bench b;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   *state = &b;
   return 0;
 }
-static int clear(void **state) {
+static int clear(void** state) {
   assert_int_equal(bench_free(*state), CAROM_OK);
   return 0;
 }
 
-static double height(const Bench *b, int i) {
+static double height(const Bench* b, int i) {
   double p[3];
   assert_int_equal(carom_body_get_pose(b->world, b->bodies[i], p, NULL, NULL), CAROM_OK);
   return p[1];
 }
 
-static void poses_and_velocities_are_those_of_the_descriptor(void **state) {
-  Bench *b = *state;
+static void poses_and_velocities_are_those_of_the_descriptor(void** state) {
+  Bench* b = *state;
   carom_body_desc d;
   double p[3], q[4], v[3], w[3];
   assert_int_equal(bench_steps(b->world, 70, NULL), CAROM_OK); /* the box topples */
@@ -38,8 +37,8 @@ static void poses_and_velocities_are_those_of_the_descriptor(void **state) {
 }
 
 /* A mass that is given acts: the same push moves a body that is twice as heavy half as fast. */
-static void masses_are_given_and_taken_back(void **state) {
-  Bench *b = *state;
+static void masses_are_given_and_taken_back(void** state) {
+  Bench* b = *state;
   const double push[3] = {3, 0, 0}, zero[3] = {0, 0, 0}, tensor[9] = {2, 0, 0, 0, 3, 0, 0, 0, 4};
   const double off[3] = {0.1, 0, 0};
   double mass, of_density, center[3], inertia[9], own[9], p[3], after[3], v[3], w[3];
@@ -66,9 +65,10 @@ static void masses_are_given_and_taken_back(void **state) {
   assert_memory_equal(inertia, own, sizeof own);
 }
 
-static void wrong_masses_change_nothing(void **state) {
-  Bench *b = *state;
-  const double slanted[9] = {2, 1, 0, 0, 3, 0, 0, 0, 4}, negative[9] = {-1, 0, 0, 0, 1, 0, 0, 0, 1}, off[3] = {0.1, 0, 0};
+static void wrong_masses_change_nothing(void** state) {
+  Bench* b = *state;
+  const double slanted[9] = {2, 1, 0, 0, 3, 0, 0, 0, 4}, negative[9] = {-1, 0, 0, 0, 1, 0, 0, 0, 1},
+               off[3] = {0.1, 0, 0};
   double before, after;
   carom_error e = CAROM_ERROR_INIT;
   assert_int_equal(carom_body_get_mass(b->world, b->bodies[0], &before, NULL, NULL, NULL), CAROM_OK);
@@ -85,9 +85,10 @@ static void wrong_masses_change_nothing(void **state) {
   assert_true(before == after);
 }
 
-/* What is static stands in the air, what is kinematic goes its way, what is dynamic again falls, g t^2 / 2 to a step. */
-static void kinds_change_and_act(void **state) {
-  Bench *b = *state;
+/* What is static stands in the air, what is kinematic goes its way, what is dynamic again falls, g t^2 / 2 to a step.
+ */
+static void kinds_change_and_act(void** state) {
+  Bench* b = *state;
   const double up[3] = {0, 1, 0}, zero[3] = {0, 0, 0};
   double before = height(b, 0), mass;
   uint32_t type;
@@ -115,8 +116,8 @@ static void kinds_change_and_act(void **state) {
 }
 
 /* What lies on a body that becomes static goes on lying on it; what slept wakes where its ground gives way. */
-static void neighbours_of_what_changes_its_kind_notice(void **state) {
-  Bench *b = *state;
+static void neighbours_of_what_changes_its_kind_notice(void** state) {
+  Bench* b = *state;
   const double half[3] = {0.5, 0.5, 0.5}, at[3] = {5, 0.5, 0}, above[3] = {5, 1.5, 0}, start[3] = {5, 3, 0};
   const double q[4] = {0, 0, 0, 1};
   carom_body below = 0, on = 0;
@@ -124,8 +125,10 @@ static void neighbours_of_what_changes_its_kind_notice(void **state) {
   uint32_t asleep;
   (void)half;
   assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SLEEP, 1, NULL), CAROM_OK);
-  assert_int_equal(carom_body_create_named(b->world, CAROM_BODY_STATIC, "test.box", half, 3, at, &below, NULL), CAROM_OK);
-  assert_int_equal(carom_body_create_named(b->world, CAROM_BODY_DYNAMIC, "test.box", half, 3, above, &on, NULL), CAROM_OK);
+  assert_int_equal(carom_body_create_named(b->world, CAROM_BODY_STATIC, "test.box", half, 3, at, &below, NULL),
+                   CAROM_OK);
+  assert_int_equal(carom_body_create_named(b->world, CAROM_BODY_DYNAMIC, "test.box", half, 3, above, &on, NULL),
+                   CAROM_OK);
   assert_int_equal(bench_steps(b->world, 240, NULL), CAROM_OK);
   assert_int_equal(carom_body_is_asleep(b->world, on, &asleep, NULL), CAROM_OK);
   assert_int_equal(asleep, 1);
@@ -136,15 +139,16 @@ static void neighbours_of_what_changes_its_kind_notice(void **state) {
   assert_true(fabs(p[1] - 0.5) < 0.01);
   assert_int_equal(carom_body_get_pose(b->world, below, p, NULL, NULL), CAROM_OK);
   assert_true(fabs(p[1] - 1.5) < 0.02);
-  assert_int_equal(bench_steps(b->world, 240, NULL), CAROM_OK); /* both asleep: the lower one becomes static, the upper falls not */
+  assert_int_equal(bench_steps(b->world, 240, NULL),
+                   CAROM_OK); /* both asleep: the lower one becomes static, the upper falls not */
   assert_int_equal(carom_body_set_type(b->world, on, CAROM_BODY_STATIC, NULL), CAROM_OK);
   assert_int_equal(bench_steps(b->world, 60, NULL), CAROM_OK);
   assert_int_equal(carom_body_get_pose(b->world, below, p, NULL, NULL), CAROM_OK);
   assert_true(fabs(p[1] - 1.5) < 0.02);
 }
 
-static void kinds_that_do_not_fit_are_refused(void **state) {
-  Bench *b = *state;
+static void kinds_that_do_not_fit_are_refused(void** state) {
+  Bench* b = *state;
   carom_joint_desc d;
   carom_joint joint;
   carom_spring_desc tie;
@@ -167,8 +171,8 @@ static void kinds_that_do_not_fit_are_refused(void **state) {
 }
 
 /* v = v_0 exp(-c t), exactly. */
-static void damping_acts(void **state) {
-  Bench *b = *state;
+static void damping_acts(void** state) {
+  Bench* b = *state;
   const double zero[3] = {0, 0, 0}, v0[3] = {0, 0, 2}, alone[3] = {20, 5, 0};
   const double q[4] = {0, 0, 0, 1};
   double v[3], linear, angular;
@@ -189,18 +193,20 @@ static void damping_acts(void **state) {
 }
 
 /* A world is copied whatever was changed of its bodies, and the copy steps as it does. */
-static void copies_have_what_was_changed(void **state) {
-  Bench *b = *state;
-  carom_world *copy = NULL;
+static void copies_have_what_was_changed(void** state) {
+  Bench* b = *state;
+  carom_world* copy = NULL;
   const double down[3] = {0, -0.25, 0}, q[4] = {0, 0, 0, 1};
   int i;
   for (i = 0; i < 2; ++i) { /* a world that was copied before, too */
     assert_int_equal(carom_body_set_mass(b->world, b->bodies[0], 3 + i, NULL, NULL, NULL), CAROM_OK);
     assert_int_equal(carom_body_set_damping(b->world, b->bodies[1], 0.5 + i, 0, NULL), CAROM_OK);
-    assert_int_equal(carom_body_set_type(b->world, b->bodies[0], i ? CAROM_BODY_DYNAMIC : CAROM_BODY_STATIC, NULL), CAROM_OK);
+    assert_int_equal(carom_body_set_type(b->world, b->bodies[0], i ? CAROM_BODY_DYNAMIC : CAROM_BODY_STATIC, NULL),
+                     CAROM_OK);
     if (!i) assert_int_equal(carom_body_set_type(b->world, b->bodies[0], CAROM_BODY_DYNAMIC, NULL), CAROM_OK);
     assert_int_equal(carom_collider_set_density(b->world, b->colliders[2], 100 + i, NULL), CAROM_OK);
-    assert_int_equal(carom_collider_set_material(b->world, b->colliders[2], i ? b->material : CAROM_NULL_HANDLE, NULL), CAROM_OK);
+    assert_int_equal(carom_collider_set_material(b->world, b->colliders[2], i ? b->material : CAROM_NULL_HANDLE, NULL),
+                     CAROM_OK);
     assert_int_equal(carom_collider_set_pose(b->world, b->colliders[3], down, q, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b->world, 10, NULL), CAROM_OK);
     assert_int_equal(carom_world_fork(b->world, &copy, NULL), CAROM_OK);
@@ -212,8 +218,8 @@ static void copies_have_what_was_changed(void **state) {
 }
 
 /* Surfaces, densities and places of colliders: ice lets slide, a shape that is moved touches elsewhere. */
-static void colliders_are_changed_in_place(void **state) {
-  Bench *b = *state;
+static void colliders_are_changed_in_place(void** state) {
+  Bench* b = *state;
   carom_collider found[2] = {0, 0};
   carom_collider_desc d;
   carom_body owner;
@@ -232,7 +238,8 @@ static void colliders_are_changed_in_place(void **state) {
   assert_true(d.material == CAROM_NULL_HANDLE && d.density == 500 && d.position[1] == -0.25 && owner == b->bodies[0]);
   assert_int_equal(carom_body_get_mass(b->world, b->bodies[0], &mass, center, NULL, NULL), CAROM_OK);
   assert_true(fabs(mass - 4 * M_PI / 3 * 0.125 * 500) < 1e-9 && fabs(center[1] + 0.25) < 1e-15);
-  assert_int_equal(bench_steps(b->world, 240, NULL), CAROM_OK); /* the ball has radius 0.5 and hangs 0.25 below its body */
+  assert_int_equal(bench_steps(b->world, 240, NULL),
+                   CAROM_OK); /* the ball has radius 0.5 and hangs 0.25 below its body */
   assert_int_equal(carom_body_get_pose(b->world, b->bodies[0], p, NULL, NULL), CAROM_OK);
   assert_true(p[1] > 0.2 && p[1] < 0.8);
   assert_int_equal(carom_collider_destroy(b->world, found[0], NULL), CAROM_OK);

@@ -1,30 +1,33 @@
-/* Descriptors: they grow with the caller's size, and what they say is what the calls for one thing each would have said. */
+/* Descriptors: they grow with the caller's size, and what they say is what the calls for one thing each would have
+ * said. */
 #include <stddef.h>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
-enum { kFirstBody = offsetof(carom_body_desc, gravity_factor), kFirstCollider = offsetof(carom_collider_desc, category) };
+enum {
+  kFirstBody = offsetof(carom_body_desc, gravity_factor),
+  kFirstCollider = offsetof(carom_collider_desc, category)
+};
 
-static int make(void **state) {
+static int make(void** state) {
   static Bench b;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   *state = &b;
   return 0;
 }
-static int clear(void **state) {
+static int clear(void** state) {
   assert_int_equal(bench_free(*state), CAROM_OK);
   return 0;
 }
-static uint64_t hash_of(carom_world *world) {
+static uint64_t hash_of(carom_world* world) {
   uint64_t hash = 0;
   assert_int_equal(carom_world_hash(world, &hash, NULL), CAROM_OK);
   return hash;
 }
 
-static void an_older_struct_is_filled_to_its_end_and_no_further(void **state) {
-  Bench *b = *state;
+static void an_older_struct_is_filled_to_its_end_and_no_further(void** state) {
+  Bench* b = *state;
   union {
     carom_body_desc desc;
     unsigned char bytes[sizeof(carom_body_desc)];
@@ -39,10 +42,11 @@ static void an_older_struct_is_filled_to_its_end_and_no_further(void **state) {
   assert_int_equal(carom_body_create(b->world, &older.desc, &body, NULL), CAROM_OK);
   now.struct_size = sizeof now;
   assert_int_equal(carom_body_get(b->world, body, &now, NULL), CAROM_OK);
-  assert_true(now.gravity_factor == 1 && now.locks == 0 && now.force_field_mask == 1); /* what it does not say is as usual */
+  assert_true(now.gravity_factor == 1 && now.locks == 0 &&
+              now.force_field_mask == 1); /* what it does not say is as usual */
 }
 
-static void of_a_newer_struct_the_rest_is_zero(void **state) {
+static void of_a_newer_struct_the_rest_is_zero(void** state) {
   struct {
     carom_collider_desc known;
     uint64_t more[4];
@@ -56,7 +60,7 @@ static void of_a_newer_struct_the_rest_is_zero(void **state) {
   for (i = 0; i < 4; ++i) assert_true(newer.more[i] == 0);
 }
 
-static void a_size_of_no_version_is_refused_and_nothing_written(void **state) {
+static void a_size_of_no_version_is_refused_and_nothing_written(void** state) {
   static const uint32_t sizes[] = {0, 1, 4, 7, 9, 12, 4104, 0xCDCDCDCDu};
   union {
     carom_body_desc desc;
@@ -95,8 +99,8 @@ static carom_collider_desc whole_collider(carom_shape shape) {
   return d;
 }
 
-static void one_call_says_what_many_say(void **state) {
-  Bench *b = *state;
+static void one_call_says_what_many_say(void** state) {
+  Bench* b = *state;
   carom_body_desc said = whole_body(), plain, back;
   carom_collider_desc part = whole_collider(b->crate), plain_part, part_back;
   const double moment[4] = {1, -2, 3, 0};
@@ -128,8 +132,9 @@ static void one_call_says_what_many_say(void **state) {
   assert_int_equal(carom_body_set_attribute(b->world, other, CAROM_ATTRIBUTE_MAGNETIC_MOMENT, moment, NULL), CAROM_OK);
   assert_int_equal(carom_collider_set_filter(b->world, of_other, 4, ~(uint64_t)2, -3, NULL), CAROM_OK);
   assert_int_equal(carom_collider_set_sensor(b->world, of_other, 1, NULL), CAROM_OK);
-  assert_int_equal(carom_collider_set_surface_velocity(b->world, of_other, part.surface_linear, part.surface_angular, NULL),
-                   CAROM_OK);
+  assert_int_equal(
+      carom_collider_set_surface_velocity(b->world, of_other, part.surface_linear, part.surface_angular, NULL),
+      CAROM_OK);
   assert_int_equal(bench_steps(b->world, 60, NULL), CAROM_OK);
   for (i = 0; i < 2; ++i) {
     double v[2][3], w[2][3];
@@ -142,29 +147,29 @@ static void one_call_says_what_many_say(void **state) {
   }
 }
 
-static void what_is_wrong_is_refused_and_changes_nothing(void **state) {
-  Bench *b = *state;
+static void what_is_wrong_is_refused_and_changes_nothing(void** state) {
+  Bench* b = *state;
   const uint64_t before = hash_of(b->world);
   carom_error error = CAROM_ERROR_INIT;
   carom_body body = 0;
   carom_collider collider = 0;
   carom_body_desc d;
   carom_collider_desc part;
-#define REFUSED(change, code)                                                           \
-  do {                                                                                  \
-    d = whole_body();                                                                   \
-    change;                                                                             \
-    assert_int_equal(carom_body_create(b->world, &d, &body, &error), code);             \
-    assert_true(error.argument == 2 && body == 0 && error.remedy[0]);                   \
-    assert_true(hash_of(b->world) == before);                                           \
+#define REFUSED(change, code)                                               \
+  do {                                                                      \
+    d = whole_body();                                                       \
+    change;                                                                 \
+    assert_int_equal(carom_body_create(b->world, &d, &body, &error), code); \
+    assert_true(error.argument == 2 && body == 0 && error.remedy[0]);       \
+    assert_true(hash_of(b->world) == before);                               \
   } while (0)
-#define REFUSED_PART(change, code)                                                                \
-  do {                                                                                            \
-    part = whole_collider(b->crate);                                                              \
-    change;                                                                                       \
+#define REFUSED_PART(change, code)                                                                   \
+  do {                                                                                               \
+    part = whole_collider(b->crate);                                                                 \
+    change;                                                                                          \
     assert_int_equal(carom_collider_create(b->world, b->bodies[0], &part, &collider, &error), code); \
-    assert_true(error.argument == 3 && collider == 0);                                            \
-    assert_true(hash_of(b->world) == before);                                                     \
+    assert_true(error.argument == 3 && collider == 0);                                               \
+    assert_true(hash_of(b->world) == before);                                                        \
   } while (0)
   REFUSED(d.gravity_factor = NAN, CAROM_E_NOT_FINITE);
   REFUSED(d.locks = 64, CAROM_E_UNSUPPORTED);
@@ -183,8 +188,8 @@ static void what_is_wrong_is_refused_and_changes_nothing(void **state) {
 }
 
 /* A slot that is used again has nothing of what was there before. */
-static void nothing_is_left_to_the_next_one(void **state) {
-  Bench *b = *state;
+static void nothing_is_left_to_the_next_one(void** state) {
+  Bench* b = *state;
   carom_body_desc said = whole_body(), usual, back;
   carom_collider_desc part = whole_collider(b->crate), plain, part_back;
   carom_body body, of;
@@ -205,18 +210,18 @@ static void nothing_is_left_to_the_next_one(void **state) {
 }
 
 /* ---- closures: one support function, told apart by what it is handed ---- */
-static int32_t cube_of(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
-  const double half = *(const double *)user;
+static int32_t cube_of(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
+  const double half = *(const double*)user;
   int i;
   (void)params, (void)count;
   for (i = 0; i < 3; ++i) out[i] = dir[i] < 0 ? -half : half;
   return 0;
 }
 
-static void a_function_is_handed_what_its_plugin_holds(void **state) {
+static void a_function_is_handed_what_its_plugin_holds(void** state) {
   static double half[2] = {0.5, 1.25};
   static const carom_param unused = {"unused", "1", 0, 1};
-  Bench *b = *state;
+  Bench* b = *state;
   carom_shape_plugin p[2];
   const double param = 0.5, dir[3] = {0, 0, 2}, at[2][3] = {{0, 0, 0}, {3, 0, 0}}, upright[4] = {0, 0, 0, 1};
   double out[3];
@@ -235,13 +240,14 @@ static void a_function_is_handed_what_its_plugin_holds(void **state) {
     assert_true(fabs(out[2] - half[k]) < 1e-12);
   }
   distance.struct_size = sizeof distance;
-  assert_int_equal(carom_shape_distance(b->engine, shape[0], at[0], upright, shape[1], at[1], upright, NULL, &distance, NULL),
-                   CAROM_OK);
+  assert_int_equal(
+      carom_shape_distance(b->engine, shape[0], at[0], upright, shape[1], at[1], upright, NULL, &distance, NULL),
+      CAROM_OK);
   assert_true(fabs(distance.separation - 1.25) < 1e-5);
 }
 
-static void a_library_without_shapes_says_so(void **state) {
-  Bench *b = *state;
+static void a_library_without_shapes_says_so(void** state) {
+  Bench* b = *state;
   carom_error error = CAROM_ERROR_INIT;
   assert_int_equal(carom_plugins_register_standard(NULL, &error), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_plugins_register_standard(b->engine, &error), CAROM_E_UNSUPPORTED);

@@ -1,5 +1,5 @@
-// Every folder under plugins/, found by itself: it loads, says what its parameters are, makes a shape, and a body of it lies on the
-// ground. A new shape needs no line here.
+// Every folder under plugins/, found by itself: it loads, says what its parameters are, makes a shape, and a body of it
+// lies on the ground. A new shape needs no line here.
 #include <carom/carom.h>
 
 #include <algorithm>
@@ -104,7 +104,8 @@ void a_body_of_each_lies_on_the_ground(void**) {
     carom_collider_desc part;
     const double up[4] = {0, 1, 0, 0}, origin[3] = {0, 0, 0};
     assert_int_equal(carom_world_create(made.engine, nullptr, &world, nullptr), CAROM_OK);
-    assert_int_equal(carom_body_create_named(world, CAROM_BODY_STATIC, "half_space", up, 4, origin, &ground, nullptr), CAROM_OK);
+    assert_int_equal(carom_body_create_named(world, CAROM_BODY_STATIC, "half_space", up, 4, origin, &ground, nullptr),
+                     CAROM_OK);
     carom_body_desc_init(&desc, sizeof desc);
     desc.position[1] = 1;
     assert_int_equal(carom_body_create(world, &desc, &body, nullptr), CAROM_OK);

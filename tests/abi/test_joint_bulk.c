@@ -1,6 +1,5 @@
 /* Joints read many at a time. Rates against central differences of the coordinates. */
 #include "bench.h"
-
 #include "carom_test.h"
 
 #define KINDS 6
@@ -26,7 +25,7 @@ typedef struct Motion {
   double p[3], q[4], v[3], w[3];
 } Motion;
 
-static void place(const Bench *b, int i, const Motion *m, double t) {
+static void place(const Bench* b, int i, const Motion* m, double t) {
   double p[3], q[4], w[3];
   int k;
   for (k = 0; k < 3; ++k) p[k] = m->p[k] + t * m->v[k], w[k] = t * m->w[k];
@@ -34,9 +33,9 @@ static void place(const Bench *b, int i, const Motion *m, double t) {
   assert_int_equal(carom_body_set_pose(b->world, b->bodies[i], p, q, NULL), CAROM_OK);
 }
 
-static void rates_are_differences(void **state) {
-  static const uint32_t kinds[KINDS] = {CAROM_JOINT_BALL,   CAROM_JOINT_HINGE,  CAROM_JOINT_SLIDER,
-                                        CAROM_JOINT_WELD,   CAROM_JOINT_PULLEY, CAROM_JOINT_SIX_AXIS};
+static void rates_are_differences(void** state) {
+  static const uint32_t kinds[KINDS] = {CAROM_JOINT_BALL, CAROM_JOINT_HINGE,  CAROM_JOINT_SLIDER,
+                                        CAROM_JOINT_WELD, CAROM_JOINT_PULLEY, CAROM_JOINT_SIX_AXIS};
   const double h = 1e-5;
   Bench bench, *b = &bench;
   int trial;
@@ -72,17 +71,26 @@ static void rates_are_differences(void **state) {
         assert_int_equal(carom_joint_set_transmission(b->world, joint[i], &t, NULL), CAROM_OK);
       }
     }
-    assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_SPEEDS, CAROM_SCALAR_F64, joint, 2 * KINDS, speed, 0, NULL), CAROM_OK);
-    assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_AXIS_SPEEDS, CAROM_SCALAR_F64, joint, 2 * KINDS, rate, 0, NULL), CAROM_OK);
+    assert_int_equal(
+        carom_world_read_joints(b->world, CAROM_JOINT_READ_SPEEDS, CAROM_SCALAR_F64, joint, 2 * KINDS, speed, 0, NULL),
+        CAROM_OK);
+    assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_AXIS_SPEEDS, CAROM_SCALAR_F64, joint, 2 * KINDS,
+                                             rate, 0, NULL),
+                     CAROM_OK);
     for (side = 0; side < 2; ++side) {
       for (i = 0; i < 2; ++i) place(b, i, &motion[i], side ? h : -h);
-      assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_COORDINATES, CAROM_SCALAR_F64, joint, 2 * KINDS, at[side], 0, NULL), CAROM_OK);
-      assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_AXES, CAROM_SCALAR_F64, joint, 2 * KINDS, axis[side], 0, NULL), CAROM_OK);
+      assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_COORDINATES, CAROM_SCALAR_F64, joint,
+                                               2 * KINDS, at[side], 0, NULL),
+                       CAROM_OK);
+      assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_AXES, CAROM_SCALAR_F64, joint, 2 * KINDS,
+                                               axis[side], 0, NULL),
+                       CAROM_OK);
     }
     for (i = 0; i < 2 * KINDS; ++i) {
-      /* Central differences err by h^2 / 6 of a third derivative. That of a twist grows as a swing nears pi, by 1 / cos^3 of its
-         half; that of a swing as axes nearly agree, by 1 / sin^2. Rates are below 10 rad/s. */
-      const double swing = at[0][i][1], bound = 1e-8 / (pow(fmax(cos(swing / 2), 1e-2), 3) * pow(fmax(sin(swing), 1e-2), 2));
+      /* Central differences err by h^2 / 6 of a third derivative. That of a twist grows as a swing nears pi, by 1 /
+         cos^3 of its half; that of a swing as axes nearly agree, by 1 / sin^2. Rates are below 10 rad/s. */
+      const double swing = at[0][i][1],
+                   bound = 1e-8 / (pow(fmax(cos(swing / 2), 1e-2), 3) * pow(fmax(sin(swing), 1e-2), 2));
       for (k = 0; k < 4; ++k) {
         const double difference = (at[1][i][k] - at[0][i][k]) / (2 * h);
         if (fabs(at[1][i][k] - at[0][i][k]) > 1) continue; /* across a whole turn */
@@ -102,7 +110,7 @@ static void rates_are_differences(void **state) {
 }
 
 /* A body of 3 kg on a ball bears its weight, whoever asks: one by one, all, in floats, at a stride. */
-static void forces_are_those_of_the_state(void **state) {
+static void forces_are_those_of_the_state(void** state) {
   Bench bench, *b = &bench;
   carom_joint_desc d;
   carom_joint joint[2];
@@ -122,10 +130,15 @@ static void forces_are_those_of_the_state(void **state) {
   }
   assert_int_equal(bench_steps(b->world, 30, NULL), CAROM_OK);
   memset(some, 0x11, sizeof some);
-  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F64, NULL, 2, all, 0, NULL), CAROM_OK);
-  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_ERROR, CAROM_SCALAR_F64, NULL, 2, error, 0, NULL), CAROM_OK);
-  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_BROKEN, CAROM_SCALAR_F64, NULL, 2, broken, 0, NULL), CAROM_OK);
-  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F32, joint, 2, some, sizeof some[0], NULL), CAROM_OK);
+  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F64, NULL, 2, all, 0, NULL),
+                   CAROM_OK);
+  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_ERROR, CAROM_SCALAR_F64, NULL, 2, error, 0, NULL),
+                   CAROM_OK);
+  assert_int_equal(
+      carom_world_read_joints(b->world, CAROM_JOINT_READ_BROKEN, CAROM_SCALAR_F64, NULL, 2, broken, 0, NULL), CAROM_OK);
+  assert_int_equal(
+      carom_world_read_joints(b->world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F32, joint, 2, some, sizeof some[0], NULL),
+      CAROM_OK);
   for (i = 0; i < 2; ++i) {
     one.struct_size = sizeof one;
     assert_int_equal(carom_joint_get_state(b->world, joint[i], &one, NULL), CAROM_OK);
@@ -133,15 +146,19 @@ static void forces_are_those_of_the_state(void **state) {
     assert_true(error[i][0] == one.gap && error[i][1] == one.angle && broken[i] == 0);
     assert_true(fabs(all[i][1] - (3 + i) * 9.81) < 0.01);
     assert_true(some[i].force[1] == (float)all[i][1]);
-    assert_int_equal(*(const unsigned char *)&some[i].rest, 0x11);
+    assert_int_equal(*(const unsigned char*)&some[i].rest, 0x11);
   }
-  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F64, NULL, 1, all, 0, NULL), CAROM_E_OUT_OF_RANGE);
-  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_COUNT, CAROM_SCALAR_F64, NULL, 2, all, 0, NULL), CAROM_E_UNKNOWN_ENUM);
-  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F64, NULL, 2, all, 8, NULL), CAROM_E_BUFFER_TOO_SMALL);
+  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F64, NULL, 1, all, 0, NULL),
+                   CAROM_E_OUT_OF_RANGE);
+  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_COUNT, CAROM_SCALAR_F64, NULL, 2, all, 0, NULL),
+                   CAROM_E_UNKNOWN_ENUM);
+  assert_int_equal(carom_world_read_joints(b->world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F64, NULL, 2, all, 8, NULL),
+                   CAROM_E_BUFFER_TOO_SMALL);
   assert_int_equal(bench_free(b), CAROM_OK);
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(rates_are_differences), cmocka_unit_test(forces_are_those_of_the_state)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(rates_are_differences),
+                                     cmocka_unit_test(forces_are_those_of_the_state)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

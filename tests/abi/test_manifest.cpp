@@ -58,13 +58,15 @@ const nlohmann::json& api() {
   return data;
 }
 
-/// Structs that never grow: of an array whose stride nobody need say, or filled by an *_init() that is not told the size.
+/// Structs that never grow: of an array whose stride nobody need say, or filled by an *_init() that is not told the
+/// size.
 std::set<std::string> fixed_structs() {
   std::set<std::string> names = {"carom_param", "carom_draw_line", "carom_world_hit", "carom_ray_hit"};
   for (const auto& function : api()["functions"]) {
     const std::string name = function["name"];
     const auto& arguments = function["arguments"];
-    if (name.ends_with("_init") && arguments.back()["name"] != "struct_size") names.insert(name.substr(0, name.size() - 5));
+    if (name.ends_with("_init") && arguments.back()["name"] != "struct_size")
+      names.insert(name.substr(0, name.size() - 5));
   }
   return names;
 }

@@ -1,19 +1,19 @@
-/* Shapes by name: registered ones first, then files of the folders that $CAROM_PLUGIN_PATH names, then those of the library. */
+/* Shapes by name: registered ones first, then files of the folders that $CAROM_PLUGIN_PATH names, then those of the
+ * library. */
 #define _GNU_SOURCE
-#include "bench.h"
-
 #include <stdlib.h>
 
+#include "bench.h"
 #include "carom_test.h"
 
-static carom_engine *engine_of(void) {
-  carom_engine *engine = NULL;
+static carom_engine* engine_of(void) {
+  carom_engine* engine = NULL;
   assert_int_equal(carom_engine_create(NULL, &engine, NULL), CAROM_OK);
   return engine;
 }
 
 /* Every standard shape, by its short name and by its id, from a folder that the environment names. */
-static void standard_shapes_are_found(void **state) {
+static void standard_shapes_are_found(void** state) {
   static const struct {
     const char *name, *id;
     double params[12];
@@ -28,7 +28,7 @@ static void standard_shapes_are_found(void **state) {
       {"ellipsoid", "carom.ellipsoid", {1, 2, 3}, 3, 8 * M_PI},
       {"hull", "carom.hull", {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, 12, 1.0 / 6},
   };
-  carom_engine *engine = engine_of();
+  carom_engine* engine = engine_of();
   size_t i;
   int which;
   (void)state;
@@ -37,7 +37,9 @@ static void standard_shapes_are_found(void **state) {
     for (which = 0; which < 2; ++which) {
       carom_shape shape = 0;
       carom_shape_info info;
-      assert_int_equal(carom_shape_create_named(engine, which ? cases[i].id : cases[i].name, cases[i].params, cases[i].count, &shape, NULL), CAROM_OK);
+      assert_int_equal(carom_shape_create_named(engine, which ? cases[i].id : cases[i].name, cases[i].params,
+                                                cases[i].count, &shape, NULL),
+                       CAROM_OK);
       info.struct_size = sizeof info;
       assert_int_equal(carom_shape_get_info(engine, shape, &info, NULL), CAROM_OK);
       assert_true(fabs(info.volume - cases[i].volume) < 1e-9 * cases[i].volume);
@@ -46,8 +48,8 @@ static void standard_shapes_are_found(void **state) {
 }
 
 /* What is not there says where it was looked for. */
-static void what_is_not_found_says_where_it_was_looked_for(void **state) {
-  carom_engine *engine = engine_of();
+static void what_is_not_found_says_where_it_was_looked_for(void** state) {
+  carom_engine* engine = engine_of();
   carom_error e = CAROM_ERROR_INIT;
   const double radius = 1;
   carom_shape shape = 7;
@@ -68,8 +70,8 @@ static void what_is_not_found_says_where_it_was_looked_for(void **state) {
 }
 
 /* A plugin of the host's own comes before files of the same name. */
-static void registered_plugins_come_first(void **state) {
-  carom_engine *engine = engine_of();
+static void registered_plugins_come_first(void** state) {
+  carom_engine* engine = engine_of();
   carom_shape_plugin mine = bench_box_plugin();
   carom_plugin plugin = 0;
   carom_shape shape = 0;
@@ -87,9 +89,9 @@ static void registered_plugins_come_first(void **state) {
 }
 
 /* A ground and a ball on it in two calls; the second ball has the first one's shape. */
-static void a_scene_of_three_calls(void **state) {
-  carom_engine *engine = engine_of();
-  carom_world *world = NULL;
+static void a_scene_of_three_calls(void** state) {
+  carom_engine* engine = engine_of();
+  carom_world* world = NULL;
   const double up[4] = {0, 1, 0, 0}, zero[3] = {0, 0, 0}, above[3] = {0, 2, 0}, aside[3] = {3, 2, 0}, radius = 0.5;
   carom_body ground = 0, ball[2] = {0, 0};
   carom_collider collider[2];
@@ -102,9 +104,12 @@ static void a_scene_of_three_calls(void **state) {
   (void)state;
   setenv("CAROM_PLUGIN_PATH", CAROM_PLUGIN_DIR, 1);
   assert_int_equal(carom_world_create(engine, NULL, &world, NULL), CAROM_OK);
-  assert_int_equal(carom_body_create_named(world, CAROM_BODY_STATIC, "half_space", up, 4, zero, &ground, NULL), CAROM_OK);
-  assert_int_equal(carom_body_create_named(world, CAROM_BODY_DYNAMIC, "sphere", &radius, 1, above, &ball[0], NULL), CAROM_OK);
-  assert_int_equal(carom_body_create_named(world, CAROM_BODY_DYNAMIC, "carom.sphere", &radius, 1, aside, &ball[1], NULL), CAROM_OK);
+  assert_int_equal(carom_body_create_named(world, CAROM_BODY_STATIC, "half_space", up, 4, zero, &ground, NULL),
+                   CAROM_OK);
+  assert_int_equal(carom_body_create_named(world, CAROM_BODY_DYNAMIC, "sphere", &radius, 1, above, &ball[0], NULL),
+                   CAROM_OK);
+  assert_int_equal(
+      carom_body_create_named(world, CAROM_BODY_DYNAMIC, "carom.sphere", &radius, 1, aside, &ball[1], NULL), CAROM_OK);
   for (i = 0; i < 120; ++i) assert_int_equal(carom_world_step(world, 1.0 / 60, NULL), CAROM_OK);
   for (i = 0; i < 2; ++i) {
     assert_int_equal(carom_body_get_pose(world, ball[i], p, NULL, NULL), CAROM_OK);
@@ -115,12 +120,15 @@ static void a_scene_of_three_calls(void **state) {
   }
   assert_true(desc[0].shape == desc[1].shape);
   /* What fails leaves nothing behind. */
-  assert_int_equal(carom_body_create_named(world, CAROM_BODY_DYNAMIC, "half_space", up, 4, zero, &ground, &e), CAROM_E_OUT_OF_RANGE);
+  assert_int_equal(carom_body_create_named(world, CAROM_BODY_DYNAMIC, "half_space", up, 4, zero, &ground, &e),
+                   CAROM_E_OUT_OF_RANGE);
   assert_int_equal(carom_body_create_named(world, 9, "sphere", &radius, 1, zero, &ground, &e), CAROM_E_UNKNOWN_ENUM);
   assert_int_equal(e.argument, 2);
-  assert_int_equal(carom_body_create_named(world, CAROM_BODY_DYNAMIC, "bananas", &radius, 1, zero, &ground, &e), CAROM_E_NOT_FOUND);
+  assert_int_equal(carom_body_create_named(world, CAROM_BODY_DYNAMIC, "bananas", &radius, 1, zero, &ground, &e),
+                   CAROM_E_NOT_FOUND);
   assert_int_equal(e.argument, 3);
-  assert_int_equal(carom_body_create_named(world, CAROM_BODY_DYNAMIC, "sphere", &radius, 2, zero, &ground, &e), CAROM_E_OUT_OF_RANGE);
+  assert_int_equal(carom_body_create_named(world, CAROM_BODY_DYNAMIC, "sphere", &radius, 2, zero, &ground, &e),
+                   CAROM_E_OUT_OF_RANGE);
   assert_int_equal(e.argument, 5);
   assert_int_equal(carom_world_get_bodies(world, NULL, 0, &count, NULL), CAROM_OK);
   assert_int_equal(count, 3);

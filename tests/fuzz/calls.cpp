@@ -1,7 +1,7 @@
 // The model: which handles live, which bodies take what along, and what each call may answer
 // (tests/abi/hostile/table.h). Engines, their first shapes and three worlds last for the process. A sequence works on
-// forks of these worlds, each forked when it is first called on, or, one in sixty-four, on worlds made anew; they, and all
-// else that it makes, go with it.
+// forks of these worlds, each forked when it is first called on, or, one in sixty-four, on worlds made anew; they, and
+// all else that it makes, go with it.
 #include "calls.h"
 
 #include <algorithm>
@@ -58,7 +58,11 @@ Room& room() {
 class Sequence {
  public:
   Sequence(const std::uint8_t* bytes, std::size_t size, bool trace, bool to_the_edge)
-      : bytes_(bytes, size), source_(bytes_), trace_(trace), to_the_edge_(to_the_edge), records_(size > 0 && bytes[size - 1] % 4 == 0) {}
+      : bytes_(bytes, size),
+        source_(bytes_),
+        trace_(trace),
+        to_the_edge_(to_the_edge),
+        records_(size > 0 && bytes[size - 1] % 4 == 0) {}
 
   Heard run(std::size_t size) {
     if (!room_.good) return complain("the engines and their worlds could not be made"), heard_;
@@ -95,8 +99,8 @@ class Sequence {
       return s.world = lasts, complain(makes_anew_ ? "a world could not be made" : "a world could not be forked"),
              false;
     if (!makes_anew_ && hash(s) != hash_[i]) complain("a fork is not as the world was");
-    // Each solver has its turn (but severity, which knows no joints: a sequence comes to it by its calls); the direct one
-    // takes as long as all others together.
+    // Each solver has its turn (but severity, which knows no joints: a sequence comes to it by its calls); the direct
+    // one takes as long as all others together.
     constexpr double kSolvers[] = {CAROM_SOLVER_AUTO,       CAROM_SOLVER_DIRECT,    CAROM_SOLVER_SEQUENTIAL,
                                    CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_SOFT_STEP,
                                    CAROM_SOLVER_SOFT_STEP,  CAROM_SOLVER_SOFT_STEP};
@@ -134,12 +138,23 @@ class Sequence {
       complain(std::string("a world could not be copied before a step: ") + why.message);
     return copy;
   }
+  static std::string what_differs(carom_world* copy, carom_world* world) {
+    uint64_t size = 0;
+    carom_world_save(copy, CAROM_SNAPSHOT_STATE, nullptr, 0, &size, nullptr);
+    std::vector<char> bytes(size);
+    carom_difference d{};
+    d.struct_size = sizeof d;
+    if (carom_world_save(copy, CAROM_SNAPSHOT_STATE, bytes.data(), size, &size, nullptr) != CAROM_OK ||
+        carom_world_compare(world, bytes.data(), size, &d, nullptr) != CAROM_OK)
+      return "its state cannot be compared";
+    return d.differs ? d.sections : "nothing of its state";
+  }
   /// A copy, whatever its original went through, steps as that does.
   void step_beside(carom_world* copy, double dt, const Stage& s, int32_t result) {
     uint64_t original = 0, other = 1;
     if (carom_world_step(copy, dt, nullptr) != result || carom_world_hash(s.world, &original, nullptr) != CAROM_OK ||
         carom_world_hash(copy, &other, nullptr) != CAROM_OK || original != other)
-      complain("a copy steps another way than its original");
+      complain("a copy steps another way than its original: " + what_differs(copy, s.world));
     if (carom_world_destroy(copy, nullptr) != CAROM_OK) complain("a copy could not be destroyed");
   }
 

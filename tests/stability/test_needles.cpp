@@ -108,7 +108,7 @@ Real most_gained(const Hanging& f, std::uint64_t seed) {
   Real most = 0;
   for (int i = 0; i < f.hz; ++i) {
     t.world.step(1 / f.hz);
-    for (std::uint32_t b = 0; b < t.world.scene.bodies.slots(); ++b) assert_false(t.world.state.quarantined[b]);
+    for (std::uint32_t b = 0; b < t.world.scene.bodies.slots(); ++b) assert_false(t.world.state.held_out[b]);
     most = std::max(most, (energy_of(t) - first) / t.scale);
   }
   return most;

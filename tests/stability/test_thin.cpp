@@ -101,7 +101,7 @@ Real most_energy(const Drop& f, std::uint64_t seed) {
   Real most = first;
   for (int i = 0; i < 2 * f.hz; ++i) {
     t.world.step(1 / f.hz);
-    assert_false(t.world.state.quarantined[body]);
+    assert_false(t.world.state.held_out[body]);
     most = std::max(most, energy(t, body));
   }
   return most / first;

@@ -95,6 +95,18 @@ export class Body {
       return m.view.getUint32(out, true) === 1;
     });
   }
+  /** Whether it takes part in steps; a disabled body keeps its pose and velocity, and touches nothing. */
+  get enabled() {
+    const { module: m, pointer } = this.world;
+    return m.frame((room) => {
+      const out = room(4);
+      m.call("carom_body_is_enabled", pointer, this.handle, out);
+      return m.view.getUint32(out, true) === 1;
+    });
+  }
+  set enabled(value) {
+    this.world.module.call("carom_body_set_enabled", this.world.pointer, this.handle, value ? 1 : 0);
+  }
   wake() {
     this.world.module.call("carom_body_wake", this.world.pointer, this.handle);
   }

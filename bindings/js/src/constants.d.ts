@@ -90,6 +90,8 @@ export const CAROM_BODY_FIELD_CENTER: 2;
 export const CAROM_BODY_FIELD_INERTIA: 4;
 /** it never falls asleep, nor does what it touches */
 export const CAROM_BODY_STAYS_AWAKE: 8;
+/** it takes no part in steps, see carom_body_set_enabled() */
+export const CAROM_BODY_DISABLED: 16;
 /** its centre of mass keeps its world x */
 export const CAROM_LOCK_LINEAR_X: 1;
 export const CAROM_LOCK_LINEAR_Y: 2;

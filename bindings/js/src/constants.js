@@ -50,6 +50,7 @@ export const CAROM_BODY_FIELD_MASS = 1;
 export const CAROM_BODY_FIELD_CENTER = 2;
 export const CAROM_BODY_FIELD_INERTIA = 4;
 export const CAROM_BODY_STAYS_AWAKE = 8;
+export const CAROM_BODY_DISABLED = 16;
 export const CAROM_LOCK_LINEAR_X = 1;
 export const CAROM_LOCK_LINEAR_Y = 2;
 export const CAROM_LOCK_LINEAR_Z = 4;

@@ -143,6 +143,7 @@ export class Body {
   readonly type: "static" | "kinematic" | "dynamic";
   readonly user: bigint;
   readonly asleep: boolean;
+  enabled: boolean;
   setPose(position: Vector, orientation?: Quaternion): void;
   setVelocity(linear: Vector, angular?: Vector): void;
   addForce(force: Vector, torque?: Vector): void;

@@ -160,6 +160,14 @@ export interface Raw {
   carom_body_set_continuous(world: number, body: bigint, mode: number, error: number): number;
   /** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_continuous(world: number, body: bigint, mode: number, error: number): number;
+  /** Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing moves
+   *  it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on it wake.
+   *  It costs a step nothing. A host may still read and write it.
+   *  @param enabled 1 or 0
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (enabled: pass 0 or 1); BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_body_set_enabled(world: number, body: bigint, enabled: number, error: number): number;
+  /** @param enabled out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+  carom_body_is_enabled(world: number, body: bigint, enabled: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_collider_desc_init(desc: number, struct_size: number): number;
   /** Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new centre.

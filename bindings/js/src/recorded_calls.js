@@ -20,6 +20,7 @@ export const CALLS = {
   carom_body_set_attribute: [["handle", "body"], ["number", "attribute", "uint32_t"], ["vector", "value", 4]],
   carom_body_wake: [["handle", "body"]],
   carom_body_set_continuous: [["handle", "body"], ["number", "mode", "uint32_t"]],
+  carom_body_set_enabled: [["handle", "body"], ["number", "enabled", "uint32_t"]],
   carom_collider_create: [["handle", "body"], ["struct", "desc", "carom_collider_desc", [["shape", "shape"], ["material", "handle"]]], ["out", "collider"]],
   carom_collider_destroy: [["handle", "collider"]],
   carom_collider_set_material: [["handle", "collider"], ["handle", "material"]],

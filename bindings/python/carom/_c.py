@@ -55,6 +55,7 @@ CAROM_BODY_FIELD_MASS = 1
 CAROM_BODY_FIELD_CENTER = 2
 CAROM_BODY_FIELD_INERTIA = 4
 CAROM_BODY_STAYS_AWAKE = 8
+CAROM_BODY_DISABLED = 16
 CAROM_LOCK_LINEAR_X = 1
 CAROM_LOCK_LINEAR_Y = 2
 CAROM_LOCK_LINEAR_Z = 4
@@ -622,6 +623,8 @@ FUNCTIONS = {
     "carom_body_wake": ("1.0", c_int32, (c_void_p, carom_body, POINTER(carom_error),)),
     "carom_body_set_continuous": ("1.0", c_int32, (c_void_p, carom_body, c_uint32, POINTER(carom_error),)),
     "carom_body_get_continuous": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_body_set_enabled": ("1.0", c_int32, (c_void_p, carom_body, c_uint32, POINTER(carom_error),)),
+    "carom_body_is_enabled": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_uint32), POINTER(carom_error),)),
     "carom_collider_desc_init": ("1.0", c_int32, (POINTER(carom_collider_desc), c_uint32,)),
     "carom_collider_create": ("1.0", c_int32, (c_void_p, carom_body, POINTER(carom_collider_desc), POINTER(carom_collider), POINTER(carom_error),)),
     "carom_body_create_named": ("1.0", c_int32, (c_void_p, c_uint32, c_char_p, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(carom_body), POINTER(carom_error),)),

@@ -191,6 +191,15 @@ class Body(Thing):
         self._call(raw.carom_body_set_locks, bits("LOCK", value))
 
     @property
+    def enabled(self) -> bool:
+        """Whether it takes part in steps. A disabled body keeps its pose and velocity, and touches nothing."""
+        return bool(self._get(raw.carom_body_is_enabled, ctypes.c_uint32))
+
+    @enabled.setter
+    def enabled(self, value: bool) -> None:
+        self._call(raw.carom_body_set_enabled, int(value))
+
+    @property
     def continuous(self) -> str:
         """When it is swept: "auto", "always", "never"."""
         return word("CONTINUOUS", self._get(raw.carom_body_get_continuous, ctypes.c_uint32), ("auto", "always", "never"))

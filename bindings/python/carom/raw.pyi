@@ -62,6 +62,7 @@ CAROM_BODY_FIELD_MASS: int
 CAROM_BODY_FIELD_CENTER: int
 CAROM_BODY_FIELD_INERTIA: int
 CAROM_BODY_STAYS_AWAKE: int
+CAROM_BODY_DISABLED: int
 CAROM_LOCK_LINEAR_X: int
 CAROM_LOCK_LINEAR_Y: int
 CAROM_LOCK_LINEAR_Z: int
@@ -1312,6 +1313,16 @@ def carom_body_set_continuous(world: Any, body: Any, mode: Any, error: Any) -> i
     ...
 def carom_body_get_continuous(world: Any, body: Any, mode: Any, error: Any) -> int:
     """@param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
+    ...
+def carom_body_set_enabled(world: Any, body: Any, enabled: Any, error: Any) -> int:
+    """Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing moves
+    it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on it wake.
+    It costs a step nothing. A host may still read and write it.
+    @param enabled 1 or 0
+    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (enabled: pass 0 or 1); BUSY; REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_body_is_enabled(world: Any, body: Any, enabled: Any, error: Any) -> int:
+    """@param enabled out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_collider_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""

@@ -61,7 +61,7 @@ class BoxTree {
   struct alignas(64) Node {
     Real lo[3][kWidth], hi[3][kWidth];  // m; NaN beyond `count`, which overlaps nothing, not even all of space
     std::uint32_t child[kWidth];        // nodes; leaves at height 0
-    std::uint32_t parent;               // place in it, @see at(); kInvalid at the root; the next free one in a free node
+    std::uint32_t parent;  // place in it, @see at(); kInvalid at the root; the next free one in a free node
     std::uint32_t count, height;
 
     Aabb box(std::uint32_t lane) const;

@@ -1,6 +1,6 @@
-// Rays in closed form: sphere, capsule, box, cylinder, cone, ellipsoid. Each routine says where a line enters and leaves the form swollen by some
-// more, and is asked three times: swollen and shrunk by all that rounding can have done, which gives the bracket, and
-// as it is.
+// Rays in closed form: sphere, capsule, box, cylinder, cone, ellipsoid. Each routine says where a line enters and
+// leaves the form swollen by some more, and is asked three times: swollen and shrunk by all that rounding can have
+// done, which gives the bracket, and as it is.
 #include "collision/cast/local_ray.h"
 
 namespace carom::collision {
@@ -133,7 +133,8 @@ class Box {
 };
 
 /// Where a line is between two parallel planes across y, as a part of a chord.
-/// @param lo, hi  m, of the planes   @param y, u  m and 1: the line's height at the foot, and what it rises   @param from  m, at the foot
+/// @param lo, hi  m, of the planes   @param y, u  m and 1: the line's height at the foot, and what it rises   @param
+/// from  m, at the foot
 void cut_by_planes(Real lo, Real hi, Real y, Real u, Real from, Chord& c) {
   if (u == 0) {
     c.met &= lo <= y && y <= hi;
@@ -285,7 +286,7 @@ class Ellipsoid {
 
  private:
   Vec3 radii_;
-  Real from_;                            // m, where the line is nearest to the origin
+  Real from_;                             // m, where the line is nearest to the origin
   Real length_ = 0, foot_ = 0, off_ = 0;  // 1/m, and 1, in radii
 };
 

@@ -21,7 +21,8 @@ struct NarrowSettings {
   Real carry_over = 0;  // bracket width, relative to the pair's size, up to which an earlier answer is carried over
 };
 
-/// All that is kept of a pair whose bounds overlap, but for certificates. What a pair at rest is asked for stands first,
+/// All that is kept of a pair whose bounds overlap, but for certificates. What a pair at rest is asked for stands
+/// first,
 /// @see PairTable::fetch
 struct alignas(64) PairRecord {
   PatchMemory patch;
@@ -36,7 +37,13 @@ static_assert(sizeof(PairRecord) == 512, "eight cache lines");
 class PairTable {
  public:
   explicit PairTable(Memory* memory)
-      : order_(memory), next_(memory), records_(memory), certificates_(memory), free_(memory), inactive_(memory), head_(memory) {}
+      : order_(memory),
+        next_(memory),
+        records_(memory),
+        certificates_(memory),
+        free_(memory),
+        inactive_(memory),
+        head_(memory) {}
 
   /// Keep records of pairs still there, take back inactive ones, start new ones, drop the rest. `pairs` ascending.
   /// Linear: both lists are sorted.
@@ -135,7 +142,7 @@ class PairTable {
   Array<PairRecord> records_;
   Array<Certificate> certificates_;  // by record; empty until answers are carried over
   Array<std::uint32_t> free_;
-  Array<Inactive> inactive_;       // by record; empty until the first is inactive
+  Array<Inactive> inactive_;   // by record; empty until the first is inactive
   Array<std::uint32_t> head_;  // by collider: the first record that it deactivates, or kNew
   std::size_t inactive_count_ = 0;
 };

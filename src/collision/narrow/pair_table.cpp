@@ -59,8 +59,7 @@ void PairTable::resize_runs(const Array<Run>& runs) {
   for (const Run& run : runs) come += run.wanted;
   next_.reserve(order_.size() + come);
   free_.reserve(records_.size() + come);
-  if (records_.capacity() < records_.size() + come)
-    records_.reserve(core::with_slack(records_.size() + come));
+  if (records_.capacity() < records_.size() + come) records_.reserve(core::with_slack(records_.size() + come));
   const auto copy_up_to = [&](std::size_t end) {
     next_.insert(next_.end(), order_.begin() + static_cast<std::ptrdiff_t>(from),
                  order_.begin() + static_cast<std::ptrdiff_t>(end));

@@ -39,7 +39,8 @@ void unite(const World& world, Passes& p) {
 bool is_top(const World& world, std::uint32_t body) {
   for (const PlannedEffect& row : world.plan->effects) {
     const Effect& e = *row.effect;
-    if (e.stage != Stage::integrate || e.participants != ParticipantKind::bodies || row.participants.count == 0) continue;
+    if (e.stage != Stage::integrate || e.participants != ParticipantKind::bodies || row.participants.count == 0)
+      continue;
     if (e.id == EffectId::gravity || e.id == EffectId::user_force || e.id == EffectId::gyroscopic) continue;
     if (row.participants.has(body)) return false;
   }

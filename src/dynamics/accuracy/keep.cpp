@@ -7,8 +7,8 @@ namespace carom::dynamics::accuracy {
 namespace {
 
 Passes::Kept kept_of(const State& s, std::uint32_t i) {
-  return {s.x[i], s.v[i],      s.omega[i],        s.momentum[i],    s.force[i],           s.torque[i],
-          s.q[i], s.held_q[i], s.loaded_steps[i], s.cooldown_steps[i], s.quarantined[i] != 0};
+  return {s.x[i], s.v[i],      s.omega[i],        s.momentum[i],       s.force[i],   s.torque[i],
+          s.q[i], s.held_q[i], s.loaded_steps[i], s.cooldown_steps[i], s.held_out[i]};
 }
 
 void put_motion(Passing to, std::uint32_t i, const Passes::Kept& k) {
@@ -46,7 +46,8 @@ void keep_begun(const World& world, Passes& p) {
   for (std::size_t k = 0; k < p.all_active.size(); ++k)
     p.joint_begun[k] = p.joint_ended[k] = kept_of(world, p.all_active[k]);
   p.rows = c.rows, p.geometry = c.geometry;
-  p.contact_pairs = c.contact_pairs, p.bouncing = c.bouncing, p.resisting = c.resisting, p.driven = c.driven;
+  p.contact_pairs = c.contact_pairs, p.bouncing = c.bouncing, p.driven = c.driven;
+  p.resisting = p.resisting_ended = c.resisting;
   p.revision = world.scene.revision, p.collider_revision = world.scene.collider_revision, p.alarm = world.scene.alarm;
   p.quarantined = s.quarantined_count, p.faults = world.fault_views.size();
   p.groups = world.report.groups, p.largest_group = world.report.largest_group;
@@ -65,7 +66,7 @@ void go_back(const World& world, Passing to) {
     const Passes::Kept& b = p.begun[k];
     put_motion(to, i, b);
     host.force[i] = b.force, host.torque[i] = b.torque;
-    held.quarantined[i] = b.is_lost;
+    held.held_out[i] = b.held_out;
   }
   held.quarantined_count = p.quarantined;
   scene.revision = p.revision, scene.collider_revision = p.collider_revision, scene.alarm = p.alarm;
@@ -73,7 +74,7 @@ void go_back(const World& world, Passing to) {
   std::size_t k = 0;
   world.plan->kinematic.each([&](std::uint32_t i) {
     poses.x[i] = p.driven_begun[k].x, poses.q[i] = p.driven_begun[k].q;
-    held.quarantined[i] = 0;
+    held.held_out[i] = 0;
     ++k;
   });
   for (std::size_t j = 0; j < p.all_active.size(); ++j) put_joint(to, p.all_active[j], p.joint_begun[j]);
@@ -93,7 +94,7 @@ void put_ended(const World& world, Passing to) {
   const Passes& p = world.accuracy->passes;
   for (std::size_t k = 0; k < p.movers.size(); ++k) {
     put_motion(to, p.movers[k], p.ended[k]);
-    if (p.ended[k].is_lost) quarantine(to, p.movers[k]);
+    if (p.ended[k].held_out & Quarantine::kNotFinite) quarantine(to, p.movers[k]);
   }
   for (std::size_t j = 0; j < p.all_active.size(); ++j) put_joint(to, p.all_active[j], p.joint_ended[j]);
 }

@@ -36,6 +36,7 @@ Passes::Passes(Memory* m)
       contact_pairs(m),
       bouncing(m),
       resisting(m),
+      resisting_ended(m),
       driven(m),
       group_views(m),
       those(m),
@@ -109,9 +110,9 @@ void keep_contacts(const World& world, Passes& p, Real scale) {
     if (!is_accepted(m.row)) continue;
     for (std::uint32_t k = m.row; scale != 1 && k < m.row + m.count; ++k) c.rows[k].set_impulse(scale * c.rows[k].p);
   }
-  auto to = p.resisting.begin();
+  auto to = p.resisting_ended.begin();
   for (const Resistance& r : c.resisting) {
-    to = std::lower_bound(to, p.resisting.end(), r.row,
+    to = std::lower_bound(to, p.resisting_ended.end(), r.row,
                           [](const Resistance& a, std::uint32_t row) { return a.row < row; });
     if (!is_accepted(r.row)) continue;
     *to = r;
@@ -155,7 +156,7 @@ void judge(const World& world, Passes& p, Passes::Island& island, const Borne& b
   Shares apart;
   each_member(p, island, [&](std::uint32_t k, std::uint32_t i) {
     const BodyEnd end = end_of(s, i);
-    went_well &= is_finite(end) && (!s.quarantined[i] || p.begun[k].is_lost);
+    went_well &= is_finite(end) && (!s.held_out[i] || p.begun[k].held_out);
     if (island.trial.coarse > 0)
       add_apart(apart, p.coarse[k], end, world.scene.inertia[i], world.scene.inv_inertia[i], horizon, borne);
   });
@@ -187,7 +188,7 @@ void put_back_lists(const World& world, Passes& p) {
 /// All that stages after the passes read.
 void put_back_contacts(const World& world, Passes& p, const StepTime& time) {
   Contacts& c = *world.contacts;
-  c.contact_pairs = p.contact_pairs, c.bouncing = p.bouncing, c.resisting = p.resisting, c.driven = p.driven;
+  c.contact_pairs = p.contact_pairs, c.bouncing = p.bouncing, c.resisting = p.resisting_ended, c.driven = p.driven;
   world.wide_joints->active = p.all_active;
   if (p.packed_active != p.all_active) world.wide_joints->is_packed = false, p.packed_active.clear();
   link_joints(world, time);

@@ -35,7 +35,7 @@ struct Passes {
     Vec3 x, v, omega, momentum, force, torque;
     Quat q, held_q;
     std::uint8_t loaded_steps, cooldown_steps;
-    bool is_lost;  // in quarantine, in this step
+    std::uint8_t held_out;  // in quarantine, in this step
   };
   Array<Kept> begun, ended;
   Array<accuracy::BodyEnd> coarse;
@@ -61,7 +61,7 @@ struct Passes {
   Array<RowGeometry> geometry;
   Array<ContactPair> contact_pairs;
   Array<std::uint32_t> bouncing;
-  Array<Resistance> resisting;
+  Array<Resistance> resisting, resisting_ended;  // as the step began; of the runs that were accepted
   Array<Driven> driven;
   GroupViews group_views;  // of runs that were accepted
 

@@ -21,7 +21,7 @@ constexpr Real kSpin = 0.25;  // rad a step
 constexpr std::size_t kStruck = 64, kStruckEach = 4, kHitsEach = 16, kPassedEach = 64;
 
 bool can_sweep(const World& world, std::uint32_t body) {
-  return world.scene.type[body] != BodyType::fixed && !world.state.quarantined[body] && !world.state.sleeps(body);
+  return world.scene.type[body] != BodyType::fixed && !world.state.held_out[body] && !world.state.sleeps(body);
 }
 
 /// Whether a body moves farther in a step than any of its contacts reaches ahead, or turns its ends by more than its
@@ -122,7 +122,7 @@ void continuous::find(const Scene& scene, const State& state, Participants& part
   if (scene.dials.choice(Dial::continuous) == kSweepNobody) return;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
     if (scene.bodies.alive(i) && scene.def[i].continuous == SweepMode::always && scene.type[i] != BodyType::fixed &&
-        !state.quarantined[i])
+        !state.held_out[i])
       participants.add(i);
 }
 

@@ -76,7 +76,7 @@ void Sweeper::lay_path(SweptBody& b) {
   ++b.version;
   b.path.stay();
   b.when = kInfinity;
-  if (s.quarantined[i]) return;
+  if (s.held_out[i]) return;
   b.flies = world_.scene.type[i] == BodyType::dynamic && !world_.plan->touched[i];
   b.path.u = (s.x[i] - b.path.x) / time_.h;
   if (s.q[i] != b.path.q)
@@ -203,7 +203,7 @@ Path Sweeper::path_of(std::uint32_t body) const {
   if (const SweptBody* const known = c_.find(body)) return known->path;
   const State& s = world_.state;
   Path p{0, s.x[body], s.q[body], Vec3::zero(), Vec3::zero()};
-  if (world_.scene.type[body] == BodyType::fixed || s.quarantined[body] || world_.state.sleeps(body)) return p;
+  if (world_.scene.type[body] == BodyType::fixed || s.held_out[body] || world_.state.sleeps(body)) return p;
   p.u = s.v[body], p.w = s.omega[body];
   p.x -= time_.h * p.u;
   if (p.w != Vec3::zero()) p.q = normalized(exp_map(-time_.h * p.w) * p.q);

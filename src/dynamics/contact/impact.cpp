@@ -59,7 +59,7 @@ class Impacts {
     if (!world_.plan->rotation_method) return;
     const State& s = world_.state;
     for (const std::uint32_t body : c_.bodies) {
-      if (!world_.plan->effects[+EffectId::gyroscopic].candidates.has(body) || s.quarantined[body]) continue;
+      if (!world_.plan->effects[+EffectId::gyroscopic].candidates.has(body) || s.held_out[body]) continue;
       const bool far = is_carried(*world_.plan, body) && turns_far_for_its_shape(world_, body, time_.h);
       const Vec3 end = s.omega[body], begun = far ? led_back(world_, body, end) : end;
       c_.spins.push_back({body, begun, end, far});

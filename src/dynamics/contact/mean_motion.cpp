@@ -120,7 +120,7 @@ class Group {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       c.of[i] = {-0.5 * gained_v(bodies_[i]), -0.5 * gained_omega(bodies_[i])};
     const bool held =
-        std::ranges::any_of(bodies_, [&](const Body& b) { return world_.state.quarantined[b.slot] != 0; });
+        std::ranges::any_of(bodies_, [&](const Body& b) { return world_.state.held_out[b.slot] != 0; });
     const Real most = 2 * size_of(c);
     const bool is_worth_it = most > kNotice * world_.scene.dials[Dial::velocity_tolerance] && finite(most);
     if (held || group_.is_curved || !is_worth_it) return;
@@ -284,7 +284,7 @@ MeanVelocities::MeanVelocities(const World& world, Velocities& to) : world_(worl
 
 MeanVelocities::~MeanVelocities() {
   each_moved(world_, [&](const Body& b) {
-    if (!world_.state.quarantined[b.slot]) to_.v[b.slot] = b.v, to_.omega[b.slot] = b.omega;
+    if (!world_.state.held_out[b.slot]) to_.v[b.slot] = b.v, to_.omega[b.slot] = b.omega;
   });
   if (MeanMotion* const m = world_.mean_motion.get())
     for (MeanMotion::Group& g : m->groups) g.is_moved = false;

@@ -28,7 +28,7 @@ Real pressed(const World& world, const Resistance& r) {
 
 /// Whether a moment turns a body.
 bool turns(const World& world, bool moves, std::uint32_t body) {
-  return moves && rotates(world.scene, body) && !world.state.quarantined[body];
+  return moves && rotates(world.scene, body) && !world.state.held_out[body];
 }
 
 void twist(const World& world, Velocities& to, const Row& row, const Vec3& moment) {

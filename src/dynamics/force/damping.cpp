@@ -24,7 +24,8 @@ void find(const Scene& scene, const State& state, Participants& participants) {
     if (responds(scene, state, i) && scene.def[i].linear_damping > 0) participants.add(i);
 }
 
-void force(const Scene& scene, const State&, const Participants& participants, const Motion& at, const Accelerate& out) {
+void force(const Scene& scene, const State&, const Participants& participants, const Motion& at,
+           const Accelerate& out) {
   participants.each([&](std::uint32_t i) { out.v[i] -= out.scale * scene.def[i].linear_damping * at.v[i]; });
 }
 
@@ -43,7 +44,8 @@ void find(const Scene& scene, const State& state, Participants& participants) {
     if (responds(scene, state, i) && rotates(scene, i) && scene.def[i].angular_damping > 0) participants.add(i);
 }
 
-void force(const Scene& scene, const State&, const Participants& participants, const Motion& at, const Accelerate& out) {
+void force(const Scene& scene, const State&, const Participants& participants, const Motion& at,
+           const Accelerate& out) {
   participants.each([&](std::uint32_t i) { out.omega[i] -= out.scale * scene.def[i].angular_damping * at.omega[i]; });
 }
 

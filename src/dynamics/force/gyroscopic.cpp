@@ -19,7 +19,8 @@ void find(const Scene& scene, const State& state, Participants& participants) {
 
 bool wakes(const Scene&, const State& state, std::uint32_t body) { return state.omega[body] != Vec3::zero(); }
 
-void force(const Scene& scene, const State&, const Participants& participants, const Motion& at, const Accelerate& out) {
+void force(const Scene& scene, const State&, const Participants& participants, const Motion& at,
+           const Accelerate& out) {
   participants.each([&](std::uint32_t i) {
     const Quat& q = at.q[i];
     const Vec3 w = q.conjugate() * at.omega[i];

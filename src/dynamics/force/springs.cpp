@@ -27,7 +27,7 @@ End end_of(const Scene& scene, const State& s, const Motion& at, std::uint32_t b
   if (body == kInvalid) return {anchor, Vec3::zero(), Vec3::zero(), false};
   End e;
   e.moves = responds(scene, s, body);
-  const bool held = s.quarantined[body] != 0;
+  const bool held = s.held_out[body] != 0;
   const Vec3* const x = e.moves ? at.x : s.x.data();
   const Quat* const q = e.moves && rotates(scene, body) ? at.q : s.q.data();
   const Vec3* const v = e.moves ? at.v : s.v.data();
@@ -53,6 +53,8 @@ Pull pull_of(const SpringDef& def, Real stiffness, Real damping, const End& a, c
 }
 
 bool acts(const World& world, const SpringDef& def) {
+  const auto disabled = [&](std::uint32_t body) { return body != kInvalid && world.state.is_disabled(body); };
+  if (disabled(def.body_a) || disabled(def.body_b)) return false;
   const auto awake = [&](std::uint32_t body) {
     return body != kInvalid && responds(world.scene, world.state, body) && !world.state.sleeps(body);
   };

@@ -125,7 +125,7 @@ void take_back(const World& world, Poses& poses, Velocities& motion, FreeFlight&
   f.watched.each([&](std::uint32_t i) {
     const FreeFlight::Begun& b = *begun++;
     const SweptBody* const known = world.continuous->find(i);
-    if ((known && known->struck) || world.state.quarantined[i]) return;
+    if ((known && known->struck) || world.state.held_out[i]) return;
     poses.x[i] = b.x, poses.q[i] = b.q;
     motion.v[i] = b.v, motion.omega[i] = b.omega;
     (rotates(world.scene, i) ? f.again.rotating : f.again.linear).add(i);

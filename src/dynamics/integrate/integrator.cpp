@@ -18,13 +18,13 @@ class Outliers {
   explicit Outliers(Quarantining to) : to_(to) {}
 
   void add(std::uint32_t body) {
-    held().quarantined[body] |= kMark;
+    held().held_out[body] |= kMark;
     any_.store(true, std::memory_order_relaxed);
   }
   void quarantine_all(const Plan& plan) {
     if (!any_.load(std::memory_order_relaxed)) return;
     const auto take = [&](std::uint32_t i) {
-      std::uint8_t& mark = held().quarantined[i];
+      std::uint8_t& mark = held().held_out[i];
       if (!(mark & kMark)) return;
       mark &= static_cast<std::uint8_t>(~kMark);
       quarantine(to_, i);
@@ -33,7 +33,7 @@ class Outliers {
   }
 
  private:
-  static constexpr std::uint8_t kMark = 2;
+  static constexpr std::uint8_t kMark = 2;  // beside the bits of Quarantine::Why
   Quarantine& held() const { return to_; }
   Quarantining to_;
   std::atomic<bool> any_{false};
@@ -90,7 +90,7 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
   };
   const auto spin = [&](std::uint32_t i) { face(i, normalized(exp_map(h * s.omega[i]) * poses.q[i])); };
   const auto turn = [&](std::uint32_t i) {
-    if (s.quarantined[i]) return;
+    if (s.held_out[i]) return;
     Quat q = plan.predicted.q[i];
     if (plan.touched[i]) q = normalized(exp_map(h * (s.omega[i] - plan.predicted.omega[i])) * q);
     face(i, q);
@@ -102,7 +102,7 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
     plan.linear.each(world.jobs, move);
     plan.rotating.each(world.jobs, [&](std::uint32_t i) { move(i), orient(i); });
   } else {
-    const auto free = [&](std::uint32_t i) { return !plan.touched[i] && !s.quarantined[i]; };
+    const auto free = [&](std::uint32_t i) { return !plan.touched[i] && !s.held_out[i]; };
     plan.linear.each(world.jobs, [&](std::uint32_t i) { free(i) ? place(i, plan.predicted.x[i]) : move(i); });
     plan.rotating.each(world.jobs, [&](std::uint32_t i) {
       if (free(i))

@@ -1,8 +1,8 @@
 // Integrators: from forces to velocities, and from velocities to poses.
 //
-// velocity(h) changes v and omega by the forces that have participants, and may leave a predicted pose: the pose in which a body
-// ends if no contact acts. position(h) takes the predicted pose for bodies no solver touched in this substep and moves all
-// others by their (solved) velocity:
+// velocity(h) changes v and omega by the forces that have participants, and may leave a predicted pose: the pose in
+// which a body ends if no contact acts. position(h) takes the predicted pose for bodies no solver touched in this
+// substep and moves all others by their (solved) velocity:
 //
 //                     velocity                     untouched body's pose          order of the pose in flight
 //   explicit Euler    v1 = v0 + h a(x0, v0)        x1 = x0 + h v0                 1
@@ -10,20 +10,22 @@
 //   RK4               classical, 4 evaluations     x1 = x0 + h (RK4 mean of v)    4
 //   velocity Verlet   v1 = v0 + h/2 (a0 + a1)      x1 = x0 + h (v0 + h/2 a0)      2, symplectic, exact if a is constant
 //
-// A touched body cannot keep its predicted pose: it was made before the impulses and would carry the body through the floor.
-// It moves by the velocity at the end of the substep, which is what the solver made admissible: semi-implicit Euler.
-// What slides or rolls while its contacts stay as they are moves by the mean of both ends (contact/mean_motion.h).
+// A touched body cannot keep its predicted pose: it was made before the impulses and would carry the body through the
+// floor. It moves by the velocity at the end of the substep, which is what the solver made admissible: semi-implicit
+// Euler. What slides or rolls while its contacts stay as they are moves by the mean of both ends
+// (contact/mean_motion.h).
 //
 // Where a rotation method carries a body (rotation/rotation.h), that method proposes the orientation under any
-// integrator but RK4. A touched body is then turned on from the predicted pose by what the contacts made of its omega since:
+// integrator but RK4. A touched body is then turned on from the predicted pose by what the contacts made of its omega
+// since:
 //
 //   q1 = exp(h (omega_solved - omega_proposed)) q_proposed
 //
 // exp(h omega_solved) q0 would agree to the same order, but gain energy like the explicit torque: omega changes with
 // the orientation even if nothing pushes, and the two belong together. A body at rest has no such change; how far the
-// predicted pose of one that tumbles departs from its tangent, h^2/2 times its acceleration, is what a contact's linearised
-// motion leaves out anyway. Who hangs on joints alone gets the omega that belongs to q1 (joint/README.md, "What
-// spins").
+// predicted pose of one that tumbles departs from its tangent, h^2/2 times its acceleration, is what a contact's
+// linearised motion leaves out anyway. Who hangs on joints alone gets the omega that belongs to q1 (joint/README.md,
+// "What spins").
 #pragma once
 
 #include "dynamics/effects.h"

@@ -203,7 +203,7 @@ void bound_energies(const World& world, Velocities& to, Real h) {
   sum_up(world, w);
   for (const Bounded& b : w.bounded) {
     const GroupBound& group = w.bounds[b.group];
-    if (!group.may_gain_nothing() || !(group.after > group.before) || s.quarantined[b.body]) continue;
+    if (!group.may_gain_nothing() || !(group.after > group.before) || s.held_out[b.body]) continue;
     const Vec3 common = group.is_held ? Vec3(Vec3::zero()) : Vec3(group.momentum / group.mass);
     const Real kept = group.mass * common.squared_norm() / 2, own = group.after - kept;
     const Real share = own > 0 ? std::sqrt(std::clamp((group.before - kept) / own, Real(0), Real(1))) : 0;

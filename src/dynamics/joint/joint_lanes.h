@@ -65,7 +65,7 @@ struct JointDriveLanes {
   Lanes m;             // kg or kg m^2: impulse per change of u, what is locked staying so
   Lanes lower, upper;  // m or rad: of a limit; of a spring both are its target
   Lanes speed;         // m/s or rad/s, of a motor
-  Lanes max_impulse;          // N s or N m s, a substep
+  Lanes max_impulse;   // N s or N m s, a substep
   Lanes pull, drag;  // 1/s, 1: a spring's impulse is that of -m (pull x + drag u) - (1 - drag) p = 0, @see spring_of()
 };
 

@@ -29,7 +29,7 @@ Real lengthening(const Vec3& r, const Vec3& rate) {
 Real twisting(const Quat& t, const Vec3& w) {
   const Real turned = t.x() * t.x() + t.w() * t.w();
   if (!(turned > 0)) return 0;
-  const Real x = t.w() * w.x() + w.y() * t.z() - w.z() * t.y();  // 2 x'
+  const Real x = t.w() * w.x() + w.y() * t.z() - w.z() * t.y();          // 2 x'
   const Real scalar = -(w.x() * t.x() + w.y() * t.y() + w.z() * t.z());  // 2 w'
   return (t.w() * x - t.x() * scalar) / turned;
 }
@@ -58,7 +58,11 @@ JointSpeeds speeds_of(const World& world, const Joint& joint) {
     const Ropes ropes = ropes_of(world, joint, ends);
     speeds.coordinate[3] = lengthening(ropes.a, a.v) + joint.transmission.ratio * lengthening(ropes.b, b.v);
   }
-  speeds.axis = {place.x(), place.y(), place.z(), twist, -(grows_rate * n.z() + grows * n_rate.z()),
+  speeds.axis = {place.x(),
+                 place.y(),
+                 place.z(),
+                 twist,
+                 -(grows_rate * n.z() + grows * n_rate.z()),
                  grows_rate * n.y() + grows * n_rate.y()};
   return speeds;
 }

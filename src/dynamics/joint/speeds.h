@@ -15,8 +15,8 @@ struct JointSpeeds {
 /// From the present poses and velocities.
 ///   with r what parts the points in A's frame, w the spin of B relative to A there, t = q_a^-1 q_b, n = t x:
 ///   r' = R_a^T (v_b - v_a) - w_a x r,   t' = (0, w) t / 2,   n' = w x n
-/// Where a coordinate has no rate (points that agree, axes that agree or oppose each other) it is that at which it begins to
-/// grow, and 0 where a twist is not told.
+/// Where a coordinate has no rate (points that agree, axes that agree or oppose each other) it is that at which it
+/// begins to grow, and 0 where a twist is not told.
 /// @accuracy  rounding of velocities, times 1 / cos(swing / 2) of a twist
 /// @oracle    tests/abi/test_joint_bulk: central differences of the coordinates
 JointSpeeds speeds_of(const World& world, const Joint& joint);

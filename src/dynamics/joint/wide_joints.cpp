@@ -47,7 +47,10 @@ void note_parts(const World& world, Joints& joints, Joint& joint) {
 /// Whether it takes part in the step. One end may sleep while the other is awake in a snapshot that somebody has changed.
 bool is_awake(const World& world, std::uint32_t body) { return moves(world, body) && !world.state.sleeps(body); }
 
+bool is_disabled(const World& world, std::uint32_t body) { return body != kInvalid && world.state.is_disabled(body); }
+
 bool is_active(const World& world, const Joint& joint) {
+  if (is_disabled(world, joint.def.body_a) || is_disabled(world, joint.def.body_b)) return false;
   if (joint.broken || forbids(world, +EffectId::joints, joint.def)) return false;
   return is_awake(world, joint.def.body_a) || is_awake(world, joint.def.body_b);
 }
@@ -176,7 +179,7 @@ bool turns_freely(const World& world, std::uint32_t body) {
 bool is_turned_on(const World& world, std::uint32_t body) {
   const WideContacts& wide = *world.wide;
   if (wide.far_turners && wide.far_turn[wide.body[body]].led_on) return false;
-  return turns_freely(world, body) && world.plan->touched[body] && !world.state.quarantined[body];
+  return turns_freely(world, body) && world.plan->touched[body] && !world.state.held_out[body];
 }
 
 /// rad/s, of an angular momentum.
@@ -339,7 +342,7 @@ void give_half_kicks(const World& world, Velocities& to) {
   const State& s = world.state;
   for (WideJoints::Kicked& k : world.wide_joints->kicked) {
     k.spun.set_zero();
-    if (s.quarantined[k.body]) k.half.set_zero();
+    if (s.held_out[k.body]) k.half.set_zero();
     to.v[k.body] += k.half;
     if (!is_turned_on(world, k.body)) continue;
     const Vec3 omega = kept_spin(world, k);

@@ -20,7 +20,7 @@ void open_phase(const World& world, std::uint32_t i) {
   b.x = s.x[i], b.q = s.q[i];
   b.v = b.seen_v = s.v[i], b.omega = b.seen_omega = s.omega[i];
   b.kicked = false;
-  b.held = s.quarantined[i] != 0;
+  b.held = s.held_out[i] != 0;
 }
 
 void may_round(const World& world, std::uint32_t i, Real speed, Real spin) {
@@ -79,7 +79,7 @@ bool is_as_seen(const World& world, std::uint32_t i) {
 bool was_lost(const World& world, std::uint32_t i) {
   Ledger& l = ledger_of(world);
   Ledger::Body& b = l.body[i];
-  if (!world.state.quarantined[i] || b.held) return false;
+  if (!world.state.held_out[i] || b.held) return false;
   forget_kicks(l, i);
   b.seen_v = b.v, b.seen_omega = b.omega;
   book_change(world, i, Cause::quarantine);

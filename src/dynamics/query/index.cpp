@@ -27,7 +27,7 @@ Frame collider_frame(const World& world, std::uint32_t slot) {
 bool takes_part(const World& world, std::uint32_t slot) {
   const Colliders& c = world.scene.colliders;
   const Array<const Shape*>& faulty = world.plan->faulty;
-  return !world.state.quarantined[c.body[slot]] &&
+  return !world.state.held_out[c.body[slot]] &&
          (faulty.empty() || std::find(faulty.begin(), faulty.end(), c.shape[slot]) == faulty.end());
 }
 

@@ -28,7 +28,7 @@ class QueryIndex {
 
   // As of then, by collider slot:
   const Frame& frame(std::uint32_t slot) const { return seen_as_[slot].frame; }  // shape -> world
-  const Aabb& bounds(std::uint32_t slot) const { return bounds_[slot]; }  // m, world, exact to rounding
+  const Aabb& bounds(std::uint32_t slot) const { return bounds_[slot]; }         // m, world, exact to rounding
   const QueryTree& tree() const { return tree_; }
   Real largest_radius() const { return largest_; }  // m, of all but half-spaces
 

@@ -15,7 +15,7 @@ namespace carom::dynamics {
 struct QueryFilter {
   std::uint64_t category = ~std::uint64_t(0);  // of the question: a collider's mask must have a bit of it
   std::uint64_t mask = ~std::uint64_t(0);      // a collider's categories must have a bit of it
-  std::uint32_t ignore = kInvalid;                // a body's slot: its colliders are passed over
+  std::uint32_t ignore = kInvalid;             // a body's slot: its colliders are passed over
   bool sensors = false;                        // sensors are asked, too
 };
 
@@ -44,7 +44,8 @@ WorldHit cast_shape(const World& world, const QueryShape& query_shape, const Vec
 /// Whether anything is met: outcome hit; undecided where nothing is but neither is a graze ruled out; else miss, with
 /// status fault if a support function misbehaved. No collider, no time.
 CastResult any_on_ray(const World& world, const Ray& ray, const QueryOptions& options);
-CastResult any_on_way(const World& world, const QueryShape& query_shape, const Vec3& motion, const QueryOptions& options);
+CastResult any_on_way(const World& world, const QueryShape& query_shape, const Vec3& motion,
+                      const QueryOptions& options);
 
 /// All that is met, appended by time, of equals by slot.
 void cast_ray_all(const World& world, const Ray& ray, const QueryOptions& options, Array<WorldHit>& hits);
@@ -53,7 +54,8 @@ void cast_shape_all(const World& world, const QueryShape& query_shape, const Vec
 
 /// What overlaps (or comes nearer than options.cast.target), appended by slot: outcome overlap, or undecided within
 /// rounding; point_a = point_b: in both.
-void find_overlaps(const World& world, const QueryShape& query_shape, const QueryOptions& options, Array<WorldHit>& hits);
+void find_overlaps(const World& world, const QueryShape& query_shape, const QueryOptions& options,
+                   Array<WorldHit>& hits);
 
 /// What is nearest: least signed distance, of equals the lowest slot.
 /// @param reach  m, >= 0: what is farther is not looked for
@@ -66,7 +68,8 @@ bool passes(const World& world, const QueryFilter& filter, std::uint32_t slot);
 WorldHit ray_against(const World& world, std::uint32_t slot, const Ray& ray, const CastSettings& settings);
 WorldHit shape_against(const World& world, std::uint32_t slot, const QueryShape& query_shape, const Vec3& motion,
                        const CastSettings& settings);
-WorldHit overlap_against(const World& world, std::uint32_t slot, const QueryShape& query_shape, const CastSettings& settings);
+WorldHit overlap_against(const World& world, std::uint32_t slot, const QueryShape& query_shape,
+                         const CastSettings& settings);
 WorldHit nearest_against(const World& world, std::uint32_t slot, const QueryShape& query_shape, Real reach,
                          const CastSettings& settings);
 

@@ -10,7 +10,7 @@ namespace {
 /// Count on a body's time of being slow, or start it anew. Comparisons are such that NaN is not slow.
 void count_calm(const World& world, Sleep& z, std::uint32_t i, Real speed, Real dt) {
   const State& s = world.state;
-  const bool slow = s.v[i].norm() + z.radius[i] * s.omega[i].norm() <= speed && !s.quarantined[i] &&
+  const bool slow = s.v[i].norm() + z.radius[i] * s.omega[i].norm() <= speed && !s.held_out[i] &&
                     !world.scene.def[i].stays_awake && !world.scene.modes.forbids(+EffectId::sleep, i);
   if (slow) {
     // A turn by angle a moves a point at radius r by 2 r sin(a/2), which is 2 r times the vector part of its
@@ -58,10 +58,11 @@ void find_islands(const World& world, Sleep& z, const Participants& participants
   if (met) {
     const bool grouped = world.scene.dials.choice(Dial::groups) != 0;
     for (const std::uint32_t i : c.bodies) z.root[i] = grouped ? island_of(c, i) : c.bodies[0];
-    if (world.rattle) rattle::each_held(*world.rattle, [&](const RattleIsland& island) {  // nobody else is in these
-      for (std::uint32_t k = island.body; k < island.body + island.movers; ++k)
-        z.root[world.rattle->bodies[k].slot] = world.rattle->bodies[island.body].slot;
-    });
+    if (world.rattle)
+      rattle::each_held(*world.rattle, [&](const RattleIsland& island) {  // nobody else is in these
+        for (std::uint32_t k = island.body; k < island.body + island.movers; ++k)
+          z.root[world.rattle->bodies[k].slot] = world.rattle->bodies[island.body].slot;
+      });
   }
   const PlannedEffect& sprung = world.plan->effects[+EffectId::springs];
   if (sprung.participants.count > 0) {
@@ -88,10 +89,11 @@ void find_islands(const World& world, Sleep& z, const Participants& participants
     if (row.moves_a) z.restless[z.root[row.a]] = 1;
     if (row.moves_b) z.restless[z.root[row.b]] = 1;
   }
-  if (world.rattle) rattle::each_held(*world.rattle, [&](const RattleIsland& island) {
-    for (std::uint32_t k = island.body + island.movers; k < island.body + island.bodies; ++k)
-      if (rolls_by(world, world.rattle->bodies[k].slot)) z.restless[world.rattle->bodies[island.body].slot] = 1;
-  });
+  if (world.rattle)
+    rattle::each_held(*world.rattle, [&](const RattleIsland& island) {
+      for (std::uint32_t k = island.body + island.movers; k < island.body + island.bodies; ++k)
+        if (rolls_by(world, world.rattle->bodies[k].slot)) z.restless[world.rattle->bodies[island.body].slot] = 1;
+    });
   for (const Link& link : c.links) {
     if (link.moves_a && link.b != kInvalid && rolls_by(world, link.b)) z.restless[z.root[link.a]] = 1;
     if (link.moves_b && link.a != kInvalid && rolls_by(world, link.a)) z.restless[z.root[link.b]] = 1;

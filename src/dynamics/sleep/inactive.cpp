@@ -203,7 +203,8 @@ void list_awake(const World& world, Sleep& z, Colliders& colliders, Joints& join
     if (row.effect->stage == Stage::broad) {
       find_candidates(world, row);
     }
-    if (row.effect->stage != Stage::solve && k != +EffectId::springs && !row.effect->wakes) row.participants = row.candidates;
+    if (row.effect->stage != Stage::solve && k != +EffectId::springs && !row.effect->wakes)
+      row.participants = row.candidates;
   }
   plan_joints(world, joints);
   plan_springs(world);

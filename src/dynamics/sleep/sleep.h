@@ -45,9 +45,9 @@ struct Sleep {
 
   // By body slot; empty until a step with the dial on. Who sleeps, the state says.
   Array<std::uint8_t> inactive;  // it has left the arrays of the step
-  Array<std::uint32_t> ring;   // the next sleeper of its island, around to the first
-  Array<Real> sleep_timer;            // s, for how long it has been slow
-  Array<Vec3> anchor_x;        // m, where it became slow
+  Array<std::uint32_t> ring;     // the next sleeper of its island, around to the first
+  Array<Real> sleep_timer;       // s, for how long it has been slow
+  Array<Vec3> anchor_x;          // m, where it became slow
   Array<Quat> anchor_q;
   Array<Real> radius;               // m, the farthest point of its colliders from its centre
   Array<RowBits> rows;              // of the table that have it for a participant when awake

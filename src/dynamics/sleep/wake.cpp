@@ -7,8 +7,8 @@
 namespace carom::dynamics {
 namespace {
 
-/// Call f(pair, record) for the record of every pair that a sleeper may be in. Those who fell asleep in the last step are not
-/// inactive yet.
+/// Call f(pair, record) for the record of every pair that a sleeper may be in. Those who fell asleep in the last step
+/// are not inactive yet.
 template <class F>
 void each_record(const World& world, F&& f) {
   world.pairs.each_inactive(f);

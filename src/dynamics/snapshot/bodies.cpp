@@ -27,7 +27,8 @@ enum BodyBits : std::uint16_t {
   kSleptBefore = 2048,
   kSettings = 4096,
   kAccuracy = 8192,
-  kBodyBits = 16383
+  kDisabled = 16384,
+  kBodyBits = 32767
 };
 // Of its settings, those that are not as they usually are: a bit each. Seven to a byte, the eighth says that a byte follows.
 // Attributes came in between: 0 to 3 are those of the first version, 4 and 5 the two here, all others come after them.
@@ -112,7 +113,7 @@ std::uint16_t bits_of_body(const World& world, std::uint32_t i) {
       bit(!same_bits(s.held_q[i], s.q[i]), kHeld) |
       bit(!same_bits(s.placed_x[i], s.x[i]) || !same_bits(s.placed_q[i], s.q[i]), kPlacedElsewhere) |
       bit(!zero_bits(s.force[i]) || !zero_bits(s.torque[i]), kPushed) |
-      bit(s.loaded_steps[i] | s.cooldown_steps[i], kSolverMemory) | bit(s.quarantined[i], kQuarantined) |
+      bit(s.loaded_steps[i] | s.cooldown_steps[i], kSolverMemory) | bit(s.is_lost(i), kQuarantined) | bit(s.is_disabled(i), kDisabled) |
       bit(s.is_written[i], kWritten) | bit(world.state.sleeps(i), kAsleep) | bit(sleeps && z.inactive[i], kInactive) |
       bit(rests, kRests) | bit(i < world.events->slept.size() && world.events->slept[i], kSleptBefore) |
       bit(settings_of(world.scene, i), kSettings) | bit(s.accuracy[i] != AccuracyNote(), kAccuracy));
@@ -182,8 +183,9 @@ void body(Io& io, W& world, std::uint32_t i) {
     io.demand(sleep_timer >= 0 && sane_turn(anchor_q));
   }
   if constexpr (Io::loads) {
-    s.quarantined[i] = (bits & kQuarantined) != 0;
-    s.quarantined_count += s.quarantined[i];
+    s.held_out[i] = static_cast<std::uint8_t>((bits & kQuarantined ? Quarantine::kNotFinite : 0) |
+                                              (bits & kDisabled ? Quarantine::kDisabled : 0));
+    s.quarantined_count += s.is_lost(i);
     if (bits & kWritten) s.mark_written(i);
     if (i < world.events->slept.size()) world.events->slept[i] = (bits & kSleptBefore) != 0;
     if (i >= z.sleep_timer.size()) return;

@@ -87,8 +87,8 @@ void record(Io& io, R& r, C* certified, int& points) {
 
 }  // namespace
 
-/// A friend of the table's: records are inactive and found again in an order that follows from where they stand, so each
-/// keeps its place.
+/// A friend of the table's: records are inactive and found again in an order that follows from where they stand, so
+/// each keeps its place.
 class PairTableImage {
   using Links = Array<PairTable::Inactive>;
   using Pairs = Array<Pair>;

@@ -170,14 +170,12 @@ JointDrive drive(Io& io, const JointDrive& now) {
   d.motor.speed = io.real(now.motor.speed), d.motor.max_force = loose(io, now.motor.max_force);
   d.spring.target = io.real(now.spring.target), d.spring.frequency = io.real(now.spring.frequency);
   d.spring.damping = io.real(now.spring.damping), d.spring.max_force = loose(io, now.spring.max_force);
-  io.demand(d.limit.lower <= d.limit.upper && d.motor.max_force >= 0 && d.spring.frequency >= 0 && d.spring.damping >= 0 &&
-            d.spring.max_force >= 0);
+  io.demand(d.limit.lower <= d.limit.upper && d.motor.max_force >= 0 && d.spring.frequency >= 0 &&
+            d.spring.damping >= 0 && d.spring.max_force >= 0);
   return d;
 }
 
-bool parts_its_bodies(const JointDef& def) {
-  return !def.collide && def.body_a != kInvalid && def.body_b != kInvalid;
-}
+bool parts_its_bodies(const JointDef& def) { return !def.collide && def.body_a != kInvalid && def.body_b != kInvalid; }
 
 struct AllJoints {
   template <class Io, class W>

@@ -44,7 +44,7 @@ void make_room_for_slots(World& w) {
   for (Array<Vec3>* a : {&t.x, &t.placed_x, &t.v, &t.omega, &t.momentum, &t.force, &t.torque})
     a->resize(bodies, Vec3::zero());
   for (Array<Quat>* a : {&t.q, &t.held_q, &t.placed_q}) a->resize(bodies, Quat::identity());
-  for (Array<std::uint8_t>* a : {&t.quarantined, &t.loaded_steps, &t.cooldown_steps, &t.is_written}) a->resize(bodies, 0);
+  for (Array<std::uint8_t>* a : {&t.held_out, &t.loaded_steps, &t.cooldown_steps, &t.is_written}) a->resize(bodies, 0);
   t.accuracy.resize(bodies);
   t.written.reserve(bodies);
   Colliders& c = s.colliders;

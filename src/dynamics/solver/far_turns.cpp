@@ -249,7 +249,7 @@ void begin_far_turns(const World& world, Velocities& to, WideContacts& wide, Rea
     FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
     f.led_on = false;
-    f.led_back = f.may && is_carried(*world.plan, slot) && turns_far_for_its_shape(world, slot, h) && !s.quarantined[slot];
+    f.led_back = f.may && is_carried(*world.plan, slot) && turns_far_for_its_shape(world, slot, h) && !s.held_out[slot];
     f.end = s.omega[slot];
     if (f.led_back) f.begun = to.omega[slot] = led_back(world, slot, f.end);
   }

@@ -21,7 +21,8 @@ namespace carom::dynamics {
 // the rows of doubles would leave the second cache.
 inline constexpr Constant<std::uint32_t> kFloatsFrom{
     "floats_from", 512, "pairs",
-    "in contact in lanes: with what they are filled from, rows in doubles take about 2 kB each, so from here they fill a second cache of 1 MiB",
+    "in contact in lanes: with what they are filled from, rows in doubles take about 2 kB each, so from here they fill "
+    "a second cache of 1 MiB",
     "more: heaps of a thousand bodies take a third more time; fewer: small scenes lose digits and gain nothing"};
 
 inline constexpr ConstantRow kFloatConstants[] = {kFloatsFrom};

@@ -38,7 +38,7 @@ struct Placing {
       : met(m), kinematic(m), movers(m), regions(m), members(m), by_colour(m), in_region(m), taken(m) {}
 
   bool stands = false;             // places are those of `met` and `regions`
-  Array<ContactPair> met;              // who is answered in lanes
+  Array<ContactPair> met;          // who is answered in lanes
   Array<std::uint32_t> kinematic;  // slots, as those name them
   Array<std::uint32_t> movers;     // slots of bodies that impulses move, ascending
   Regions regions;                 // of movers
@@ -89,6 +89,7 @@ struct WideContacts {
   ContactLanes<double> in_double;
   Owned<ContactLanes<float>> in_float;  // null until a step wants it
   bool is_float = false;                // which of these has the rows of this step: @see float_range.h
+  bool far_turners = false;             // there are any: far_turn below
 
   // by solver body; 0 is nobody, then those that move of themselves, then those that impulses move
   std::uint32_t first_moved = 1;
@@ -98,8 +99,7 @@ struct WideContacts {
   Array<std::uint32_t> slot;  // of the body
   Array<Mat3> held_back;      // @see held_arms.h
   Array<FarTurn> far_turn;    // @see far_turns.h
-  bool far_turners = false;   // there are any
-  Participants one_turner;       // scratch, for rotation methods
+  Participants one_turner;    // scratch, for rotation methods
 
   Array<std::uint32_t> body;  // by slot: solver body, 0 where it does not matter
   Array<Vec3> start_x;        // m, by solver body: as the step began

@@ -292,7 +292,8 @@ class Trial {
       for (std::size_t k = 0; k < 8 * directions.size(); ++k) {
         const std::size_t i = (start + k * 7) % directions.size();
         Direction out;
-        const std::int32_t result = plugin_->support(plugin_->user, params.data(), params.size(), directions[i].data(), out.data());
+        const std::int32_t result =
+            plugin_->support(plugin_->user, params.data(), params.size(), directions[i].data(), out.data());
         if (result != 0 || !same_bits(out, alone[i])) differing = i;
       }
     };

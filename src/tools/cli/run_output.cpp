@@ -82,12 +82,14 @@ void print_what_happened(const Stage& stage, const Observer* observer, const Run
 void print_islands(const std::vector<carom_island>& islands) {
   constexpr std::size_t kTold = 5;
   if (islands.empty()) return;
-  std::vector<std::vector<std::string>> rows = {{"islands", "bodies", "substeps", "of runs", "m/s", "rad/s", "of what was asked", ""}};
+  std::vector<std::vector<std::string>> rows = {
+      {"islands", "bodies", "substeps", "of runs", "m/s", "rad/s", "of what was asked", ""}};
   for (std::size_t k = 0; k < std::min(kTold, islands.size()); ++k) {
     const carom_island& i = islands[k];
     const bool joints = i.flags & CAROM_ISLAND_JOINTS_ALONE;
-    rows.push_back({format("%zu", k + 1), format("%u", i.bodies), format("%u", i.substeps), format("%llu", count(i.work)),
-                    format("%.1e", i.place), format("%.1e", i.turn), format("%.2g", i.share),
+    rows.push_back({format("%zu", k + 1), format("%u", i.bodies), format("%u", i.substeps),
+                    format("%llu", count(i.work)), format("%.1e", i.place), format("%.1e", i.turn),
+                    format("%.2g", i.share),
                     std::string(joints ? format("by joints alone, order %u", i.order) : "") +
                         (i.flags & CAROM_ISLAND_BOUND ? " bound of work hit" : "") +
                         (i.flags & CAROM_ISLAND_STALLED ? " more substeps do not help" : "")});

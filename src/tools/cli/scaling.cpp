@@ -18,8 +18,8 @@ constexpr std::uint32_t kThreads[] = {1, 2, 4, 8, 16, 32, 64};
 
 struct ScalingOptions {
   SceneChoice choice;
-  double skipped = 1;    // s
-  double wake_us = 1;    // us
+  double skipped = 1;  // s
+  double wake_us = 1;  // us
 };
 
 /// The loops of steps, as they ask to be shared: times of all their parts.
@@ -31,7 +31,7 @@ class Loops {
   void clear() { count_ = 0, seconds_ = longest_parts_ = 0, dealt_.fill(0); }
 
   std::size_t count() const { return count_; }
-  double seconds() const { return seconds_; }             // s, of all parts
+  double seconds() const { return seconds_; }              // s, of all parts
   double longest_parts() const { return longest_parts_; }  // s: no number of threads makes loops shorter
   /// s, on the i-th number of threads
   double dealt(std::size_t i) const { return dealt_[i]; }
@@ -80,20 +80,22 @@ void print_scaling(const ScalingOptions& options, Context& context) {
   const double begun = cpu_time();
   const RunSummary run = simulate(stage, observer.get(), seconds - options.skipped, dt);
   const double all = std::min(cpu_time() - begun, run.total_seconds), serial = std::max(0.0, all - loops.seconds());
-  const double steps = static_cast<double>(run.steps), wakes = static_cast<double>(loops.count()) * 1e-6 * options.wake_us;
+  const double steps = static_cast<double>(run.steps),
+               wakes = static_cast<double>(loops.count()) * 1e-6 * options.wake_us;
 
-  std::printf("%s: %llu steps, %.4g ms each on one thread\n", scene.name.c_str(), static_cast<unsigned long long>(run.steps),
-              1e3 * all / steps);
+  std::printf("%s: %llu steps, %.4g ms each on one thread\n", scene.name.c_str(),
+              static_cast<unsigned long long>(run.steps), 1e3 * all / steps);
   std::printf("  shared: %.1f %% of the time, in %.0f loops a step; the rest, %.4g ms a step, is one thread's\n",
               100 * loops.seconds() / all, static_cast<double>(loops.count()) / steps, 1e3 * serial / steps);
   std::printf("  on paper, with %.3g us to hand a loop to other threads, and no cache or memory that they share:\n\n",
               options.wake_us);
-  std::vector<std::vector<std::string>> rows = {{"threads", "speed-up", "ms/step", "one thread's", "loops", "handing over"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"threads", "speed-up", "ms/step", "one thread's", "loops", "handing over"}};
   for (std::size_t i = 0; i < std::size(kThreads); ++i) {
     const double handing = kThreads[i] > 1 ? wakes : 0, dealt = loops.dealt(i), took = serial + dealt + handing;
     const auto share = [&](double of) { return format("%.0f %%", 100 * of / took); };
-    rows.push_back({format("%u", kThreads[i]), format("%.2f", all / took), format("%.4g", 1e3 * took / steps), share(serial),
-                    share(dealt), share(handing)});
+    rows.push_back({format("%u", kThreads[i]), format("%.2f", all / took), format("%.4g", 1e3 * took / steps),
+                    share(serial), share(dealt), share(handing)});
   }
   rows.push_back({"any", format("%.2f", all / (serial + loops.longest_parts() + wakes)), "", "", "", ""});
   std::printf("%s", table(rows, {true, true, true, true, true, true}).c_str());
@@ -104,7 +106,8 @@ void print_scaling(const ScalingOptions& options, Context& context) {
 void add_scaling_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<ScalingOptions>();
   CLI::App* scaling = app.add_subcommand(
-      "scaling", "What more threads would give a scene: its shared loops are timed on one, part by part, and dealt to many");
+      "scaling",
+      "What more threads would give a scene: its shared loops are timed on one, part by part, and dealt to many");
   add_scene_options(*scaling, options->choice, "Simulated time; default: the scene's");
   scaling->remove_option(scaling->get_option("--threads"));
   scaling->add_option("--skip", options->skipped, "Seconds before the measurement begins")->capture_default_str();

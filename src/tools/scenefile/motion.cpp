@@ -29,9 +29,9 @@ std::uint32_t locks_of_turns(const Value& motion, const Quat& world) {
   return 0x38u & ~(8u << along);
 }
 
-/// An infinite moment that locks do not say is so much times the largest other. Not more: a step takes an impact with the
-/// moments as they lay when it began, so some h w^2 of it goes about the axis that hardly turns, and that times a very
-/// large moment makes a gyroscope of the body.
+/// An infinite moment that locks do not say is so much times the largest other. Not more: a step takes an impact with
+/// the moments as they lay when it began, so some h w^2 of it goes about the axis that hardly turns, and that times a
+/// very large moment makes a gyroscope of the body.
 constexpr double kHardly = 100;
 
 }  // namespace

@@ -31,7 +31,8 @@ json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d
     carom_joint_limit limit;
     carom_joint_motor motor;
     carom_joint_spring spring;
-    carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
+    carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor),
+        carom_joint_spring_init(&spring, sizeof spring);
     if (carom_joint_get_limit(world, joint, k, &limit, nullptr) == CAROM_OK && limit.enabled) {
       own["limits"][kCoordinates[k]] = {limit.lower, limit.upper};
       json shown = {{"min", limit.lower}, {"max", limit.upper}};

@@ -41,7 +41,7 @@ inline Argument body_desc(Context& c) {
     for (double& x : d.magnetic_moment) x = c.between(-1, 1);
   const bool given = d.fields & CAROM_BODY_FIELD_MASS;
   std::vector<Field> fields;
-  Argument a = in_struct(c, d, {HOSTILE_BITS(carom_body_desc, fields, 15u), HOSTILE_CHOICE(carom_body_desc, type, 3u),
+  Argument a = in_struct(c, d, {HOSTILE_BITS(carom_body_desc, fields, 31u), HOSTILE_CHOICE(carom_body_desc, type, 3u),
                                 HOSTILE_RESERVED(carom_body_desc, reserved), HOSTILE_NUMBERS(carom_body_desc, position, 3, any()),
                                 HOSTILE_UNIT(carom_body_desc, orientation, 4),
                                 HOSTILE_NUMBERS(carom_body_desc, linear_velocity, 3, any()),
@@ -810,6 +810,8 @@ inline const Row kRows[] = {
     ROW(carom_body_get_locks, world(c), handle(c, kBody), out(c, 4), error(c)),
     ROW(carom_body_is_asleep, world(c), handle(c, kBody), out(c, 4), error(c)),
     ROW(carom_body_wake, world(c), handle(c, kBody), error(c)),
+    ROW(carom_body_set_enabled, world(c), handle(c, kBody), choice(c, 2), error(c)),
+    ROW(carom_body_is_enabled, world(c), handle(c, kBody), out(c, 4), error(c)),
     ROW(carom_body_set_continuous, world(c), handle(c, kBody), choice(c, 3), error(c)),
     ROW(carom_body_get_continuous, world(c), handle(c, kBody), out(c, 4), error(c)),
     INIT(carom_collider_desc_init, carom_collider_desc),

@@ -1,8 +1,8 @@
 // What an effect costs: the same scene with its participants, and with the effect forbidden; the difference is the
 // effect's.
 //
-// ns a participant, ns an evaluation, ms a scene, and what one participant costs among all the others; then 20,000 particles
-// beside a loop written by hand. Exit codes: 0; 1 an effect has no scene, or did not serve whom it should.
+// ns a participant, ns an evaluation, ms a scene, and what one participant costs among all the others; then 20,000
+// particles beside a loop written by hand. Exit codes: 0; 1 an effect has no scene, or did not serve whom it should.
 #include <time.h>
 
 #include <CLI/CLI.hpp>
@@ -174,8 +174,8 @@ int run(const Options& options) {
     else
       std::printf("\n");
     std::fflush(stdout);
-    csv << '"' << crowd.name << "\"," << all.participants << ',' << all.unit << ',' << all.evaluations << ',' << per << ','
-        << each << ',' << 1e3 * all.effect << ',' << 1e3 * all.spread << ',' << 1e3 * all.step << ',';
+    csv << '"' << crowd.name << "\"," << all.participants << ',' << all.unit << ',' << all.evaluations << ',' << per
+        << ',' << each << ',' << 1e3 * all.effect << ',' << 1e3 * all.spread << ',' << 1e3 * all.step << ',';
     if (crowd.can_be_alone) csv << 1e9 * one.effect << ',' << 1e9 * one.spread;
     csv << '\n';
   }
@@ -196,7 +196,8 @@ int run(const Options& options) {
 }  // namespace carom::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"What each effect of a step costs: a scene with its participants, less the same scene with it forbidden"};
+  CLI::App app{
+      "What each effect of a step costs: a scene with its participants, less the same scene with it forbidden"};
   carom::bench::Options options;
   app.add_option("ONLY", options.only, "Effects whose name contains one of these; default: all");
   app.add_option("--csv", options.csv, "Write the table there, too")->type_name("FILE");

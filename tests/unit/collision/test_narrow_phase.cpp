@@ -170,7 +170,8 @@ static void the_generic_path_finds_what_routines_find(void**) {
       SupportFault fault;
       for (const bool routines : {true, false}) {
         QueryMemory memory;
-        collide(a, frame_a, b, frame_b, routines ? with : without, memory, nullptr, routines ? one : two, report, fault);
+        collide(a, frame_a, b, frame_b, routines ? with : without, memory, nullptr, routines ? one : two, report,
+                fault);
       }
       // Both stop at the contact distance; only a pair on the very limit may be seen by one of them alone.
       if (one.count == 0 || two.count == 0) {

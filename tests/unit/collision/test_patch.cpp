@@ -530,9 +530,8 @@ static void a_shape_that_fails_while_it_is_probed_is_reported(void**) {
   static int left;
   Shape slab = box(Vec3(2, 0.5, 2)), invalid_plugin = box(Vec3(0.3, 0.2, 0.4));
   invalid_plugin.form = Form::none;  // else the engine would speak for it
-  invalid_plugin.support = [](void* user, const double* p, std::uint64_t n, const double* d, double* out) -> std::int32_t {
-    return --left < 0 ? 7 : box_support(user, p, n, d, out);
-  };
+  invalid_plugin.support = [](void* user, const double* p, std::uint64_t n, const double* d,
+                              double* out) -> std::int32_t { return --left < 0 ? 7 : box_support(user, p, n, d, out); };
   Random random(12);
   for (left = 0; left < 9;) {
     const int allowed = left;

@@ -1,4 +1,5 @@
-// Invalid plugins and valid functions before the questions of verify.h: every invalid plugin is caught with its witness, no valid one is.
+// Invalid plugins and valid functions before the questions of verify.h: every invalid plugin is caught with its
+// witness, no valid one is.
 #include <cstring>
 #include <functional>
 

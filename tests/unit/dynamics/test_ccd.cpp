@@ -233,7 +233,8 @@ static void who_is_hit_is_swept_too(void**) {
 static void a_shape_that_misbehaves_is_disabled(void**) {
   static int calls, patience;
   calls = 0, patience = 1 << 30;
-  const SupportFn tired = [](void* user, const double* p, std::uint64_t n, const double d[3], double out[3]) -> std::int32_t {
+  const SupportFn tired = [](void* user, const double* p, std::uint64_t n, const double d[3],
+                             double out[3]) -> std::int32_t {
     if (++calls > patience) return 1;
     return box_support(user, p, n, d, out);
   };

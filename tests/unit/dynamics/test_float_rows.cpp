@@ -29,7 +29,7 @@ struct FloatWorld : TestWorld {
   bool is_finite() const {
     for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i)
       if (!world.state.x[i].all_finite() || !world.state.v[i].all_finite() || !world.state.omega[i].all_finite() ||
-          !world.state.q[i].all_finite() || world.state.quarantined[i])
+          !world.state.q[i].all_finite() || world.state.held_out[i])
         return false;
     return true;
   }

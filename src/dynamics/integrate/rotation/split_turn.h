@@ -58,7 +58,7 @@ inline constexpr Real kFour = 0.41449077179437573714;  // 1/(4 - 4^(1/3))
 inline constexpr Real kSuzuki4[] = {kFour, kFour, 1 - 4 * kFour, kFour, kFour};
 inline constexpr Real kOuter = 0.78451361047755726382, kMiddle = 0.23557321335935813368,
                       kBack = -1.17767998417887100695;
-inline constexpr Real kYoshida6[] = {
-    kOuter, kMiddle, kBack, 1 - 2 * (kOuter + kMiddle + kBack), kBack, kMiddle, kOuter};
+inline constexpr Real kYoshida6[] = {kOuter, kMiddle, kBack, 1 - 2 * (kOuter + kMiddle + kBack),
+                                     kBack,  kMiddle, kOuter};
 
 }  // namespace carom::dynamics

@@ -20,8 +20,9 @@ namespace {
 
 template <std::size_t n>
 void split(const World& world, Velocities& to, const Participants& participants, Real h, const Real (&g)[n]) {
-  carry_tops(world, to, participants, h,
-             [&g](const Principal& top, Real step, const Vec3& l, Vec3& p, Quat& q) { turn_split(top, step, l, p, q, g); });
+  carry_tops(world, to, participants, h, [&g](const Principal& top, Real step, const Vec3& l, Vec3& p, Quat& q) {
+    turn_split(top, step, l, p, q, g);
+  });
 }
 
 }  // namespace
@@ -30,7 +31,8 @@ const Rotation kSplitting = {
     "splitting", [](const World& w, Velocities& to, const Participants& c, Real h) { split(w, to, c, h, kOne); }};
 const Rotation kSplitting4 = {
     "splitting_4", [](const World& w, Velocities& to, const Participants& c, Real h) { split(w, to, c, h, kSuzuki4); }};
-const Rotation kSplitting6 = {
-    "splitting_6", [](const World& w, Velocities& to, const Participants& c, Real h) { split(w, to, c, h, kYoshida6); }};
+const Rotation kSplitting6 = {"splitting_6", [](const World& w, Velocities& to, const Participants& c, Real h) {
+                                split(w, to, c, h, kYoshida6);
+                              }};
 
 }  // namespace carom::dynamics

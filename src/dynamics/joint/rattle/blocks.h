@@ -13,7 +13,7 @@ namespace carom::dynamics::rattle {
 template <int n>
 struct Blocks {
   const Elimination* order;
-  std::uint32_t first, last;  // places
+  std::uint32_t first, last;       // places
   Real *diagonal, *below, *above;  // of places from the first; of rows of the order from the first's
 
   static constexpr int kSize = n * n;

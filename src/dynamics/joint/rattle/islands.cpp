@@ -38,7 +38,7 @@ bool is_holdable(const World& world, const Joint& joint, const JointLayout& layo
       return false;
   for (const std::uint32_t body : {joint.def.body_a, joint.def.body_b}) {
     if (body == kInvalid) continue;
-    if (world.scene.locks_of(body) || world.state.quarantined[body]) return false;
+    if (world.scene.locks_of(body) || world.state.held_out[body]) return false;
   }
   return true;
 }

@@ -296,8 +296,8 @@ class Mover {
       if (is_symmetric)
         for (int k = 0; k < n; ++k) self[k] = block[n * k + k];
     }
-    const std::size_t size = static_cast<std::size_t>(n * n) *
-                             (r_.elimination.column[blocks_.last] - r_.elimination.column[blocks_.first]);
+    const std::size_t size =
+        static_cast<std::size_t>(n * n) * (r_.elimination.column[blocks_.last] - r_.elimination.column[blocks_.first]);
     std::fill_n(blocks_.below, size, 0), std::fill_n(blocks_.above, size, 0);
     for (std::uint32_t i = island_.pair; i < island_.pair + island_.pairs; ++i) {
       const RattlePair& pair = r_.pairs[i];

@@ -42,22 +42,21 @@ inline constexpr Constant<Real> kRattleSwing{
 inline constexpr Constant<int> kRattleHalvings{
     "rattle_halvings", 4, "1", "of a substep that an island may take before it is left to the solver",
     "larger: chains of thousands of links take 100 ms a step; smaller: they gape"};
-inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,  kRattleRest,  kRattleRounds,
-                                                   kRattleWork, kRattleWorkOfFew, kRattleSwing,
-                                                   kRattleHalvings};
+inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,       kRattleRest,  kRattleRounds,  kRattleWork,
+                                                   kRattleWorkOfFew, kRattleSwing, kRattleHalvings};
 
 /// Two joints on one body: a block of the matrix beside its diagonal.
 struct RattlePair {
-  std::uint32_t high, low;       // joints, by when they are eliminated
-  std::uint32_t at;              // in Elimination::rows
+  std::uint32_t high, low;  // joints, by when they are eliminated
+  std::uint32_t at;         // in Elimination::rows
   std::uint32_t body;
   bool is_a_of_high, is_a_of_low;
 };
 
 struct RattleBody {
   std::uint32_t slot = kInvalid;
-  Real inv_mass = 0;   // 1/kg; 0: impulses do not move it
-  bool turns = false;  // they turn it
+  Real inv_mass = 0;     // 1/kg; 0: impulses do not move it
+  bool turns = false;    // they turn it
   bool travels = false;  // it is kinematic, and under way
   Principal top;
   Mat3 inertia = Mat3::zero(), inv_inertia = Mat3::zero();  // body axes
@@ -81,34 +80,34 @@ struct RattleRow {
 };
 
 struct RattleJoint {
-  std::uint32_t slot, a, b;   // a joint; bodies of this room
-  std::uint32_t row, rows;    // its rows: first, how many
+  std::uint32_t slot, a, b;  // a joint; bodies of this room
+  std::uint32_t row, rows;   // its rows: first, how many
   std::uint32_t parts;
   JointPart part[kMostParts];
   bool is_limited;
-  std::uint32_t springs;      // bits: coordinates that are sprung
-  Real length;                // m, of a rod
-  Real swing_a, swing_b;      // 1/(kg m): of a newton, how fast it swings the bodies, squared
-  Vec3 arm_a, arm_b;          // m, body axes, from the centres of mass
-  Quat frame_a, frame_b;      // joint -> body
-  Mat3 axes_a, axes_b;        // the same
-  Vec3 r_b;                   // m, world: where its torque is told
-  Vec3 force, torque;         // N s, N m s, world, on B, about its point: since the step began
+  std::uint32_t springs;  // bits: coordinates that are sprung
+  Real length;            // m, of a rod
+  Real swing_a, swing_b;  // 1/(kg m): of a newton, how fast it swings the bodies, squared
+  Vec3 arm_a, arm_b;      // m, body axes, from the centres of mass
+  Quat frame_a, frame_b;  // joint -> body
+  Mat3 axes_a, axes_b;    // the same
+  Vec3 r_b;               // m, world: where its torque is told
+  Vec3 force, torque;     // N s, N m s, world, on B, about its point: since the step began
 };
 
 struct RattleIsland {
   std::uint32_t body, bodies, movers;  // first, how many; the first so many are moved
   std::uint32_t joint, joints;
   std::uint32_t pair, pairs;
-  int block;                 // rows that a joint has room for in the matrix
+  int block;                     // rows that a joint has room for in the matrix
   std::size_t diagonal, beside;  // of the matrix, where it begins
-  Real reach;                // m: the longest arm
-  Real rounding;             // m or rad, of errors, in this step
-  bool is_held;              // its joints can be held so at all
-  bool is_met;               // something touches it in this step, or may
-  int halvings;              // of the substeps that it takes in this step
-  bool was_tried, is_moving;  // in this try
-  bool went_well;             // in this step
+  Real reach;                    // m: the longest arm
+  Real rounding;                 // m or rad, of errors, in this step
+  bool is_held;                  // its joints can be held so at all
+  bool is_met;                   // something touches it in this step, or may
+  int halvings;                  // of the substeps that it takes in this step
+  bool was_tried, is_moving;     // in this try
+  bool went_well;                // in this step
 };
 
 struct Rattle {
@@ -121,35 +120,35 @@ struct Rattle {
   Array<std::uint32_t> parent;      // scratch: union-find by slot
   Array<std::uint32_t> body_of;     // by slot, in bodies: scratch
   Array<RattleIsland> islands;
-  Array<RattleBody> bodies;         // by island; the first is the world
-  Array<RattleJoint> joints;        // by island
-  Array<RattleRow> rows;            // by joint
+  Array<RattleBody> bodies;   // by island; the first is the world
+  Array<RattleJoint> joints;  // by island
+  Array<RattleRow> rows;      // by joint
   Array<RattlePair> pairs;
-  Array<std::uint32_t> by_slot;     // islands' bodies that are moved, ascending by slot
-  Elimination elimination;          // nodes are joints
-  Array<Edge> edges;                // scratch
+  Array<std::uint32_t> by_slot;  // islands' bodies that are moved, ascending by slot
+  Elimination elimination;       // nodes are joints
+  Array<Edge> edges;             // scratch
   struct Seat {
     std::uint32_t body, joint;
     bool is_a;
     bool operator<(const Seat& o) const { return body != o.body ? body < o.body : joint < o.joint; }
   };
-  Array<Seat> seats;                // scratch
+  Array<Seat> seats;  // scratch
   // of the matrices, block by block
   Array<Real> diagonal, below, above;
-  Array<Real> left, right;          // by joint, kMostRows each: vectors
+  Array<Real> left, right;  // by joint, kMostRows each: vectors
 
   // of a step, by slot
   Array<Vec3> x, v, omega, read_v, read_omega, accel, alpha;
   Array<Quat> q;
   bool reads_velocities = false;
   // of trials, where a host asks for an accuracy, @see accurate.cpp
-  Array<accuracy::Trial> trials;       // by island
-  Array<accuracy::BodyEnd> coarse;     // by body: the end to compare with
+  Array<accuracy::Trial> trials;    // by island
+  Array<accuracy::BodyEnd> coarse;  // by body: the end to compare with
 
   Participants held, others, scratch;  // bodies
-  PlanLists of_held, of_all;      // between the two stages `of_all` are the plan's, which has those of the others
+  PlanLists of_held, of_all;           // between the two stages `of_all` are the plan's, which has those of the others
   Array<std::uint32_t> active, left_active;
-  bool is_hidden = false;           // between the two stages
+  bool is_hidden = false;  // between the two stages
 };
 
 /// Stage functions of the page. Try the step of every island that joints alone hold; hide those that went well.

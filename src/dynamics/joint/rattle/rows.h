@@ -49,7 +49,8 @@ struct Placed {
         const Vec3 axis = sine > 1e-12 ? c / sine : axis_a(1);
         return {angle_of<double>(sine, x_a.dot(x_b)), Vec3::zero(), axis, axis};
       }
-      case Coordinate::slide: return {x_a.dot(gap), x_a, (r_a + gap).cross(x_a), r_b.cross(x_a)};
+      case Coordinate::slide:
+        return {x_a.dot(gap), x_a, (r_a + gap).cross(x_a), r_b.cross(x_a)};
       default: {
         const Real far = gap.norm();
         const Vec3 d = far > 1e-12 ? gap / far : x_a;

@@ -1,12 +1,11 @@
 // Stage functions: islands are tried to the side, hidden, and put in their places.
-#include "dynamics/joint/rattle/rattle.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "dynamics/events/events.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/joint/rattle/motion.h"
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/ledger/books.h"
 #include "dynamics/quarantine.h"
 
@@ -83,9 +82,8 @@ void rattle::move_tried(const World& world, Rattle& r, Real dt, int substeps, in
   list_bodies(r, &RattleIsland::is_moving);
   list_held(world, r);
   exchange_lists(*world.plan, r.of_held);
-  r.reads_velocities =
-      std::ranges::any_of(world.plan->effects, [&](const auto& row) { return is_read(world, row); }) ||
-      std::ranges::any_of(r.joints, [&](const RattleJoint& j) { return is_damped(world, j); });
+  r.reads_velocities = std::ranges::any_of(world.plan->effects, [&](const auto& row) { return is_read(world, row); }) ||
+                       std::ranges::any_of(r.joints, [&](const RattleJoint& j) { return is_damped(world, j); });
   move_islands(world, r, dt, substeps, order);
   exchange_lists(*world.plan, r.of_held);
 }
@@ -93,8 +91,8 @@ void rattle::move_tried(const World& world, Rattle& r, Real dt, int substeps, in
 bool rattle::is_asked(const World& world) {
   constexpr std::uint32_t kByRk4 = 2;  // of the dial integrator
   const Dials& dials = world.scene.dials;
-  return world.joints.slots.alive_count() > 0 &&
-         (dials.whole(Dial::joint_order) > 0 || accuracy::is_on(dials) || static_cast<std::uint32_t>(dials.choice(Dial::integrator)) == kByRk4);
+  return world.joints.slots.alive_count() > 0 && (dials.whole(Dial::joint_order) > 0 || accuracy::is_on(dials) ||
+                                                  static_cast<std::uint32_t>(dials.choice(Dial::integrator)) == kByRk4);
 }
 
 void rattle::come_back(const World& world) {
@@ -118,7 +116,8 @@ void try_rattle(const World& world, const StepTime& time) {
   if (world.accuracy)
     tries = 2, rattle::try_accurately(world, r, time.dt, order);
   else
-    for (int halvings = 0; halvings <= kRattleHalvings; ++halvings) tries += try_all(world, r, time.dt, halvings, order);
+    for (int halvings = 0; halvings <= kRattleHalvings; ++halvings)
+      tries += try_all(world, r, time.dt, halvings, order);
   const std::uint64_t tried = r.held.count;
   list_bodies(r, &RattleIsland::went_well);
   if (r.held.count == 0) {

@@ -15,8 +15,7 @@ namespace {
 /// Of a step, in order; the sum is 1. @source [Hairer2006 §V.3.2]: Suzuki's five stages; Kahan and Li's nine.
 constexpr Real kOuter9 = 0.39216144400731413928, kSecond9 = 0.33259913678935943860, kBack9 = -0.70624617255763935981,
                kFourth9 = 0.082213596293550800230, kMiddle9 = 0.79854399093482996340;
-constexpr Real kKahanLi6[] = {kOuter9,  kSecond9, kBack9,   kFourth9, kMiddle9,
-                              kFourth9, kBack9,   kSecond9, kOuter9};
+constexpr Real kKahanLi6[] = {kOuter9, kSecond9, kBack9, kFourth9, kMiddle9, kFourth9, kBack9, kSecond9, kOuter9};
 std::span<const Real> shares_of(int order) {
   if (order == 6) return kKahanLi6;
   if (order == 4) return kSuzuki4;
@@ -27,12 +26,18 @@ std::span<const Real> shares_of(int order) {
 template <class F>
 bool with_mover(const World& world, Rattle& r, RattleIsland& island, F&& f) {
   switch (island.block) {
-    case 1: return f(Mover<1>(world, r, island));
-    case 2: return f(Mover<2>(world, r, island));
-    case 3: return f(Mover<3>(world, r, island));
-    case 4: return f(Mover<4>(world, r, island));
-    case 5: return f(Mover<5>(world, r, island));
-    default: return f(Mover<6>(world, r, island));
+    case 1:
+      return f(Mover<1>(world, r, island));
+    case 2:
+      return f(Mover<2>(world, r, island));
+    case 3:
+      return f(Mover<3>(world, r, island));
+    case 4:
+      return f(Mover<4>(world, r, island));
+    case 5:
+      return f(Mover<5>(world, r, island));
+    default:
+      return f(Mover<6>(world, r, island));
   }
 }
 

@@ -10,8 +10,9 @@
 namespace carom::dynamics {
 namespace {
 
-/// Contacts that are taken to stick. Of those that bear something: where velocities are next to nothing, most do that are at
-/// the edge of their cones too, but not where neighbours press on each other. Of those that bear nothing: what closes.
+/// Contacts that are taken to stick. Of those that bear something: where velocities are next to nothing, most do that
+/// are at the edge of their cones too, but not where neighbours press on each other. Of those that bear nothing: what
+/// closes.
 class Sticking {
  public:
   /// @param at_edges  those that have no friction to spare, too   @param closes  m/s, faster than it should
@@ -27,7 +28,7 @@ class Sticking {
   Real closes_;
 };
 
-constexpr Real kLasting = 0.1;  // tolerances: what may be off and still lasts
+constexpr Real kLasting = 0.1;          // tolerances: what may be off and still lasts
 constexpr Real kSoftnessAtRest = 1e-7;  // leaves 1e-11 m/s of 1e-5 m/s in a pyramid of base 10
 
 Real resistance_at_rest(const ConeContact& c) { return kSoftnessAtRest * c.k; }

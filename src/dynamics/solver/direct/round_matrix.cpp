@@ -1,9 +1,8 @@
 // Newton's matrix: masses, and what joints and contacts add to them.
-#include "dynamics/solver/direct/round.h"
-
 #include <algorithm>
 
 #include "dynamics/solver/direct/cone.h"
+#include "dynamics/solver/direct/round.h"
 
 namespace carom::dynamics {
 namespace {

@@ -127,9 +127,11 @@ std::string controls_markup(const std::vector<std::string>& engines, const std::
   const int first = static_cast<int>(std::lround(20 * std::log10(1e6 * kFirstBudget)));
   return "<div id=\"controls\"><label>engine <select id=\"by-engine\">" + options(by_engine) +
          "</select></label><label>setting <select id=\"by-setting\">" + options(by_setting) +
-         "</select></label><label>scene <input id=\"by-scene\" type=\"search\" list=\"scene-names\" placeholder=\"all\"/>"
+         "</select></label><label>scene <input id=\"by-scene\" type=\"search\" list=\"scene-names\" "
+         "placeholder=\"all\"/>"
          "<datalist id=\"scene-names\">" +
-         names + "</datalist></label><label>order <select id=\"by-order\">" + options({{"", "of the suite"}, {"red", "red first"}}) +
+         names + "</datalist></label><label>order <select id=\"by-order\">" +
+         options({{"", "of the suite"}, {"red", "red first"}}) +
          "</select></label><label>my budget <input id=\"my-budget\" type=\"range\" min=\"0\" max=\"80\" value=\"" +
          std::to_string(first) + "\"/><output id=\"budget-text\"></output></label><label>look <select id=\"look\">" +
          options({{"system", "as the system"}, {"light", "light"}, {"dark", "dark"}}) +

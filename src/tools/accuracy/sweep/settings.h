@@ -42,7 +42,8 @@ const std::vector<Setting>& carom_settings();
 inline constexpr const char* kDefaultSetting = "auto, 4 substeps";
 /// The preset that a setting of the table is; "" for others.
 std::string preset_of(const std::string& setting);
-/// What `carom accuracy run SCENE` takes to run so: "--dial solver=auto --dial substeps=1"; "" for what is not in the table.
+/// What `carom accuracy run SCENE` takes to run so: "--dial solver=auto --dial substeps=1"; "" for what is not in the
+/// table.
 std::string options_of(const std::string& setting);
 
 /// Steps of a sweep, s, from 1/30 to 1/960.

@@ -46,7 +46,8 @@ void assert_agree(const CastResult& form, const CastResult& walk, const Ray& ray
     assert_true((form.normal - walk.normal).norm() == 0 && form.time == 0);
   } else if (sine > 0.01) {  // a point is known to slack over the sine of the angle of incidence, and to the brackets
     const Real widths = form.upper - form.lower + walk.upper - walk.lower;
-    const Real rounding = 8 * kUnitRoundoff * form.point_a.norm();  // slack is of the shape's frame, points of the world's
+    const Real rounding =
+        8 * kUnitRoundoff * form.point_a.norm();  // slack is of the shape's frame, points of the world's
     const Real error = 4 * (form.slack + walk.slack) / sine + widths * speed + rounding;
     assert_true((form.point_a - walk.point_a).norm() < error && (form.point_b - walk.point_b).norm() < error);
   }
@@ -115,7 +116,8 @@ static void grazes_and_edges_are_never_denied(void**) {
   // Rays aimed at the rim to within some ulps: hit, miss or undecided, each true.
   Random random(73);
   int undecided = 0, decided = 0;
-  const Shape shapes[] = {sphere(1), box(Vec3(1, 0.5, 2)), capsule(0.5, 1), cylinder(0.5, 1), ellipsoid(Vec3(0.5, 1, 2))};
+  const Shape shapes[] = {sphere(1), box(Vec3(1, 0.5, 2)), capsule(0.5, 1), cylinder(0.5, 1),
+                          ellipsoid(Vec3(0.5, 1, 2))};
   for (int k = 0; k < 50000; ++k) {
     const Shape& shape = shapes[k % 5];
     const Real rim = k % 5 == 0 ? 1 : 0.5;
@@ -144,10 +146,17 @@ static void a_cone_is_met_on_its_own_side(void**) {
     const Real off = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-17, -1));
     Vec3 at;  // a place to pass
     switch (k % 4) {
-      case 0: at = Vec3(0, 1.1 + off, 0); break;
-      case 1: at = Vec3(0.7 + off, -1.1, 0); break;
-      case 2: at = Vec3(0.35 + off, 0, 0); break;
-      default: at = Vec3(off, random.uniform(1.1, 3), 0);  // above the apex
+      case 0:
+        at = Vec3(0, 1.1 + off, 0);
+        break;
+      case 1:
+        at = Vec3(0.7 + off, -1.1, 0);
+        break;
+      case 2:
+        at = Vec3(0.35 + off, 0, 0);
+        break;
+      default:
+        at = Vec3(off, random.uniform(1.1, 3), 0);  // above the apex
     }
     const Vec3 direction = random.direction();
     const Ray ray{at - random.uniform(0, 6) * direction, direction, random.uniform(1, 12)};

@@ -267,12 +267,14 @@ static void wild_poses_give_no_nan(void**) {
 }
 
 static void a_failing_support_function_is_named(void**) {
-  const Shape invalid_plugin = make_shape(Form::none, failing_support, {1}, Vec3(1, 1, 1), 1.8), cube = box(Vec3(1, 1, 1));
+  const Shape invalid_plugin = make_shape(Form::none, failing_support, {1}, Vec3(1, 1, 1), 1.8),
+              cube = box(Vec3(1, 1, 1));
   for (const bool first : {true, false}) {
     SupportFault fault;
     const CastResult r = first ? ask(invalid_plugin, at(0, 4, 0), Vec3(0, -4, 0), cube, at(0, 0, 0), {}, &fault)
                                : ask(cube, at(0, 4, 0), Vec3(0, -4, 0), invalid_plugin, at(0, 0, 0), {}, &fault);
-    assert_true(r.status == QueryStatus::fault && fault.kind == SupportFault::returned && fault.shape == &invalid_plugin);
+    assert_true(r.status == QueryStatus::fault && fault.kind == SupportFault::returned &&
+                fault.shape == &invalid_plugin);
   }
 }
 
