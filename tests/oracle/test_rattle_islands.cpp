@@ -183,6 +183,34 @@ static void forces_are_told(void**) {
   }
 }
 
+/// A distance joint with a spring has no lock, so an island of one has no row. A ball that hangs on it swings by a cosine;
+/// one beside it has locks, and one hangs on two such springs.
+static void springs_alone_are_held_too(void**) {
+  const Real f = 1.5, w = 2 * kPi * f, time = 1.1;
+  const auto error_of = [&](int order, int steps, int springs) {
+    TestWorld t;
+    by_rattle(t, order);
+    const std::uint32_t ball = add_body(t, Vec3(3, 5, 0), 2, Vec3::constant(0.1));
+    for (int k = 0; k < springs; ++k) {
+      JointDef def = joint_at(t, JointKind::distance, kInvalid, ball, Vec3(3, 5, 0));
+      def.frame_a.p = Vec3(3, k == 0 ? 7 : 3, 0);
+      set_spring(t, handle_slot(t.world.add_joint(def)), Coordinate::distance, 2, f, 0);
+    }
+    hang_rod(t, 0.5);
+    t.run(steps, time / steps);
+    assert_int_equal(held(t), 2);
+    const Real rate = w * std::sqrt(Real(springs)), sag = kG / (rate * rate);
+    return std::fabs(t.world.state.x[ball].y() - (5 - sag * (1 - std::cos(rate * time))));
+  };
+  for (const int springs : {1, 2})
+    for (const int order : {2, 4, 6}) {
+      const Real coarse = error_of(order, 40, springs), fine = error_of(order, 80, springs);
+      std::printf("  %d springs, order %d: %.2e m, halved %.2e m\n", springs, order, coarse, fine);
+      assert_true(coarse < (order == 2 ? 1e-2 : 1e-4));
+      if (fine > 1e-12) assert_true(std::fabs(std::log2(coarse / fine) - order) < 0.5);
+    }
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(chains_and_trees_do_not_gape),
@@ -192,6 +220,7 @@ int main() {
       cmocka_unit_test(limits_fall_back),
       cmocka_unit_test(islands_are_their_own),
       cmocka_unit_test(forces_are_told),
+      cmocka_unit_test(springs_alone_are_held_too),
   };
   return cmocka_run_group_tests_name("oracle/rattle_islands", tests, nullptr, nullptr);
 }

@@ -168,7 +168,7 @@ void lay_out(const World& world, Rattle& r) {
     };
     j.a = end(def.body_a), j.b = end(def.body_b);
     island.reach = std::max({island.reach, j.arm_a.norm(), j.arm_b.norm()});
-    island.block = std::max(island.block, static_cast<int>(j.rows));
+    island.block = std::max({island.block, 1, static_cast<int>(j.rows)});  // a spring alone holds nothing: 1
   }
   for (RattleJoint& j : r.joints) {
     j.row = static_cast<std::uint32_t>(r.rows.size());

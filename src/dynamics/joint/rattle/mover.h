@@ -250,14 +250,14 @@ class Mover {
       const Stand at_a = now(a), at_b = now(b);
       const Placed placed(j, at_a, at_b);
       j.r_b = placed.r_b;
-      RattleRow* row = &r_.rows[j.row];
+      RattleRow* row = r_.rows.data() + j.row;
       placed.each<true>([&](Real, const Vec3& d, const Vec3& w_a, const Vec3& w_b) {
         row->d = d, row->w_a = w_a, row->w_b = w_b;
         row->i_a = a.inv_world * w_a, row->i_b = b.inv_world * w_b;
         ++row;
       });
     }
-    couple([&](const RattleJoint& j) { return std::span<const RattleRow>(&r_.rows[j.row], j.rows); }, true);
+    couple([&](const RattleJoint& j) { return std::span<const RattleRow>(r_.rows.data() + j.row, j.rows); }, true);
   }
 
   /// The matrix again, of the rates that rows have where the stage may lead: the slope of errors there.
