@@ -183,8 +183,8 @@ static void forces_are_told(void**) {
   }
 }
 
-/// A distance joint with a spring has no lock, so an island of one has no row. A ball that hangs on it swings by a cosine;
-/// one beside it has locks, and one hangs on two such springs.
+/// A distance joint with a spring has no lock, so an island of one has no row. A ball that hangs on it swings by a
+/// cosine; one beside it has locks, and one hangs on two such springs.
 static void springs_alone_are_held_too(void**) {
   const Real f = 1.5, w = 2 * kPi * f, time = 1.1;
   const auto error_of = [&](int order, int steps, int springs) {
