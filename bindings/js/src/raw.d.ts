@@ -25,14 +25,14 @@ export interface Raw {
   carom_accuracy_init(accuracy: number, struct_size: number): number;
   /** Ask for an accuracy from the next step on.
    *  @param accuracy NULL: none, as a world is created
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for);
-   *  BUSY; REENTRANT */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for); BUSY;
+   *          REENTRANT */
   carom_world_set_accuracy(world: number, accuracy: number, error: number): number;
   /** @param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_accuracy(world: number, accuracy: number, present: number, error: number): number;
-  /** Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for.
-   *  Bodies in free flight are in none: nothing acts on them but what is constant, and their step is exact.
+  /** Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for. Bodies
+   *  in free flight are in none: nothing acts on them but what is constant, and their step is exact.
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_island) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)

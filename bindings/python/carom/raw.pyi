@@ -383,8 +383,8 @@ class carom_error(ctypes.Structure):
     message: builtins.bytes
     remedy: builtins.bytes
 class carom_accuracy(ctypes.Structure):
-    """What error is borne. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that
-    snapshots, recordings and scene files have them. Fill with carom_accuracy_init()."""
+    """What error is borne. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that snapshots, recordings and
+    scene files have them. Fill with carom_accuracy_init()."""
     struct_size: int
     substeps: int
     place: float
@@ -1141,16 +1141,16 @@ def carom_accuracy_init(accuracy: Any, struct_size: Any) -> int:
 def carom_world_set_accuracy(world: Any, accuracy: Any, error: Any) -> int:
     """Ask for an accuracy from the next step on.
     @param accuracy NULL: none, as a world is created
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for);
-    BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for); BUSY;
+            REENTRANT"""
     ...
 def carom_world_get_accuracy(world: Any, accuracy: Any, present: Any, error: Any) -> int:
     """@param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
     ...
 def carom_world_get_islands(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for.
-    Bodies in free flight are in none: nothing acts on them but what is constant, and their step is exact.
+    """Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for. Bodies
+    in free flight are in none: nothing acts on them but what is constant, and their step is exact.
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_island) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
