@@ -58,9 +58,9 @@ void assert_agree(const CastResult& form, const CastResult& walk, const Ray& ray
 static void forms_agree_with_support_functions_and_the_truth(void**) {
   Random random(71);
   int hits = 0, overlaps = 0, misses = 0, flat = 0;
-  constexpr int kFamilies[] = {0, 1, 2, 5, 6, 7};  // sphere, box, capsule, cylinder, cone, ellipsoid
+  constexpr int kWithRoutine[] = {0, 1, 2, 5, 6, 7};  // sphere, box, capsule, cylinder, cone, ellipsoid
   for (int k = 0; k < 6000; ++k) {
-    const Shape shape = random_shape(random, kFamilies[k % 6]);
+    const Shape shape = random_shape(random, kWithRoutine[k % 6]);
     const Frame frame(random_rotation(random).matrix(), random.in_cube(k % 7 == 0 ? 1e4 : 5));
     for (int i = 0; i < 40; ++i) {
       const Vec3 from = frame.p + random.uniform(0, 4) * random.direction();
