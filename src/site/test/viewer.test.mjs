@@ -114,7 +114,7 @@ test("dials, presets, plan, drawings, comparison", { skip, timeout: 180000 }, as
   const preset = page.locator("#panel select").first();
   await preset.selectOption({ label: "accurate" });
   assert.notEqual(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 2);
-  await page.locator("#panel .lil-controller", { hasText: "substeps" }).first().locator("input").fill("3");
+  await page.locator("#panel .lil-controller", { hasText: /^substeps/ }).first().locator("input").fill("3");
   await page.keyboard.press("Enter");
   assert.equal(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 3);
   await page.click("#step");
