@@ -62,7 +62,8 @@ void World::set_enabled(std::uint32_t body, bool enabled) {
   if (state.is_disabled(body) != enabled) return;
   Colliders& c = scene.colliders;
   contact_views();
-  wake(*this, body), wake_joined(*this, Sleepers(*this), body);
+  stir(*this, body);  // may run out of memory, as forgetting pairs may, so that comes before any change
+  wake_joined(*this, Sleepers(*this), body);
   for (std::uint32_t i = scene.first_collider[body]; i != kInvalid; i = c.next[i]) {
     wake_touching(*this, i);
     pairs.forget(i);
@@ -71,7 +72,6 @@ void World::set_enabled(std::uint32_t body, bool enabled) {
   state.held_out[body] ^= Quarantine::kDisabled;
   state.mark_written(body);
   queries->note_moved(body);
-  stir(*this, body);
   scene.bodies.note_change(), ++scene.revision, ++scene.collider_revision;
 }
 
