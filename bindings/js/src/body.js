@@ -87,22 +87,20 @@ export class Body {
     });
   }
 
-  get asleep() {
+  #is(call) {
     const { module: m, pointer } = this.world;
     return m.frame((room) => {
       const out = room(4);
-      m.call("carom_body_is_asleep", pointer, this.handle, out);
+      m.call(call, pointer, this.handle, out);
       return m.view.getUint32(out, true) === 1;
     });
   }
+  get asleep() {
+    return this.#is("carom_body_is_asleep");
+  }
   /** Whether it takes part in steps; a disabled body keeps its pose and velocity, and touches nothing. */
   get enabled() {
-    const { module: m, pointer } = this.world;
-    return m.frame((room) => {
-      const out = room(4);
-      m.call("carom_body_is_enabled", pointer, this.handle, out);
-      return m.view.getUint32(out, true) === 1;
-    });
+    return this.#is("carom_body_is_enabled");
   }
   set enabled(value) {
     this.world.module.call("carom_body_set_enabled", this.world.pointer, this.handle, value ? 1 : 0);

@@ -32,12 +32,10 @@ class Sphere {
   Real radius_, foot_, off_;
 };
 
-/// The ball swept along a segment of y: a line first enters the endless cylinder, and where that is beyond the
-/// segment's end, the ball there.
-class Capsule {
- public:
-  Capsule(const Shape& shape, const LocalRay& r, Real target)
-      : radius_(shape.radius + target), half_(shape.half_height), u_(r.u), foot_(r.o - r.start * r.u), from_(-r.start) {
+/// A line as what is round about y sees it.
+class AboutAxis {
+ protected:
+  explicit AboutAxis(const LocalRay& r) : u_(r.u), foot_(r.o - r.start * r.u), from_(-r.start) {
     flat2_ = u_.x() * u_.x() + u_.z() * u_.z();
     along_ = flat2_ < 1e-30;  // strays from the axis by less than 1e-15 of its length
     if (along_) {
@@ -49,15 +47,31 @@ class Capsule {
     pass_ = -(foot_.x() * u_.x() + foot_.z() * u_.z()) / flat2_;
     blur_ = 16 * kUnitRoundoff * foot_.norm() / flat_;
   }
-  /// In between, where the line passes the axis is known too badly.
-  bool usable(const LocalRay& r) const { return radius_ > 4 * r.rounding && (along_ || flat2_ > 1.0 / 4096); }
+  /// Nearly along the axis, where the line passes it is known too badly.
+  bool is_known() const { return along_ || flat2_ > 1.0 / 4096; }
+  /// m, that where the line passes the axis may be off, outwards.
+  Real blur_of(Real more) const { return more > 0 ? blur_ : more < 0 ? -blur_ : 0; }
+
+  Vec3 u_, foot_;  // m, the line's nearest point to the origin
+  Real from_;      // m, where that is
+  bool along_ = false;
+  Real flat2_ = 0, flat_ = 0, off_ = 0, pass_ = 0, blur_ = 0;
+};
+
+/// The ball swept along a segment of y: a line first enters the endless cylinder, and where that is beyond the
+/// segment's end, the ball there.
+class Capsule : AboutAxis {
+ public:
+  Capsule(const Shape& shape, const LocalRay& r, Real target)
+      : AboutAxis(r), radius_(shape.radius + target), half_(shape.half_height) {}
+  bool usable(const LocalRay& r) const { return radius_ > 4 * r.rounding && is_known(); }
 
   Chord chord(Real more) const {
     const Real radius = radius_ + more;
     if (!(off_ <= radius)) return {};
     const Real back = std::sqrt((radius - off_) * (radius + off_));
     if (along_) return {true, from_ - foot_.y() * sign() - half_ - back, from_ - foot_.y() * sign() + half_ + back};
-    const Real blur = more > 0 ? blur_ : more < 0 ? -blur_ : 0;
+    const Real blur = blur_of(more);
     Chord c{true, 0, 0};
     const Real in = pass_ - back / flat_, out = pass_ + back / flat_;
     const Real y_in = foot_.y() + in * u_.y(), y_out = foot_.y() + out * u_.y();
@@ -89,10 +103,6 @@ class Capsule {
   }
 
   Real radius_, half_;
-  Vec3 u_, foot_;  // m, the line's nearest point to the origin
-  Real from_;      // m, where that is
-  bool along_ = false;
-  Real flat2_ = 0, flat_ = 0, off_ = 0, pass_ = 0, blur_ = 0;
 };
 
 /// Between three pairs of planes.
@@ -133,8 +143,8 @@ class Box {
 };
 
 /// Where a line is between two parallel planes across y, as a part of a chord.
-/// @param lo, hi  m, of the planes   @param y, u  m and 1: the line's height at the foot, and what it rises   @param
-/// from  m, at the foot
+/// @param lo, hi  m, of the planes
+/// @param y, u    m and 1: the line's height at the foot, and what it rises   @param from  m, at the foot
 void cut_by_planes(Real lo, Real hi, Real y, Real u, Real from, Chord& c) {
   if (u == 0) {
     c.met &= lo <= y && y <= hi;
@@ -145,32 +155,18 @@ void cut_by_planes(Real lo, Real hi, Real y, Real u, Real from, Chord& c) {
 }
 
 /// What is inside an endless cylinder about y and between two planes.
-class Cylinder {
+class Cylinder : AboutAxis {
  public:
   Cylinder(const Shape& shape, const LocalRay& r, Real)
-      : radius_(shape.radius), half_(shape.half_height), u_(r.u), foot_(r.o - r.start * r.u), from_(-r.start) {
-    flat2_ = u_.x() * u_.x() + u_.z() * u_.z();
-    along_ = flat2_ < 1e-30;  // strays from the axis by less than 1e-15 of its length
-    if (along_) {
-      off_ = std::sqrt(foot_.x() * foot_.x() + foot_.z() * foot_.z());
-      return;
-    }
-    flat_ = std::sqrt(flat2_);
-    off_ = std::fabs(foot_.x() * u_.z() - foot_.z() * u_.x()) / flat_;
-    pass_ = -(foot_.x() * u_.x() + foot_.z() * u_.z()) / flat2_;
-    blur_ = 16 * kUnitRoundoff * foot_.norm() / flat_;
-  }
-  /// In between, where the line passes the axis is known too badly.
-  bool usable(const LocalRay& r) const {
-    return std::min(radius_, half_) > 4 * r.rounding && (along_ || flat2_ > 1.0 / 4096);
-  }
+      : AboutAxis(r), radius_(shape.radius), half_(shape.half_height) {}
+  bool usable(const LocalRay& r) const { return std::min(radius_, half_) > 4 * r.rounding && is_known(); }
   Chord chord(Real more) const {
     const Real radius = radius_ + more;
     if (!(off_ <= radius)) return {};
     Chord c{true, -kInfinity, kInfinity};
     if (!along_) {
       const Real half = std::sqrt((radius - off_) * (radius + off_)) / flat_;
-      const Real blur = more > 0 ? blur_ : more < 0 ? -blur_ : 0;
+      const Real blur = blur_of(more);
       c.in = from_ + pass_ - half - blur, c.out = from_ + pass_ + half + blur;
     }
     cut_by_planes(-half_ - more, half_ + more, foot_.y(), u_.y(), from_, c);
@@ -186,10 +182,6 @@ class Cylinder {
 
  private:
   Real radius_, half_;
-  Vec3 u_, foot_;  // m, the line's nearest point to the origin
-  Real from_;      // m, where that is
-  bool along_ = false;
-  Real flat2_ = 0, flat_ = 0, off_ = 0, pass_ = 0, blur_ = 0;
 };
 
 /// What is under the surface of an endless cone, apex up, and above its base. With p and v the line's place and
