@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "collision/scenery/piece_shape.h"
+#include "collision/scenery/triangle_shape.h"
 
 namespace carom::test {
 

@@ -100,23 +100,23 @@ def record_calls(api):
                 continue
             used.append(argument)
             if what in ("number", "handle"):
-                says.append(f"pen.number({a});")
+                says.append(f"to.number({a});")
             elif what == "shape":
-                says.append(f"pen.shape({a}), pen.number({a});")
+                says.append(f"to.shape({a}), to.number({a});")
             elif what == "vector":
-                says.append(f"pen.list({a}, {detail});")
+                says.append(f"to.list({a}, {detail});")
             elif what == "struct":
-                says += [f"pen.shape({a}->{field});" for field, kind in kinds.handle_fields(detail) if kind == "shape"]
-                says.append(f"pen.structure({a});")
+                says += [f"to.shape({a}->{field});" for field, kind in kinds.handle_fields(detail) if kind == "shape"]
+                says.append(f"to.structure({a});")
             elif what == "array":
-                says.append(f"pen.list({a}, {detail[0]});")
+                says.append(f"to.list({a}, {detail[0]});")
             elif what == "bytes":
-                says.append(f"pen.bytes({a}, {detail[0]});")
+                says.append(f"to.bytes({a}, {detail[0]});")
             elif what == "records":
-                says.append(f"pen.records({a}, {', '.join(detail)});")
+                says.append(f"to.records({a}, {', '.join(detail)});")
         lines.append(f"inline auto {name.removeprefix('carom_')}({', '.join(spelled(a) for a in used)}) {{")
-        lines.append("  return [=](Pen& pen) {")
-        lines += [f'    {say}' for say in [f'pen.call("{name}");'] + says]
+        lines.append("  return [=](Serializer& to) {")
+        lines += [f'    {say}' for say in [f'to.call("{name}");'] + says]
         lines += ["  };", "}"]
     return "\n".join(lines + ["", "}  // namespace carom::abi::record"]) + "\n"
 

@@ -146,7 +146,7 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 #define CAROM_REASON_SINK 2u       /* soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
 #define CAROM_REASON_TOO_MUCH 3u   /* too many bodies for the direct solver, or it exceeded its work limit recently */
 #define CAROM_REASON_BOUNCE 4u     /* not given any more: impacts are solved before every solver */
-#define CAROM_REASON_BLOW 5u       /* it would sink, but is under impact: soft contacts take that */
+#define CAROM_REASON_IMPACT 5u     /* it would sink, but is under impact: soft contacts take that */
 #define CAROM_REASON_STILL 6u      /* a few bodies that lie still */
 #define CAROM_REASON_JOINED 7u     /* some bodies that joints hold together */
 

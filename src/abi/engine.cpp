@@ -22,7 +22,7 @@ carom_engine::~carom_engine() {
   for (carom::abi::PluginRecord* record : plugins) carom::abi::destroy_on(&memory, record);
 }
 
-void carom_engine::say(std::uint32_t level, const char* format, ...) const {
+void carom_engine::log_message(std::uint32_t level, const char* format, ...) const {
   if (!log) return;
   char text[512];
   std::va_list args;

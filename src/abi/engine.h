@@ -43,7 +43,7 @@ struct carom_engine {
   carom_engine(const carom_engine&) = delete;
   carom_engine& operator=(const carom_engine&) = delete;
 
-  void say(std::uint32_t level, const char* format, ...) const __attribute__((format(printf, 3, 4)));
+  void log_message(std::uint32_t level, const char* format, ...) const __attribute__((format(printf, 3, 4)));
 
   carom::abi::HostMemory memory;
   void (*log)(void* user, std::uint32_t level, const char* text);

@@ -171,7 +171,7 @@ void take_plugin(Call& call, carom_engine& engine, const carom_shape_plugin* giv
     destroy_on(&engine.memory, record);
     return;
   }
-  engine.say(CAROM_LOG_INFO, "plugin %s version %u ready", given->id, given->version);
+  engine.log_message(CAROM_LOG_INFO, "plugin %s version %u ready", given->id, given->version);
 }
 
 }  // namespace

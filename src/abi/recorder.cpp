@@ -9,16 +9,17 @@
 
 namespace carom::abi {
 
-void Pen::put(const void* from, std::uint64_t n) {
+void Serializer::put(const void* from, std::uint64_t n) {
   const auto* const bytes = static_cast<const std::byte*>(from);
   if (n > 0) recorder_.content_.insert(recorder_.content_.end(), bytes, bytes + n);
 }
 
-void Pen::call(std::string_view name) { number(recorder_.number_of(name)); }
+void Serializer::call(std::string_view name) { number(recorder_.number_of(name)); }
 
-void Pen::shape(std::uint64_t handle) { recorder_.tell(handle); }
+void Serializer::shape(std::uint64_t handle) { recorder_.tell(handle); }
 
-void Pen::records(const void* from, std::uint64_t n, std::uint32_t scalars, std::uint32_t scalar, std::uint64_t stride) {
+void Serializer::records(const void* from, std::uint64_t n, std::uint32_t scalars, std::uint32_t scalar,
+                         std::uint64_t stride) {
   const std::uint64_t size = scalars * (scalar == CAROM_SCALAR_F32 ? sizeof(float) : sizeof(double));
   number(std::uint64_t(from ? 1 : 0));
   if (!from) return;

@@ -28,9 +28,9 @@ constexpr std::uint32_t field_width(std::uint32_t field) {
 }
 
 /// Writes the arguments of one call. What is given was checked by the call itself, which went well.
-class Pen {
+class Serializer {
  public:
-  explicit Pen(Recorder& recorder) : recorder_(recorder) {}
+  explicit Serializer(Recorder& recorder) : recorder_(recorder) {}
 
   void call(std::string_view name);
   template <class T>
@@ -65,13 +65,13 @@ class Recorder {
   Recorder(carom_engine& engine, std::uint32_t flags, carom_write_fn write, void* user);
 
   void begin(const World& world);
-  /// @param say  f(Pen&)
-  template <class Say>
-  void call(const Say& say) noexcept {
+  /// @param write_call  f(Serializer&)
+  template <class Write>
+  void call(const Write& write_call) noexcept {
     guard([&] {
       content_.clear();
-      Pen pen(*this);
-      say(pen);
+      Serializer to(*this);
+      write_call(to);
       write(kCall, content_);
     });
   }
@@ -83,7 +83,7 @@ class Recorder {
   std::uint64_t written() const { return written_; }
 
  private:
-  friend class Pen;
+  friend class Serializer;
   enum Kind : std::uint32_t { kBegin = 1, kShape, kName, kCall, kHash, kState, kEnd };
 
   template <class F>

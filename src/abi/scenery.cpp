@@ -7,14 +7,14 @@
 #include "abi/engine.h"
 #include "abi/float_scope.h"
 #include "abi/shape_draft.h"
-#include "collision/scenery/piece_shape.h"
+#include "collision/scenery/triangle_shape.h"
 
 namespace carom::abi {
 namespace {
 
 constexpr double kFarthest = 1e8;                     // m: a tenth of what shapes may reach
 constexpr std::uint64_t kMostTriangles = 1ull << 28;  // the tree counts in 31 bits, sides take three numbers each
-constexpr std::uint32_t kMostAcross = 1u << 14;       // pieces of a height field are counted alike
+constexpr std::uint32_t kMostAcross = 1u << 14;       // triangles of a height field are counted alike
 constexpr std::uint64_t kMostVertices = 0xFFFFFFFEull;
 
 /// A height or a coordinate; a hole's height is no number.
@@ -90,9 +90,10 @@ const Scenery* scenery_of(Call& call, ShapePin& pin, carom_shape shape) {
 std::uint64_t rims_of(const Scenery& s) {
   if (!s.is_field()) return static_cast<std::uint64_t>(std::count(s.beyond.begin(), s.beyond.end(), kInvalid));
   std::uint64_t rims = 0;
-  Piece piece;
-  for (std::uint32_t i = 0; i < s.pieces(); ++i)
-    if (s.piece(i, piece)) rims += static_cast<std::uint64_t>(piece.rim[0]) + piece.rim[1] + piece.rim[2];
+  Triangle triangle;
+  for (std::uint32_t i = 0; i < s.triangles(); ++i)
+    if (s.triangle(i, triangle))
+      rims += static_cast<std::uint64_t>(triangle.boundary[0]) + triangle.boundary[1] + triangle.boundary[2];
   return rims;
 }
 
@@ -154,7 +155,7 @@ int32_t carom_shape_get_scenery_info(carom_engine* engine, carom_shape shape, ca
     if (!s) return;
     carom_scenery_info full{};
     full.flags = s->two_sided ? CAROM_SCENERY_TWO_SIDED : 0;
-    full.pieces = s->pieces();
+    full.pieces = s->triangles();
     full.vertices = s->is_field() ? s->heights.size() : s->vertex.size();
     full.dropped = s->dropped;
     full.rims = rims_of(*s);
@@ -171,19 +172,19 @@ int32_t carom_shape_get_triangles(carom_engine* engine, carom_shape shape, uint6
     ShapePin pin(*engine);
     const Scenery* const s = scenery_of(call, pin, shape);
     if (!s) return;
-    if (first > s->pieces()) {
-      call.fail(CAROM_E_OUT_OF_RANGE, 3, "first is %llu, of %u pieces", static_cast<unsigned long long>(first),
-                s->pieces());
+    if (first > s->triangles()) {
+      call.fail(CAROM_E_OUT_OF_RANGE, 3, "first is %llu, of %u triangles", static_cast<unsigned long long>(first),
+                s->triangles());
       return;
     }
-    const std::uint64_t room = corners ? *count : s->pieces();
+    const std::uint64_t room = corners ? *count : s->triangles();
     std::uint64_t written = 0;
     auto at = static_cast<std::uint32_t>(first);
-    Piece piece;
-    for (; at < s->pieces() && written < room; ++at) {
-      if (!s->piece(at, piece)) continue;
+    Triangle triangle;
+    for (; at < s->triangles() && written < room; ++at) {
+      if (!s->triangle(at, triangle)) continue;
       for (int k = 0; corners && k < 3; ++k)
-        from_vec3(piece.corner[static_cast<std::size_t>(k)], corners + 9 * written + 3 * k);
+        from_vec3(triangle.corner[static_cast<std::size_t>(k)], corners + 9 * written + 3 * k);
       ++written;
     }
     *count = written, *next = at;

@@ -238,8 +238,10 @@ int32_t carom_shape_create(carom_engine* engine, carom_plugin plugin, const doub
     const Real across = (draft.shape->bounds.hi - draft.shape->bounds.lo).max_entry();
     if (!add_shape(call, *engine, draft, shape, pin.get(), plugin)) return;
     if (across < 2 * kSmallestSize)
-      engine->say(CAROM_LOG_WARNING, "a shape of %s is %g m across: contacts of bodies smaller than %g m do not hold; scale the scene up",
-                  pin.get()->id.c_str(), across, 2 * kSmallestSize);
+      engine->log_message(
+          CAROM_LOG_WARNING,
+          "a shape of %s is %g m across: contacts of bodies smaller than %g m do not hold; scale the scene up",
+          pin.get()->id.c_str(), across, 2 * kSmallestSize);
     pin.keep();
   });
 }

@@ -59,16 +59,18 @@ void learn_costs(const World& world, Budget& budget) {
 void log_faults(const carom_world& world) {
   for (const FaultView& fault : world.inner->fault_views)
     if (fault.particles != kInvalid)
-      world.engine.say(CAROM_LOG_WARNING, "particles of set slot %u left the world, number %u first: in quarantine",
-                       fault.particles, fault.particle);
+      world.engine.log_message(CAROM_LOG_WARNING,
+                               "particles of set slot %u left the world, number %u first: in quarantine",
+                               fault.particles, fault.particle);
     else if (fault.support.kind == SupportFault::none)
-      world.engine.say(CAROM_LOG_WARNING, "the state of body slot %u was not finite: body in quarantine", fault.body);
+      world.engine.log_message(CAROM_LOG_WARNING, "the state of body slot %u was not finite: body in quarantine",
+                               fault.body);
     else
-      world.engine.say(CAROM_LOG_WARNING,
-                       "support fault %u at dir (%g, %g, %g), answer (%g, %g, %g): shape 0x%016llx in quarantine",
-                       static_cast<unsigned>(fault.support.kind), fault.support.dir[0], fault.support.dir[1],
-                       fault.support.dir[2], fault.support.out[0], fault.support.out[1], fault.support.out[2],
-                       static_cast<unsigned long long>(fault.support.shape->handle));
+      world.engine.log_message(
+          CAROM_LOG_WARNING, "support fault %u at dir (%g, %g, %g), answer (%g, %g, %g): shape 0x%016llx in quarantine",
+          static_cast<unsigned>(fault.support.kind), fault.support.dir[0], fault.support.dir[1], fault.support.dir[2],
+          fault.support.out[0], fault.support.out[1], fault.support.out[2],
+          static_cast<unsigned long long>(fault.support.shape->handle));
 }
 
 /// A step is told before it is taken: should it never end, the record says in which.

@@ -39,7 +39,7 @@ class PairCounts {
     if (--entries_[at].count == 0) close(at);
   }
   /// All pairs that one is in.
-  void forget(std::uint32_t slot) {
+  void remove(std::uint32_t slot) {
     for (std::size_t i = 0; size_ > 0 && i < entries_.size();) {
       const Entry& e = entries_[i];
       if (e.count > 0 && (e.key >> 32 == slot || (e.key & 0xFFFFFFFFu) == slot))

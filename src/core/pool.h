@@ -80,7 +80,7 @@ class SlotPool {
   /// Slots taken and released so far.
   std::uint32_t changes() const { return changes_; }
   /// What stands in a slot is another thing now.
-  void note_change() { ++changes_; }
+  void mark_change() { ++changes_; }
   /// Which slots have lived how often, and which comes next.
   template <class H>
   void add_to(H& hash) const {

@@ -33,7 +33,7 @@ class ContactViews {
     state_.store(kMade, std::memory_order_relaxed);
   }
   /// A collider has gone.
-  void forget(std::uint32_t collider) {
+  void remove(std::uint32_t collider) {
     std::erase_if(list_, [&](const ContactView& v) { return v.collider_a == collider || v.collider_b == collider; });
   }
 

@@ -64,7 +64,7 @@ NarrowSettings narrow_settings(const Dials& dials) {
   return s;
 }
 
-void find_pairs(const World& world, BroadPhases& broad, Forgetting to, Events& events, StepReport& report,
+void find_pairs(const World& world, BroadPhases& broad, ClearingSleepers to, Events& events, StepReport& report,
                 const StepTime&) {
   PairTable& pairs = to;
   Sleep& sleep = to;
@@ -83,7 +83,7 @@ void find_pairs(const World& world, BroadPhases& broad, Forgetting to, Events& e
     // Out of memory: forget what may be half changed; the next step starts these caches afresh.
     for (auto& b : broad) b.reset();
     pairs.clear();
-    forget_sleepers(world, to);
+    clear_sleepers(world, to);
     throw;
   }
   report.broad_pairs = world.plan->pairs.size();

@@ -17,7 +17,7 @@ BroadPhase& broad_phase(const World& world, BroadPhases& all);
 void disable(const World& world, Revisions& scene, FaultViews& views, const SupportFault& fault);
 
 /// Stage broad: pairs of colliders whose bounds overlap.
-void find_pairs(const World& world, BroadPhases& broad, Forgetting to, Events& events, StepReport& report,
+void find_pairs(const World& world, BroadPhases& broad, ClearingSleepers to, Events& events, StepReport& report,
                 const StepTime& time);
 
 /// Stage narrow: manifolds of those pairs. Shapes whose support function misbehaved are disabled from here on.

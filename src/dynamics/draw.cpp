@@ -129,14 +129,14 @@ class Drawing {
     if (!is_scenery(s)) return;
     const Frame frame = collider_frame(world_, slot);
     const std::uint32_t body = scene_.colliders.body[slot], colour = colour_of(body);
-    Piece piece;
-    for (std::uint32_t i = 0; i < s.scenery->pieces(); ++i) {
-      if (!s.scenery->piece(i, piece)) continue;
+    Triangle triangle;
+    for (std::uint32_t i = 0; i < s.scenery->triangles(); ++i) {
+      if (!s.scenery->triangle(i, triangle)) continue;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 &a = piece.corner[k], &b = piece.corner[(k + 1) % 3];
+        const Vec3 &a = triangle.corner[k], &b = triangle.corner[(k + 1) % 3];
         // A side that two share is drawn by the one that runs along it forward.
         const bool forward = std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-        if (piece.rim[k] || forward) line(frame.apply(a), frame.apply(b), colour, body);
+        if (triangle.boundary[k] || forward) line(frame.apply(a), frame.apply(b), colour, body);
       }
     }
   }

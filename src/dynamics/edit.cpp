@@ -21,7 +21,7 @@ void put(Array<T>& a, std::size_t slot, const T& value) {
     a[slot] = value;
 }
 
-void note_resistance(Scene& s) {
+void count_resistance(Scene& s) {
   s.resists = false;
   for (std::uint32_t i = 0; i < s.material_slots.slots(); ++i)
     s.resists |= s.material_slots.alive(i) && (s.material[i].rolling > 0 || s.material[i].spinning > 0);
@@ -83,7 +83,7 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put(state.held_out, i, static_cast<std::uint8_t>(def.disabled ? Quarantine::kDisabled : 0));
   put(state.loaded_steps, i, std::uint8_t(0));
   put(state.cooldown_steps, i, std::uint8_t(0));
-  put(state.accuracy, i, AccuracyNote());
+  put(state.accuracy, i, AccuracyMemory());
   if (i == state.is_written.size()) state.is_written.push_back(0);
   place_mass(scene, state, i, mass_of_body(scene, i));
   state.mark_written(i);
@@ -102,8 +102,8 @@ void World::remove_body(std::uint32_t body) {
   state.v[body] = state.omega[body] = state.force[body] = state.torque[body] = Vec3::zero();
   state.quarantined_count -= state.is_lost(body);
   state.held_out[body] = 0;
-  forget_body(*this, body);
-  scene.apart.forget(body);
+  unlist_body(*this, body);
+  scene.apart.remove(body);
   if (body < events->slept.size()) events->slept[body] = 0;
   scene.bodies.release(body);
   ++scene.revision;
@@ -122,7 +122,7 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   make_room(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds, c.reach,
             c.movable, c.disabled, c.next, c.travel);
   make_room(c.live.size(), c.live);
-  stir(*this, body);
+  mark_touched_by_host(*this, body);
   const Handle handle = scene.collider_slots.take();
   if (handle == 0) return 0;
   const std::uint32_t i = handle_slot(handle);
@@ -132,8 +132,8 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   if (i < scene.surface.size()) scene.surface[i] = settings.surface;
   scene.moving_surfaces += settings.surface.any();
   settle_mass(body);
-  queries->note_changed(i);
-  queries->note_moved(body);
+  queries->mark_changed(i);
+  queries->mark_moved(body);
   ++scene.revision, ++scene.collider_revision;
   return handle;
 }
@@ -169,9 +169,9 @@ void World::remove_collider(std::uint32_t collider) {
   contact_views();
   wake(*this, body);
   if (scene.type[body] != BodyType::dynamic) wake_touching(*this, collider);  // else they are one island
-  pairs.forget(collider);  // may run out of memory, so it comes before any loss
-  views->forget(collider);
-  forget_collider(*this, collider);
+  pairs.remove(collider);  // may run out of memory, so it comes before any loss
+  views->remove(collider);
+  unlist_collider(*this, collider);
   const Shape* shape = c.shape[collider];
   place_mass(scene, state, body, mass_of_body(scene, body, collider));
   link_to(scene, body, collider) = c.next[collider];
@@ -186,8 +186,8 @@ void World::remove_collider(std::uint32_t collider) {
   // The host may now free the shape, and another may come to live at its address.
   const auto wears = [&](std::uint32_t slot) { return c.shape[slot] == shape; };
   if (!plan->faulty.empty() && std::none_of(c.live.begin(), c.live.end(), wears)) std::erase(plan->faulty, shape);
-  queries->note_changed(collider);
-  queries->note_moved(body);
+  queries->mark_changed(collider);
+  queries->mark_moved(body);
   ++scene.revision, ++scene.collider_revision;
 }
 
@@ -196,21 +196,21 @@ Handle World::add_material(const Material& m) {
   const Handle handle = scene.material_slots.take();
   if (handle == 0) return 0;
   put(scene.material, handle_slot(handle), m);
-  note_resistance(scene);
+  count_resistance(scene);
   ++scene.revision;
   return handle;
 }
 
 void World::set_material(std::uint32_t material, const Material& m) {
   scene.material[material] = m;
-  note_resistance(scene);
+  count_resistance(scene);
   wake_wearing(*this, material);
   ++scene.revision;
 }
 
 void World::remove_material(std::uint32_t material) {
   scene.material_slots.release(material);
-  note_resistance(scene);
+  count_resistance(scene);
   ++scene.revision;
 }
 
@@ -218,7 +218,7 @@ void World::set_filter(std::uint32_t collider, const Filter& filter) {
   Array<Filter>& all = scene.colliders.filter;
   if (scene.colliders.filter_of(collider) == filter) return;
   if (all.size() < scene.colliders.slots()) all.resize(scene.colliders.slots());
-  stir(*this, scene.colliders.body[collider]);
+  mark_touched_by_host(*this, scene.colliders.body[collider]);
   all[collider] = filter;
   ++scene.revision;
 }
@@ -226,7 +226,7 @@ void World::set_filter(std::uint32_t collider, const Filter& filter) {
 void World::set_body_filter(std::uint32_t body, const Filter& filter) {
   Array<Filter>& all = scene.colliders.filter;
   if (all.size() < scene.colliders.slots()) all.resize(scene.colliders.slots());
-  stir(*this, body);  // may run out of memory, so it comes before any of them has changed
+  mark_touched_by_host(*this, body);  // may run out of memory, so it comes before any of them has changed
   for (std::uint32_t c = scene.first_collider[body]; c != kInvalid; c = scene.colliders.next[c])
     all[c] = filter;
   ++scene.revision;
@@ -236,7 +236,7 @@ void World::set_sensor(std::uint32_t collider, bool sensor) {
   Colliders& c = scene.colliders;
   if (c.is_sensor(collider) == sensor) return;
   if (c.sensor.size() < c.slots()) c.sensor.resize(c.slots(), 0);
-  stir(*this, c.body[collider]);
+  mark_touched_by_host(*this, c.body[collider]);
   c.sensor[collider] = sensor;
   ++scene.revision;
 }
@@ -245,7 +245,7 @@ void World::set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& 
   const SurfaceVelocity was = scene.surface_of(collider);
   if (was.linear == surface.linear && was.angular == surface.angular) return;
   if (scene.surface.size() < scene.colliders.slots()) scene.surface.resize(scene.colliders.slots());
-  stir(*this, scene.colliders.body[collider]);
+  mark_touched_by_host(*this, scene.colliders.body[collider]);
   scene.surface[collider] = surface;
   scene.moving_surfaces += surface.any(), scene.moving_surfaces -= was.any();
   ++scene.revision;
@@ -274,13 +274,13 @@ void World::set_attribute(std::uint32_t body, AttributeId id, const AttributeVal
 
 void World::hold_apart(std::uint32_t a, std::uint32_t b) {
   scene.apart.make_room();
-  stir(*this, a), stir(*this, b);
+  mark_touched_by_host(*this, a), mark_touched_by_host(*this, b);
   scene.apart.add(a, b);
   ++scene.revision;
 }
 
 void World::let_go(std::uint32_t a, std::uint32_t b) {
-  stir(*this, a), stir(*this, b);
+  mark_touched_by_host(*this, a), mark_touched_by_host(*this, b);
   scene.apart.remove(a, b);
   ++scene.revision;
 }
@@ -305,11 +305,11 @@ void World::set_pose(std::uint32_t body, const Pose& pose) {
   const bool same = q == state.q[body] && x == state.x[body] && !state.is_lost(body);
   if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes nobody
   contact_views();
-  stir(*this, body);
+  mark_touched_by_host(*this, body);
   state.q[body] = state.held_q[body] = q;
   state.x[body] = x;
   const bool revised = state.is_lost(body) || scene.type[body] == BodyType::fixed;
-  queries->note_moved(body, revised && !state.is_lost(body));
+  queries->mark_moved(body, revised && !state.is_lost(body));
   state.mark_written(body);
   if (revised) {
     state.quarantined_count -= state.is_lost(body);

@@ -14,7 +14,7 @@ void World::set_mass(std::uint32_t body, const MassGiven& given) {
   def.has_mass = given.mass > 0, def.has_center = given.has_center, def.has_inertia = given.has_inertia;
   def.mass = given.mass, def.center = given.center, def.inertia = given.inertia;
   settle_mass(body);
-  scene.bodies.note_change(), ++scene.revision;
+  scene.bodies.mark_change(), ++scene.revision;
 }
 
 void World::set_damping(std::uint32_t body, Real linear, Real angular) {
@@ -22,7 +22,7 @@ void World::set_damping(std::uint32_t body, Real linear, Real angular) {
   if (def.linear_damping == linear && def.angular_damping == angular) return;
   wake(*this, body);
   def.linear_damping = linear, def.angular_damping = angular;
-  scene.bodies.note_change(), ++scene.revision;
+  scene.bodies.mark_change(), ++scene.revision;
 }
 
 void World::set_type(std::uint32_t body, BodyType type) {
@@ -35,14 +35,14 @@ void World::set_type(std::uint32_t body, BodyType type) {
   };
   each([&](std::uint32_t i) {  // may run out of memory, so it comes before any change
     if (scene.type[body] != BodyType::dynamic) wake_touching(*this, i);
-    pairs.forget(i);
+    pairs.remove(i);
   });
   BodySettings& def = scene.def[body];
   scene.type[body] = def.type = type;
   if (type != BodyType::dynamic) def.has_mass = def.has_center = def.has_inertia = false;
   each([&](std::uint32_t i) {
     c.movable[i] = how_moved(type);
-    queries->note_changed(i);
+    queries->mark_changed(i);
   });
   if (type == BodyType::fixed) state.v[body] = state.omega[body] = Vec3::zero();
   if (type != BodyType::dynamic) {
@@ -53,33 +53,33 @@ void World::set_type(std::uint32_t body, BodyType type) {
   }
   settle_mass(body);
   state.mark_written(body);
-  queries->note_moved(body);
-  stir(*this, body);
-  scene.bodies.note_change(), ++scene.revision, ++scene.collider_revision;
+  queries->mark_moved(body);
+  mark_touched_by_host(*this, body);
+  scene.bodies.mark_change(), ++scene.revision, ++scene.collider_revision;
 }
 
 void World::set_enabled(std::uint32_t body, bool enabled) {
   if (state.is_disabled(body) != enabled) return;
   Colliders& c = scene.colliders;
   contact_views();
-  stir(*this, body);  // may run out of memory, as forgetting pairs may, so that comes before any change
+  mark_touched_by_host(*this, body);  // may run out of memory, as forgetting pairs may, so that comes before any change
   wake_joined(*this, Sleepers(*this), body);
   for (std::uint32_t i = scene.first_collider[body]; i != kInvalid; i = c.next[i]) {
     wake_touching(*this, i);
-    pairs.forget(i);
-    queries->note_changed(i);
+    pairs.remove(i);
+    queries->mark_changed(i);
   }
   state.held_out[body] ^= Quarantine::kDisabled;
   state.mark_written(body);
-  queries->note_moved(body);
-  scene.bodies.note_change(), ++scene.revision, ++scene.collider_revision;
+  queries->mark_moved(body);
+  scene.bodies.mark_change(), ++scene.revision, ++scene.collider_revision;
 }
 
 void World::set_collider_material(std::uint32_t collider, std::uint32_t material) {
   if (scene.colliders.material[collider] == material) return;
-  stir(*this, scene.colliders.body[collider]);
+  mark_touched_by_host(*this, scene.colliders.body[collider]);
   scene.colliders.material[collider] = material;
-  scene.collider_slots.note_change(), ++scene.revision;
+  scene.collider_slots.mark_change(), ++scene.revision;
 }
 
 void World::set_density(std::uint32_t collider, Real density) {
@@ -88,20 +88,20 @@ void World::set_density(std::uint32_t collider, Real density) {
   wake(*this, body);
   scene.colliders.density[collider] = density;
   settle_mass(body);
-  scene.collider_slots.note_change(), ++scene.revision;
+  scene.collider_slots.mark_change(), ++scene.revision;
 }
 
 void World::set_local_pose(std::uint32_t collider, const Pose& local) {
   Colliders& c = scene.colliders;
   const std::uint32_t body = c.body[collider];
   contact_views();
-  stir(*this, body);
-  pairs.forget(collider);
+  mark_touched_by_host(*this, body);
+  pairs.remove(collider);
   c.local[collider] = Pose{normalized(local.q), local.p};
   settle_mass(body);
-  queries->note_changed(collider);
-  queries->note_moved(body);
-  scene.collider_slots.note_change(), ++scene.revision, ++scene.collider_revision;
+  queries->mark_changed(collider);
+  queries->mark_moved(body);
+  scene.collider_slots.mark_change(), ++scene.revision, ++scene.collider_revision;
 }
 
 }  // namespace carom::dynamics

@@ -94,7 +94,7 @@ struct PredictedPose {
   explicit PredictedPose(Memory* m) : x(m), q(m), omega(m) {}
   Array<Vec3> x;
   Array<Quat> q;
-  Array<Vec3> omega;  // rad/s, world: what a rotation method turned the body by, where plan.carried
+  Array<Vec3> omega;  // rad/s, world: what a rotation method turned the body by, where plan.turns_by_method
 };
 
 struct FreeFlight;       // dynamics/integrate/free_flight.h: who takes the step in one go
@@ -126,7 +126,7 @@ struct Plan {
   const Integrator* integrator = nullptr;
   const Rotation* rotation_method = nullptr;  // null: the gyroscopic effect is a force, a flow, or absent
   Array<Principal> principal;                 // by body, participants of the rotation method
-  Array<std::uint8_t> carried;                // by body: the rotation method turns it in this step
+  Array<std::uint8_t> turns_by_method;                // by body: the rotation method turns it in this step
   const Solver* solver = nullptr;
   PredictedPose predicted;
   std::array<Owned<Decays>, 3> decays;  // of the rows that decay: linear and angular damping, drag

@@ -53,9 +53,9 @@ void measure_energy(const World& world, StepReport& report) {
 }
 
 /// What effects without a room of their own did: they are served within the loops of their stages.
-void book_served(const World& world) {
+void account_served(const World& world) {
   Plan& plan = *world.plan;
-  const auto book = [&](std::size_t row, Stage stage, std::uint64_t times) {
+  const auto account = [&](std::size_t row, Stage stage, std::uint64_t times) {
     PlannedEffect& effect = plan.effects[row];
     if (plan.runs[static_cast<std::size_t>(stage)]) effect.evaluations += times * effect.participants.count;
   };
@@ -64,8 +64,9 @@ void book_served(const World& world) {
        {+EffectId::friction, +EffectId::restitution, +EffectId::rolling_resistance, +EffectId::spinning_resistance,
         +EffectId::surface_velocity, +EffectId::response, +EffectId::joints, +EffectId::joint_limits,
         +EffectId::joint_motors})
-    book(row, Stage::solve, substeps);
-  for (const std::size_t row : {+EffectId::collision, +EffectId::filter, +EffectId::sensor, +EffectId::scenery}) book(row, Stage::broad, 1);
+    account(row, Stage::solve, substeps);
+  for (const std::size_t row : {+EffectId::collision, +EffectId::filter, +EffectId::sensor, +EffectId::scenery})
+    account(row, Stage::broad, 1);
 }
 
 /// A force lives for one step.
@@ -98,7 +99,7 @@ void observe(const World& world, StepReport& report, HostForces& host, Impulses&
     remember_impulses(world, impulses, time.h);
   }
   measure_energy(world, report);
-  book_served(world);
+  account_served(world);
   if (world.plan->host_wrote) drop_forces(host);
   report.steps += 1;
   report.time += time.dt;

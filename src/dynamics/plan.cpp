@@ -50,7 +50,7 @@ void plan_rows(const World& world, Plan& plan) {
 }
 
 void plan_principal(const World& world, Plan& plan, std::uint32_t slots) {
-  plan.carried.assign(slots, 0);
+  plan.turns_by_method.assign(slots, 0);
   plan.principal.resize(slots);
   plan.predicted.omega.resize(slots, Vec3::zero());
   if (plan.rotation_method)
@@ -174,7 +174,7 @@ Plan::Plan(Memory* m)
       colliders(m),
       local(m),
       principal(m),
-      carried(m),
+      turns_by_method(m),
       predicted(m),
       begun(m),
       touched(m),
@@ -325,8 +325,8 @@ void find_participants(const World& world, Real h) {
   part_stiff(world, h);
   find_readers(world);
   if (!plan.rotation_method) return;
-  plan.effects[+EffectId::gyroscopic].candidates.each([&](std::uint32_t i) { plan.carried[i] = 0; });
-  plan.effects[+EffectId::gyroscopic].participants.each([&](std::uint32_t i) { plan.carried[i] = 1; });
+  plan.effects[+EffectId::gyroscopic].candidates.each([&](std::uint32_t i) { plan.turns_by_method[i] = 0; });
+  plan.effects[+EffectId::gyroscopic].participants.each([&](std::uint32_t i) { plan.turns_by_method[i] = 1; });
 }
 
 void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floats, const StepTime& time) {

@@ -26,7 +26,7 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
   const Events& e = *world.events;
   switch (row) {
     case +EffectId::gyroscopic:
-      return bytes_of(world.plan->principal, world.plan->carried);
+      return bytes_of(world.plan->principal, world.plan->turns_by_method);
     case +EffectId::restitution:
       return bytes_of(world.contacts->bouncing, world.contacts->impacts);
     case +EffectId::rolling_resistance:

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/wide_joints.h"
-#include "dynamics/ledger/books.h"
-#include "dynamics/contact_views.h"
+#include "dynamics/ledger/accounts.h"
 
 namespace carom::dynamics {
 namespace {

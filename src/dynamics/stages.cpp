@@ -35,13 +35,13 @@ constexpr StageEntry kStageTable[] = {
     // ---- once: who takes part, who meets whom. All that allocates stands here. ----
     stage<admit>({.name = "admit",
      .what = "bodies whose state makes no sense are put in quarantine; only after a host wrote to them",
-     .stage = Stage::refresh, .reads = kMotion | Part::forces, .booking = Booking::with_host}),
+     .stage = Stage::refresh, .reads = kMotion | Part::forces, .account = LedgerAccount::with_host}),
     stage<refresh>({.name = "refresh",
      .what = "who takes part in each effect, if the scene changed; frames and bounds of colliders",
      .stage = Stage::refresh, .reads = kMotion | Part::sleep | Part::quarantine}),
     stage<wake_touched>({.name = "wake touched",
      .what = "islands asleep that something touches, or will within the step",
-     .stage = Stage::refresh, .reads = kContactsRead | Part::sleep, .booking = Booking::opens}),
+     .stage = Stage::refresh, .reads = kContactsRead | Part::sleep, .account = LedgerAccount::opens}),
     stage<find_pairs>({.name = "find pairs",
      .what = "colliders whose bounds overlap",
      .stage = Stage::broad, .effect = +EffectId::collision,
@@ -65,7 +65,8 @@ constexpr StageEntry kStageTable[] = {
      .stage = Stage::group, .reads = kContactsRead}),
     stage<try_rattle>({.name = "try rattle",
      .what = "islands that joints alone hold are moved to the side, and leave the rest of the step, if a host wants it",
-     .stage = Stage::group, .reads = kContactsRead | Part::joints | Part::forces, .booking = Booking::by_itself}),
+     .stage = Stage::group, .reads = kContactsRead | Part::joints | Part::forces,
+     .account = LedgerAccount::by_itself}),
     stage<link_joints>({.name = "link joints",
      .what = "joints of awake bodies",
      .stage = Stage::group, .reads = Part::joints, .by_island = ByIsland::too}),
@@ -78,7 +79,7 @@ constexpr StageEntry kStageTable[] = {
     stage<begin_contacts>({.name = "begin contacts",
      .what = "what the solver lays out for a step",
      .stage = Stage::solve, .reads = kMotion | Part::joints,
-     .booking = Booking::makes_room, .by_island = ByIsland::alone}),
+     .account = LedgerAccount::makes_room, .by_island = ByIsland::alone}),
     stage<begin_sweeps>({.name = "begin sweeps",
      .what = "which bodies are swept, and what stands in their way",
      .stage = Stage::solve, .effect = +EffectId::continuous,
@@ -100,7 +101,7 @@ constexpr StageEntry kStageTable[] = {
     stage<integrate_velocity>({.name = "integrate velocity",
      .what = "forces change velocities",
      .stage = Stage::integrate,
-     .reads = kMotion | Part::forces, .booking = Booking::forces, .each_substep = true}),
+     .reads = kMotion | Part::forces, .account = LedgerAccount::forces, .each_substep = true}),
     stage<save_accelerations>({.name = "save accelerations",
      .what = "of swept bodies",
      .stage = Stage::solve, .effect = +EffectId::continuous,
@@ -108,45 +109,51 @@ constexpr StageEntry kStageTable[] = {
     stage<solve_impacts>({.name = "solve impacts",
      .what = "what is hit bounces, each contact at its moment",
      .stage = Stage::solve, .effect = +EffectId::restitution,
-     .reads = kMotion, .booking = Booking::impacts, .each_substep = true}),
+     .reads = kMotion, .account = LedgerAccount::impacts, .each_substep = true}),
     stage<hold_moments>({.name = "hold moments",
      .what = "moments of the last substep against rolling and spinning",
      .stage = Stage::solve, .effect = +EffectId::rolling_resistance,
-     .reads = kMotion | Part::impulses, .booking = Booking::moments, .each_substep = true}),
+     .reads = kMotion | Part::impulses, .account = LedgerAccount::moments, .each_substep = true}),
     stage<solve_velocities>({.name = "solve velocities",
      .what = "joints and contacts change velocities",
      .stage = Stage::solve,
-     .reads = kMotion | Part::joints | Part::impulses, .booking = Booking::solver,
+     .reads = kMotion | Part::joints | Part::impulses, .account = LedgerAccount::solver,
      .each_substep = true}),
     stage<integrate_position>({.name = "integrate position",
      .what = "bodies move",
-     .stage = Stage::integrate, .reads = kMotion, .booking = Booking::moves, .each_substep = true}),
+     .stage = Stage::integrate, .reads = kMotion,
+     .account = LedgerAccount::moves, .each_substep = true}),
     stage<solve_positions>({.name = "solve positions",
      .what = "penetration is undone, or the velocity that undid it taken back",
-     .stage = Stage::relax, .reads = kMotion | Part::joints, .booking = Booking::relaxation, .each_substep = true}),
+     .stage = Stage::relax, .reads = kMotion | Part::joints,
+     .account = LedgerAccount::relaxation, .each_substep = true}),
     stage<resist>({.name = "resist",
      .what = "those moments put right, now that loads are known",
-     .stage = Stage::solve, .effect = +EffectId::rolling_resistance, .reads = kMotion, .booking = Booking::resistance, .each_substep = true}),
+     .stage = Stage::solve, .effect = +EffectId::rolling_resistance, .reads = kMotion,
+     .account = LedgerAccount::resistance, .each_substep = true}),
     stage<sweep>({.name = "sweep",
      .what = "a fast body stops at what is in its way, bounces there and goes on",
-     .stage = Stage::solve, .effect = +EffectId::continuous, .reads = kContactsRead, .booking = Booking::sweeps, .each_substep = true}),
+     .stage = Stage::solve, .effect = +EffectId::continuous, .reads = kContactsRead,
+     .account = LedgerAccount::sweeps, .each_substep = true}),
     // ---- once: what is left of the step, and what it tells ----
     stage<quarantine_outliers>({.name = "quarantine outliers",
      .what = "bodies that left the finite world are put in quarantine",
-     .stage = Stage::solve, .reads = kMotion, .booking = Booking::lost_bodies}),
+     .stage = Stage::solve, .reads = kMotion, .account = LedgerAccount::lost_bodies}),
     stage<integrate_free_bodies>({.name = "move free bodies",
      .what = "bodies that nothing binds take the whole step in one go",
-     .stage = Stage::integrate, .reads = kMotion | Part::forces, .booking = Booking::by_itself}),
+     .stage = Stage::integrate, .reads = kMotion | Part::forces, .account = LedgerAccount::by_itself}),
     stage<integrate_particles>({.name = "integrate particles",
      .what = "all substeps at once",
-     .stage = Stage::integrate, .effect = +EffectId::particles, .reads = Part::particles, .booking = Booking::particles}),
+     .stage = Stage::integrate, .effect = +EffectId::particles, .reads = Part::particles,
+     .account = LedgerAccount::particles}),
     stage<end_contacts>({.name = "end contacts",
      .what = "impulses back from lanes into rows; joints that were overloaded break",
-     .stage = Stage::solve, .reads = kMotion | Part::joints, .booking = Booking::corrections, .by_island = ByIsland::alone}),
+     .stage = Stage::solve, .reads = kMotion | Part::joints,
+     .account = LedgerAccount::corrections, .by_island = ByIsland::alone}),
     stage<take_rattle>({.name = "take rattle",
      .what = "those islands in their places; joints of them that were overloaded break",
-     .stage = Stage::solve, .reads = kMotion | Part::joints, .booking = Booking::by_itself}),
-    stage<note_accuracy>({.name = "note accuracy",
+     .stage = Stage::solve, .reads = kMotion | Part::joints, .account = LedgerAccount::by_itself}),
+    stage<save_accuracy>({.name = "save accuracy",
      .what = "what bodies remember of their errors, where a host asks for an accuracy",
      .stage = Stage::observe}),
     stage<end_sweeps>({.name = "end sweeps",
@@ -159,7 +166,7 @@ constexpr StageEntry kStageTable[] = {
      .what = "islands that came to rest",
      .stage = Stage::observe, .effect = +EffectId::sleep,
      .reads = kMotion | Part::pairs | Part::sleep,
-     .booking = Booking::sleepers}),
+     .account = LedgerAccount::sleepers}),
     stage<end_events>({.name = "end events",
      .what = "what began, ended, was hit, entered, left, slept or woke",
      .stage = Stage::observe, .effect = +EffectId::events,
@@ -167,17 +174,17 @@ constexpr StageEntry kStageTable[] = {
     stage<save_moved_bodies>({.name = "save moved bodies",
      .what = "for queries between steps",
      .stage = Stage::observe, .reads = kMotion,
-     .booking = Booking::closes}),
+     .account = LedgerAccount::closes}),
 };
 // clang-format on
 
 /// What the ledger accounts for: whoever changes it says how that is booked.
-constexpr bool all_writers_are_booked() {
+constexpr bool all_writers_have_accounts() {
   for (const StageEntry& entry : kStageTable)
-    if (entry.writes.meets(kMotion | Part::particles) && entry.booking == Booking::none) return false;
+    if (entry.writes.meets(kMotion | Part::particles) && entry.account == LedgerAccount::none) return false;
   return true;
 }
-static_assert(all_writers_are_booked(), "a stage moves bodies or particles, and the ledger does not know of it");
+static_assert(all_writers_have_accounts(), "a stage moves bodies or particles, and the ledger does not know of it");
 
 constexpr bool substeps_stand_together() {
   int changes = 0;
@@ -284,7 +291,7 @@ std::array<std::uint64_t, kPartCount> prints_of(const World& world) {
   add_sleep(of(Part::sleep), world);
   add_all(of(Part::memory), s.held_q), add_all(of(Part::memory), s.loaded_steps),
       add_all(of(Part::memory), s.cooldown_steps);
-  for (const AccuracyNote& note : s.accuracy)
+  for (const AccuracyMemory& note : s.accuracy)
     of(Part::memory).add(std::uint64_t(note.level + 256u * note.wait)), of(Part::memory).add(double(note.place));
   add_particles(of(Part::particles), world);
   add_joints(of(Part::joints), world);

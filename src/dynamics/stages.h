@@ -2,7 +2,7 @@
 //
 // step.cpp loops over it; the picture in ../README.md is made from it (tests/unit/dynamics/test_stages). A stage is a
 // function of a const World, the time, and the parts that it writes; what it writes is read off its parameters. One
-// that moves bodies and has no booking does not compile; one that takes a mutable World does not either. Who writes a
+// that moves bodies and has no account does not compile; one that takes a mutable World does not either. Who writes a
 // part all the same, by a way round, is found by run_watched(), which debug builds use.
 #pragma once
 
@@ -54,7 +54,7 @@ struct StageEntry {
   std::size_t effect = kEffectCount;  // of the one effect whose it is, if it is one's alone
   Parts reads{};                      // declared: const World& gives them all
   Parts writes{};                     // derived from the function, @see stage()
-  Booking booking = Booking::none;
+  LedgerAccount account = LedgerAccount::none;
   bool each_substep = false;
   ByIsland by_island = ByIsland::no;  // of those that do not run in each substep
 };

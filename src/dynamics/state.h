@@ -65,14 +65,14 @@ struct SleepFlags {
 };
 
 /// What is remembered of a body where a host asks for an accuracy, @see accuracy/control.h
-struct AccuracyNote {
+struct AccuracyMemory {
   std::uint8_t level = 0;     // of substeps
   std::uint8_t wait = 0;      // steps until the next estimate
   std::uint8_t met = 0;       // whom its island consisted of
   bool softly = false;        // contacts of it were springs
   bool stalled = false;       // more substeps did not lessen its error
   float place = 0, turn = 0;  // errors over tolerances, of the last estimate
-  bool operator==(const AccuracyNote&) const = default;
+  bool operator==(const AccuracyMemory&) const = default;
 };
 
 /// What solvers remember of bodies.
@@ -82,7 +82,7 @@ struct SolverMemory {
   // Of a solver that chooses: for how long a body has borne too much, and for how long its group is not to be given to
   // the direct solver, for which it was too much.
   Array<std::uint8_t> loaded_steps, cooldown_steps;
-  Array<AccuracyNote> accuracy;
+  Array<AccuracyMemory> accuracy;
 };
 
 /// All of it. A stage gets the parts that it writes, @see part.h

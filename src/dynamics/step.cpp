@@ -44,7 +44,7 @@ class Runner {
     const double seconds = seconds_since(start);
     world_.report.stage_seconds[s] += seconds;
     if (entry.effect < kEffectCount) world_.plan->effects[entry.effect].seconds += seconds;
-    if (keeps_books(world_)) book(entry);
+    if (keeps_ledger(world_)) book(entry);
   }
 
   /// Substeps by island: as many passes as islands ask for, each with its own.
@@ -64,7 +64,7 @@ class Runner {
   }
   void book(const StageEntry& entry) const {
     const auto start = Clock::now();
-    book_stage(world_, entry.booking, {dt_, dt_ / substeps()});
+    account_stage(world_, entry.account, {dt_, dt_ / substeps()});
     world_.report.stage_seconds[static_cast<std::size_t>(Stage::observe)] += seconds_since(start);
   }
   static double seconds_since(Clock::time_point start) {

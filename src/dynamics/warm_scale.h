@@ -11,9 +11,9 @@ namespace carom::dynamics {
 /// rounding, and what undid a gap, do not shrink with it. After one of 1e-20 s the ratio made 1e5 m/s of them, and
 /// quarantine of whom they moved. Substeps that differ by more than this are carried in part; the solver finds the
 /// rest, as it does from nothing.
-inline constexpr Real kMostCarried = 1e3;
+inline constexpr Real kMostSurfaceSpeed = 1e3;
 
 /// @param h, old_h  s, > 0: this substep, and the one that left the impulses
-inline Real warm_scale(Real h, Real old_h) { return std::min(h / old_h, kMostCarried); }
+inline Real warm_scale(Real h, Real old_h) { return std::min(h / old_h, kMostSurfaceSpeed); }
 
 }  // namespace carom::dynamics

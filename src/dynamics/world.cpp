@@ -74,7 +74,7 @@ std::uint64_t World::hash() const {
     h.add(std::uint64_t(state.held_out[i]));
     const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.cooldown_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
-    if (const AccuracyNote& note = state.accuracy[i]; note != AccuracyNote()) {
+    if (const AccuracyMemory& note = state.accuracy[i]; note != AccuracyMemory()) {
       h.add(note.level + (std::uint64_t(note.wait) << 8) + (std::uint64_t(note.met) << 16) + (std::uint64_t(note.softly) << 24) +
             (std::uint64_t(note.stalled) << 25));
       h.add(double(note.place)), h.add(double(note.turn));

@@ -12,7 +12,7 @@ ALLOWED = ("world.", "edit.cpp", "snapshot/", "force/edit.cpp", "joint/edit.cpp"
            "sleep/wake.cpp")
 # Declarations of editing functions in headers of stages, and what collects events.
 EDITS = {"sleep/sleep.h", "force/force.h", "events/events.h", "events/events.cpp"}
-EDIT_NAMES = r"\b(wake|wake_all|wake_touching|wake_wearing|stir|forget_collider|forget_body|remove_springs_of|collect)\(World& world"
+EDIT_NAMES = r"\b(wake|wake_all|wake_touching|wake_wearing|mark_touched_by_host|unlist_collider|unlist_body|remove_springs_of|collect)\(World& world"
 MOST = 50
 
 

@@ -117,7 +117,7 @@ static void soft_contacts_take_the_blow_that_strikes_a_stack(void**) {
     t.world.step(kStep);
     const GroupView tall = group_of(t, 20), hit = group_of(t, 21);
     held |= tall.direct && tall.reason == GroupReason::sink;
-    struck |= hit.bodies && !hit.direct && hit.reason == GroupReason::blow;
+    struck |= hit.bodies && !hit.direct && hit.reason == GroupReason::impact;
     assert_true(!(hit.bodies && hit.direct) || struck);  // never the first step of it
   }
   assert_true(held && struck);

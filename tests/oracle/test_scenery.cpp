@@ -1,4 +1,4 @@
-// Scenery beside what is known: a box's surface beside the box itself, and pieces one by one beside the tree.
+// Scenery beside what is known: a box's surface beside the box itself, and triangles one by one beside the tree.
 #include <random>
 
 #include "carom_test.h"
@@ -71,7 +71,7 @@ bool deepest(const SceneryPairFinder& meeting, ContactPoint& out) {
 }  // namespace
 
 /// A box and its surface push alike from outside. Contacts of a pair may prefer a face's normal where it separates
-/// nearly as well (manifold/patch.cpp): by 2 % of the separation and 5e-4 of the smaller radius, here of a piece.
+/// nearly as well (manifold/patch.cpp): by 2 % of the separation and 5e-4 of the smaller radius, here of a triangle.
 static void a_box_and_its_surface_push_alike(void**) {
   const Vec3 half(0.5, 0.3, 0.7);
   const Shape cube = box(half), surfaces[2] = {mesh(box_surface(half)), mesh(box_surface(half), true)};
@@ -88,7 +88,7 @@ static void a_box_and_its_surface_push_alike(void**) {
       const Real wanted = chance.in(-0.02, 0.025);
       const Real truth = place_at(cube, shape, at, frame, chance.direction(), wanted);
       const Vec3 centre = at.apply_inverse(frame.apply(shape.mass.centroid));
-      if ((centre.abs() - half).max_entry() < 0) continue;  // it is behind all pieces
+      if ((centre.abs() - half).max_entry() < 0) continue;  // it is behind all triangles
       NarrowReport report;
       SupportFault fault;
       assert_true(meeting.find({surfaces[i % 2], shape, at, frame}, settings, kReach, report, fault));
@@ -106,8 +106,8 @@ static void a_box_and_its_surface_push_alike(void**) {
       wrong += !(std::fabs(found.separation - truth) < allowed);
     }
   assert_true(compared > 4000);
-  // Deep beside a corner (a 50th of the box) each piece alone may be left by a way that the others close, and a piece's
-  // own normal stands in: 3 in 100,000 of such poses.
+  // Deep beside a corner (a 50th of the box) each triangle alone may be left by a way that the others close, and a
+  // triangle's own normal stands in: 3 in 100,000 of such poses.
   assert_true(wrong <= 3);
 }
 
@@ -160,11 +160,11 @@ static void questions_are_answered_as_by_every_piece_alone(void**) {
     const OverlapResult overlapping = any_shape::overlap(shape, surface, relative(frame, at), 0, 1e-14, 128, fault);
     Real ray_time = kInfinity, shape_time = kInfinity, separation = kInfinity;
     bool any_overlap = false;
-    PieceShape one(std::pmr::new_delete_resource());
-    for (std::uint32_t k = 0; k < scenery.pieces(); ++k) {
-      Piece piece;
-      scenery.piece(k, piece);
-      one.set(piece);
+    TriangleShape one(std::pmr::new_delete_resource());
+    for (std::uint32_t k = 0; k < scenery.triangles(); ++k) {
+      Triangle triangle;
+      scenery.triangle(k, triangle);
+      one.set(triangle);
       const Frame place(at.r, at.apply(one.origin()));
       CastResult r;
       cast_ray(ray, one.shape(), place, cast, r, fault);

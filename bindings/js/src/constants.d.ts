@@ -583,7 +583,7 @@ export const CAROM_REASON_TOO_MUCH: 3;
 /** not given any more: impacts are solved before every solver */
 export const CAROM_REASON_BOUNCE: 4;
 /** it would sink, but is under impact: soft contacts take that */
-export const CAROM_REASON_BLOW: 5;
+export const CAROM_REASON_IMPACT: 5;
 /** a few bodies that lie still */
 export const CAROM_REASON_STILL: 6;
 /** some bodies that joints hold together */

@@ -22,7 +22,7 @@ class FatBoxes {
   Array<Aabb> of;  // [slots] m; the bounds themselves unless it can move
 
   void grow(std::size_t slots) { of.resize(slots), from_.resize(slots), share_.resize(slots), since_.resize(slots); }
-  void forget() { std::fill(of.begin(), of.end(), Aabb()); }
+  void clear() { std::fill(of.begin(), of.end(), Aabb()); }
   void begin_call() { ++calls_; }
   std::uint64_t calls() const { return calls_; }
 

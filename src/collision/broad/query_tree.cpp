@@ -202,17 +202,17 @@ std::size_t QueryTree::halve(Item* first, std::size_t count, int depth) const {
 void QueryTree::set(std::uint32_t leaf, const Aabb& box) {
   Node& node = nodes_[place_[leaf] / kWidth];
   put(node, place_[leaf] % kWidth, box);
-  note(place_[leaf] / kWidth);
+  mark(place_[leaf] / kWidth);
 }
 
 void QueryTree::remove(std::uint32_t leaf) {
   vacate(nodes_[place_[leaf] / kWidth], place_[leaf] % kWidth);
-  note(place_[leaf] / kWidth);
+  mark(place_[leaf] / kWidth);
   place_[leaf] = kInvalid;
   --size_;
 }
 
-void QueryTree::note(std::uint32_t node) {
+void QueryTree::mark(std::uint32_t node) {
   if (nodes_[node].dirty) return;
   nodes_[node].dirty = 1;
   dirty_.push_back(node);  // there is room for all nodes

@@ -108,7 +108,7 @@ class QueryTree {
   std::size_t halve(Item* first, std::size_t count, int depth) const;
   void put(Node& node, std::uint32_t lane, const Aabb& box) const;
   void put_all(Node& node, std::uint32_t lane, const Node& child) const;
-  void note(std::uint32_t node);
+  void mark(std::uint32_t node);
   void climb();
   void sweep();
   static void vacate(Node& node, std::uint32_t lane);

@@ -49,7 +49,7 @@ class SweepAndPrune final : public BroadPhase {
     work_ = {};
     const bool kept = whole_;
     whole_ = false;  // stays so if an allocation fails half-way: the next call starts afresh
-    if (!kept) forget();
+    if (!kept) clear();
     const bool left = take_in(table);
     if (!kept || !update(left)) rebuild();
     now_.swap(before_);
@@ -71,7 +71,7 @@ class SweepAndPrune final : public BroadPhase {
     bool operator<(const End& o) const { return value < o.value || (value == o.value && rank() < o.rank()); }
   };
 
-  void forget() {
+  void clear() {
     members_.clear();
     std::fill(member_.begin(), member_.end(), std::uint8_t(0));
   }

@@ -46,7 +46,7 @@ class Tree final : public BroadPhase {
 
   void find_pairs(const Colliders& table, std::uint64_t, const BroadSettings&, Array<Pair>& pairs) override {
     work_ = {};
-    if (!whole_) forget();
+    if (!whole_) clear();
     whole_ = false;  // stays so if an allocation fails half-way: the next call starts afresh
     grow(table.slots());
     fat_.begin_call();
@@ -87,11 +87,11 @@ class Tree final : public BroadPhase {
   static bool in_tree(Kind k) { return k >= fixed; }
   BoxTree& tree(Kind k) { return k == fixed ? fixed_ : moving_; }
 
-  void forget() {
+  void clear() {
     moving_.clear(), fixed_.clear();
     std::fill(kind_.begin(), kind_.end(), none);
     std::fill(changed_.begin(), changed_.end(), std::uint8_t(0));
-    fat_.forget();
+    fat_.clear();
     live_.clear(), asked_.clear(), gone_.clear(), shrunk_.clear(), wide_.clear(), known_.clear();
   }
 

@@ -55,7 +55,7 @@ class PairTable {
   /// Records at the end of a run go, new ones come there. `runs` ascending; places before the first stay as they are.
   void resize_runs(const Array<Run>& runs);
   /// Forget everything that involves a collider (it was destroyed or its shape changed).
-  void forget(std::uint32_t collider);
+  void remove(std::uint32_t collider);
   void clear();
 
   enum Holder : std::uint8_t { none = 0, by_a = 1, by_b = 2 };

@@ -75,7 +75,7 @@ void PairTable::resize_runs(const Array<Run>& runs) {
   order_.swap(next_);
 }
 
-void PairTable::forget(std::uint32_t collider) {
+void PairTable::remove(std::uint32_t collider) {
   free_.reserve(records_.size());
   std::size_t kept = 0;
   for (const Place& place : order_) {

@@ -136,7 +136,7 @@ inline void offer_face(const Vec3* w, int i, int j, int k, Nearest& nearest) {
 
 /// The tetrahedron itself. The volumes of the origin with each opposite face are its weights: that they give a v of
 /// about zero is what proves the claim.
-inline void answer_inside(Real of_a, Real of_b, Real of_c, Real of_d, Nearest& nearest) {
+inline void set_inside(Real of_a, Real of_b, Real of_c, Real of_d, Nearest& nearest) {
   const Real volume[4] = {of_a, of_b, of_c, of_d > 0 ? of_d : 0};
   const Real scale = 1 / (volume[0] + volume[1] + volume[2] + volume[3]);
   nearest.inside = true;

@@ -85,7 +85,7 @@ void answer(const Vec3* w, int y, const Cofactors& c, Nearest& nearest) {
                        {c.delta[y][index[0]], c.delta[y][index[1]], c.delta[y][index[2]]}, nearest);
       break;
     default:
-      answer_inside(c.delta[y][0], c.delta[y][1], c.delta[y][2], c.delta[y][3], nearest);
+      set_inside(c.delta[y][0], c.delta[y][1], c.delta[y][2], c.delta[y][3], nearest);
   }
 }
 

@@ -67,7 +67,7 @@ void nearest_voronoi(const Vec3* w, int count, Nearest& nearest) {
   const bool out_bcd = flat || sign * bcd > 0, out_cad = flat || sign * cad > 0, out_abd = flat || sign * abd > 0,
              out_abc = flat || sign * abc < 0;
   if (!(out_bcd | out_cad | out_abd | out_abc))
-    return answer_inside(-sign * bcd, -sign * cad, -sign * abd, sign * abc, nearest);
+    return set_inside(-sign * bcd, -sign * cad, -sign * abd, sign * abc, nearest);
   if (out_bcd) offer_face(w, 1, 2, 3, nearest);
   if (out_cad) offer_face(w, 2, 0, 3, nearest);
   if (out_abd) offer_face(w, 0, 1, 3, nearest);
@@ -97,8 +97,7 @@ void nearest_voronoi_last(const Vec3* w, int count, Nearest& nearest) {
   const bool flat = is_flat(volume, to_a.length2, to_b.length2, to_c.length2);
   const Real sign = volume > 0 ? 1 : -1, bcd = sign * dbc.dot(d), cad = sign * dca.dot(d), abd = sign * dab.dot(d);
   const bool out_bcd = flat || bcd > 0, out_cad = flat || cad > 0, out_abd = flat || abd > 0;
-  if (!(out_bcd | out_cad | out_abd))
-    return answer_inside(-bcd, -cad, -abd, sign * (b - a).cross(c - a).dot(a), nearest);
+  if (!(out_bcd | out_cad | out_abd)) return set_inside(-bcd, -cad, -abd, sign * (b - a).cross(c - a).dot(a), nearest);
   if (out_bcd) offer_wedge(w, 1, 2, 3, to_b, to_c, dbc, beyond, nearest);
   if (out_cad) offer_wedge(w, 2, 0, 3, to_c, to_a, dca, beyond, nearest);
   if (out_abd) offer_wedge(w, 0, 1, 3, to_a, to_b, dab, beyond, nearest);

@@ -13,7 +13,7 @@ namespace {
 
 /// Memory within the object itself; what does not fit is bad_alloc. (std::pmr::monotonic_buffer_resource would do, where the standard
 /// library has it.)
-class PieceRoom final : public Memory {
+class TriangleMemory final : public Memory {
   void* do_allocate(std::size_t bytes, std::size_t alignment) override {
     const std::size_t at = (used_ + alignment - 1) & ~(alignment - 1);
     if (alignment > alignof(std::max_align_t) || at > sizeof bytes_ || bytes > sizeof bytes_ - at) throw std::bad_alloc();
@@ -27,12 +27,12 @@ class PieceRoom final : public Memory {
   std::size_t used_ = 0;
 };
 
-/// A piece as a shape, on the stack: threads ask side by side, and none of them allocates.
-struct OnePiece {
-  PieceRoom memory;
-  PieceShape shape{&memory};
+/// A triangle as a shape, on the stack: threads ask side by side, and none of them allocates.
+struct OneTriangle {
+  TriangleMemory memory;
+  TriangleShape shape{&memory};
 
-  /// Scenery -> outside becomes piece -> outside.
+  /// Scenery -> outside becomes triangle -> outside.
   Frame place(const Frame& scenery) const { return Frame(scenery.r, scenery.apply(shape.origin())); }
 };
 
@@ -66,7 +66,7 @@ class Sum {
 /// m; nothing, where nothing moves or no time passes
 Real way(Real speed, Real time) { return speed > 0 && time > 0 ? speed * time : 0; }
 
-/// Ask the pieces along a way that a box about a point goes; ask(piece, one) answers for one of them.
+/// Ask the triangles along a way that a box about a point goes; ask(triangle, one) answers for one of them.
 /// @param from, heading, extent  in the scenery's frame   @param end  of time
 template <class Ask>
 void first_along(const Scenery& scenery, const Vec3& from, const Heading& heading, const Aabb& extent, Real end,
@@ -74,13 +74,13 @@ void first_along(const Scenery& scenery, const Vec3& from, const Heading& headin
   miss(end, result);
   Sum sum;
   const auto one = [&](std::uint32_t index) {
-    Piece piece;
+    Triangle triangle;
     CastResult answer;
-    if (scenery.piece(index, piece) && ask(piece, answer)) {
+    if (scenery.triangle(index, triangle) && ask(triangle, answer)) {
       sum.add(answer);
       if (comes_before(answer, result)) result = answer;
     }
-    // Brackets are as wide as the tolerance times the size of a piece; what is farther by more comes later.
+    // Brackets are as wide as the tolerance times the size of a triangle; what is farther by more comes later.
     return result.outcome == CastOutcome::miss ? kInfinity : way(heading.speed, result.upper);
   };
   scenery.each_along(from, heading.unit, extent, way(heading.speed, end), one);
@@ -89,26 +89,27 @@ void first_along(const Scenery& scenery, const Vec3& from, const Heading& headin
 
 }  // namespace
 
-void cast_ray_at_pieces(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings,
-                        CastResult& result, SupportFault& fault) {
+void cast_ray_at_triangles(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings,
+                           CastResult& result, SupportFault& fault) {
   const Scenery& scenery = *shape.scenery;
-  OnePiece at;
+  OneTriangle at;
   Aabb ball;
   ball.lo = Vec3::constant(-settings.target), ball.hi = Vec3::constant(settings.target);
   const Heading heading(frame, ray.direction);
   first_along(scenery, frame.apply_inverse(ray.origin), heading, ball, ray.max, result,
-              [&](const Piece& piece, CastResult& one) {
-                if (!scenery.two_sided && heading.speed > 0 && piece.normal.dot(heading.unit) > 0) return false;
-                at.shape.set(piece);
+              [&](const Triangle& triangle, CastResult& one) {
+                if (!scenery.two_sided && heading.speed > 0 && triangle.normal.dot(heading.unit) > 0) return false;
+                at.shape.set(triangle);
                 cast_ray(ray, at.shape.shape(), at.place(frame), settings, one, fault);
                 return true;
               });
 }
 
-void cast_shape_at_pieces(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& shape,
-                          const Frame& frame, const CastSettings& settings, CastResult& result, SupportFault& fault) {
+void cast_shape_at_triangles(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& shape,
+                             const Frame& frame, const CastSettings& settings, CastResult& result,
+                             SupportFault& fault) {
   const Scenery& scenery = *shape.scenery;
-  OnePiece at;
+  OneTriangle at;
   const Frame a_in_scenery = relative(frame, frame_a);
   const Aabb extent = grown(world_bounds(a, a_in_scenery.r, Vec3::zero(), fault), settings.target);
   if (fault.kind != SupportFault::none) {
@@ -118,19 +119,19 @@ void cast_shape_at_pieces(const Shape& a, const Frame& frame_a, const Vec3& moti
   }
   const Vec3 centre = a_in_scenery.apply(a.mass.centroid);
   first_along(scenery, a_in_scenery.p, Heading(frame, motion), extent, 1, result,
-              [&](Piece& piece, CastResult& one) {
-                if (!face(scenery, centre, piece)) return false;
-                at.shape.set(piece);
+              [&](Triangle& triangle, CastResult& one) {
+                if (!face(scenery, centre, triangle)) return false;
+                at.shape.set(triangle);
                 cast_shape(a, frame_a, motion, at.shape.shape(), at.place(frame), settings, one, fault);
                 return true;
               });
 }
 
-void time_of_impact_at_pieces(const Shape& a, const RigidMotion& motion_a, const Shape& shape,
-                              const RigidMotion& motion, Real duration, const CastSettings& settings,
-                              CastResult& result, SupportFault& fault) {
+void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, const Shape& shape,
+                                 const RigidMotion& motion, Real duration, const CastSettings& settings,
+                                 CastResult& result, SupportFault& fault) {
   const Scenery& scenery = *shape.scenery;
-  OnePiece at;
+  OneTriangle at;
   const Frame frame(motion.at), frame_a(motion_a.at);
   // All that A sweeps, seen from the scenery: balls about both ends of the way of the centre that it turns about, and
   // as much more as the scenery's own turning sweeps past.
@@ -147,25 +148,25 @@ void time_of_impact_at_pieces(const Shape& a, const RigidMotion& motion_a, const
   miss(duration, result);
   Sum sum;
   scenery.each_near(box, [&](std::uint32_t index) {
-    Piece piece;
-    if (!scenery.piece(index, piece) || !face(scenery, centre, piece)) return;
-    at.shape.set(piece);
-    RigidMotion of_piece = motion;
-    of_piece.at.p = motion.at.apply(at.shape.origin());
+    Triangle triangle;
+    if (!scenery.triangle(index, triangle) || !face(scenery, centre, triangle)) return;
+    at.shape.set(triangle);
+    RigidMotion of_triangle = motion;
+    of_triangle.at.p = motion.at.apply(at.shape.origin());
     CastResult one;
     // Later than the first so far is no matter: a shorter question is a cheaper one.
     const Real end = result.outcome == CastOutcome::miss ? duration : std::min(result.upper, duration);
-    time_of_impact(a, motion_a, at.shape.shape(), of_piece, end, settings, one, fault);
+    time_of_impact(a, motion_a, at.shape.shape(), of_triangle, end, settings, one, fault);
     sum.add(one);
     if (comes_before(one, result)) result = one;
   });
   sum.write(result);
 }
 
-OverlapResult overlap_with_pieces(const Shape& a, const Shape& shape, const Frame& scenery_in_a, Real target,
-                                  Real rounding, int cap, SupportFault& fault) {
+OverlapResult overlap_with_triangles(const Shape& a, const Shape& shape, const Frame& scenery_in_a, Real target,
+                                     Real rounding, int cap, SupportFault& fault) {
   const Scenery& scenery = *shape.scenery;
-  OnePiece at;
+  OneTriangle at;
   const Frame a_in_scenery = relative(scenery_in_a, Frame());
   const Aabb box = grown(world_bounds(a, a_in_scenery.r, a_in_scenery.p, fault), target);
   OverlapResult result;
@@ -176,10 +177,11 @@ OverlapResult overlap_with_pieces(const Shape& a, const Shape& shape, const Fram
   }
   int calls = 0;
   scenery.each_near(box, [&](std::uint32_t index) {
-    Piece piece;
-    if (result.outcome == Overlap::overlapping || result.outcome == Overlap::fault || !scenery.piece(index, piece))
+    Triangle triangle;
+    if (result.outcome == Overlap::overlapping || result.outcome == Overlap::fault ||
+        !scenery.triangle(index, triangle))
       return;
-    at.shape.set(piece);
+    at.shape.set(triangle);
     const OverlapResult one = overlap(a, at.shape.shape(), at.place(scenery_in_a), target, rounding, cap, fault);
     calls += one.support_calls;
     if (one.outcome != Overlap::apart) result = one;
@@ -188,10 +190,10 @@ OverlapResult overlap_with_pieces(const Shape& a, const Shape& shape, const Fram
   return result;
 }
 
-void distance_to_pieces(const Shape& a, const Shape& shape, const Frame& scenery_in_a, const QuerySettings& settings,
-                        QueryResult& result, SupportFault& fault) {
+void distance_to_triangles(const Shape& a, const Shape& shape, const Frame& scenery_in_a, const QuerySettings& settings,
+                           QueryResult& result, SupportFault& fault) {
   const Scenery& scenery = *shape.scenery;
-  OnePiece at;
+  OneTriangle at;
   const Frame a_in_scenery = relative(scenery_in_a, Frame());
   const Aabb box = world_bounds(a, a_in_scenery.r, a_in_scenery.p, fault);
   result = QueryResult();
@@ -204,9 +206,9 @@ void distance_to_pieces(const Shape& a, const Shape& shape, const Frame& scenery
   int calls = 0, gjk = 0, epa = 0;
   QuerySettings own = settings;
   scenery.each_around(box, settings.max_distance, [&](std::uint32_t index) {
-    Piece piece;
-    if (result.status != QueryStatus::fault && scenery.piece(index, piece)) {
-      at.shape.set(piece);
+    Triangle triangle;
+    if (result.status != QueryStatus::fault && scenery.triangle(index, triangle)) {
+      at.shape.set(triangle);
       QueryResult one;
       const Frame frame = at.place(scenery_in_a);
       distance(a, at.shape.shape(), frame, own, nullptr, one, fault);
@@ -227,19 +229,19 @@ namespace any_shape {
 
 void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings, CastResult& result,
               SupportFault& fault) {
-  if (is_scenery(shape)) return cast_ray_at_pieces(ray, shape, frame, settings, result, fault);
+  if (is_scenery(shape)) return cast_ray_at_triangles(ray, shape, frame, settings, result, fault);
   carom::cast_ray(ray, shape, frame, settings, result, fault);
 }
 
 void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& b, const Frame& frame_b,
                 const CastSettings& settings, CastResult& result, SupportFault& fault) {
-  if (is_scenery(b)) return cast_shape_at_pieces(a, frame_a, motion, b, frame_b, settings, result, fault);
+  if (is_scenery(b)) return cast_shape_at_triangles(a, frame_a, motion, b, frame_b, settings, result, fault);
   carom::cast_shape(a, frame_a, motion, b, frame_b, settings, result, fault);
 }
 
 void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b,
                     Real duration, const CastSettings& settings, CastResult& result, SupportFault& fault) {
-  if (is_scenery(b)) return time_of_impact_at_pieces(a, motion_a, b, motion_b, duration, settings, result, fault);
+  if (is_scenery(b)) return time_of_impact_at_triangles(a, motion_a, b, motion_b, duration, settings, result, fault);
   carom::time_of_impact(a, motion_a, b, motion_b, duration, settings, result, fault);
 }
 
@@ -251,18 +253,18 @@ OverlapResult overlap(const Shape& a, const Shape& b, const Frame& b_in_a, Real 
     none.outcome = Overlap::apart;
     return none;
   }
-  if (is_scenery(b)) return overlap_with_pieces(a, b, b_in_a, target, rounding, cap, fault);
+  if (is_scenery(b)) return overlap_with_triangles(a, b, b_in_a, target, rounding, cap, fault);
   if (!is_scenery(a)) return carom::overlap(a, b, b_in_a, target, rounding, cap, fault);
-  OverlapResult result = overlap_with_pieces(b, a, relative(b_in_a, Frame()), target, rounding, cap, fault);
+  OverlapResult result = overlap_with_triangles(b, a, relative(b_in_a, Frame()), target, rounding, cap, fault);
   result.normal = -b_in_a.rotate(result.normal), result.point = b_in_a.apply(result.point);
   return result;
 }
 
 void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
               QueryResult& result, SupportFault& fault) {
-  if (is_scenery(b)) return distance_to_pieces(a, b, b_in_a, settings, result, fault);
+  if (is_scenery(b)) return distance_to_triangles(a, b, b_in_a, settings, result, fault);
   if (!is_scenery(a)) return carom::distance(a, b, b_in_a, settings, memory, result, fault);
-  distance_to_pieces(b, a, relative(b_in_a, Frame()), settings, result, fault);
+  distance_to_triangles(b, a, relative(b_in_a, Frame()), settings, result, fault);
   result.normal = -b_in_a.rotate(result.normal);
   std::swap(result.point_a, result.point_b);
 }

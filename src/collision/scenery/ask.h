@@ -1,14 +1,14 @@
-// Questions to shapes of any kind: convex ones answer by cast/ and narrow/, scenery by what its pieces answer, put
-// together. Nobody else need know that there are pieces.
+// Questions to shapes of any kind: convex ones answer by cast/ and narrow/, scenery by what its triangles answer, put
+// together. Nobody else need know that there are triangles.
 //
 // Which sides count: a ray passes through a one-sided surface from behind; so does a shape that moves, if its centre
-// starts behind a piece, as it would in a step. Overlap and distance know no sides.
+// starts behind a triangle, as it would in a step. Overlap and distance know no sides.
 #pragma once
 
 #include "collision/cast/overlap.h"
 #include "collision/cast/ray.h"
 #include "collision/cast/time_of_impact.h"
-#include "collision/scenery/piece_shape.h"
+#include "collision/scenery/triangle_shape.h"
 
 namespace carom::collision {
 
@@ -27,19 +27,19 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
               QueryResult& result, SupportFault& fault);
 }  // namespace any_shape
 
-/// The piece that is met first.
-void cast_ray_at_pieces(const Ray& ray, const Shape& scenery, const Frame& frame, const CastSettings& settings,
-                        CastResult& result, SupportFault& fault);
-void cast_shape_at_pieces(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& scenery,
-                          const Frame& frame, const CastSettings& settings, CastResult& result, SupportFault& fault);
-void time_of_impact_at_pieces(const Shape& a, const RigidMotion& motion_a, const Shape& scenery,
-                              const RigidMotion& motion, Real duration, const CastSettings& settings,
-                              CastResult& result, SupportFault& fault);
-/// Whether any piece overlaps. @param scenery_in_a  pose of the scenery in A's frame
-OverlapResult overlap_with_pieces(const Shape& a, const Shape& scenery, const Frame& scenery_in_a, Real target,
-                                  Real rounding, int cap, SupportFault& fault);
-/// The nearest piece, of several that overlap the one that is deepest in.
-void distance_to_pieces(const Shape& a, const Shape& scenery, const Frame& scenery_in_a, const QuerySettings& settings,
-                        QueryResult& result, SupportFault& fault);
+/// The triangle that is met first.
+void cast_ray_at_triangles(const Ray& ray, const Shape& scenery, const Frame& frame, const CastSettings& settings,
+                           CastResult& result, SupportFault& fault);
+void cast_shape_at_triangles(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& scenery,
+                             const Frame& frame, const CastSettings& settings, CastResult& result, SupportFault& fault);
+void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, const Shape& scenery,
+                                 const RigidMotion& motion, Real duration, const CastSettings& settings,
+                                 CastResult& result, SupportFault& fault);
+/// Whether any triangle overlaps. @param scenery_in_a  pose of the scenery in A's frame
+OverlapResult overlap_with_triangles(const Shape& a, const Shape& scenery, const Frame& scenery_in_a, Real target,
+                                     Real rounding, int cap, SupportFault& fault);
+/// The nearest triangle, of several that overlap the one that is deepest in.
+void distance_to_triangles(const Shape& a, const Shape& scenery, const Frame& scenery_in_a,
+                           const QuerySettings& settings, QueryResult& result, SupportFault& fault);
 
 }  // namespace carom::collision

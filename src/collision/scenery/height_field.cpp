@@ -51,11 +51,11 @@ bool Scenery::field_corners(std::uint32_t index, std::array<Vec3, 3>& c) const {
   return true;
 }
 
-bool Scenery::piece_over(const Vec3& point, Piece& out) const {
+bool Scenery::triangle_over(const Vec3& point, Triangle& out) const {
   const Real u = point.x() / spacing_x, v = point.z() / spacing_z;
   if (!is_field() || !(u >= 0 && v >= 0 && u < columns - 1 && v < rows - 1)) return false;
   const auto x = static_cast<std::uint32_t>(u), z = static_cast<std::uint32_t>(v);
-  return piece(2 * (z * (columns - 1) + x) + (u - x > v - z), out);
+  return triangle(2 * (z * (columns - 1) + x) + (u - x > v - z), out);
 }
 
 bool Scenery::is_over(std::uint32_t index, const Vec3& point) const {
@@ -66,7 +66,7 @@ bool Scenery::is_over(std::uint32_t index, const Vec3& point) const {
   return near >= -kOnSide && far <= 1 + kOnSide && near <= far + kOnSide;
 }
 
-bool Scenery::field_piece(std::uint32_t index, Piece& out) const {
+bool Scenery::field_triangle(std::uint32_t index, Triangle& out) const {
   if (!field_corners(index, out.corner)) return false;
   out.normal = (out.corner[1] - out.corner[0]).cross(out.corner[2] - out.corner[0]).normalized();
   const std::int64_t cells = columns - 1;
@@ -82,10 +82,11 @@ bool Scenery::field_piece(std::uint32_t index, Piece& out) const {
     const Beyond& b = first ? kOfFirst[k] : kOfSecond[k];
     const std::int64_t cx = x + b.cell_x, cz = z + b.cell_z;
     std::array<Vec3, 3> other;
-    out.rim[k] = cx < 0 || cz < 0 || cx >= cells || cz >= std::int64_t(rows) - 1 ||
-                 !field_corners(static_cast<std::uint32_t>(2 * (cz * cells + cx)), other);
-    out.far[k] = out.rim[k] ? out.corner[k]
-                            : place(static_cast<std::uint32_t>(x + b.far_x), static_cast<std::uint32_t>(z + b.far_z));
+    out.boundary[k] = cx < 0 || cz < 0 || cx >= cells || cz >= std::int64_t(rows) - 1 ||
+                      !field_corners(static_cast<std::uint32_t>(2 * (cz * cells + cx)), other);
+    out.far[k] = out.boundary[k]
+                     ? out.corner[k]
+                     : place(static_cast<std::uint32_t>(x + b.far_x), static_cast<std::uint32_t>(z + b.far_z));
   }
   return true;
 }

@@ -1,5 +1,5 @@
-// Piece by piece: along its own normal where that is enough, by a query where an edge may be met; what the surface
-// around contradicts is not heard. README.md walks through the steps.
+// Triangle by triangle: along its own normal where that is enough, by a query where an edge may be met; what the
+// surface around contradicts is not heard. README.md walks through the steps.
 #include "collision/scenery/meet.h"
 
 #include <algorithm>
@@ -18,13 +18,13 @@ namespace {
 constexpr Real kCrease = 1e-8;
 // Sine of what a normal may be off and still count as allowed by a surface: rounding, and far more.
 constexpr Real kMeetLevel = 1e-7;
-// Cosine of 0.05 rad: pieces that look the same way within this are one patch, each point with its own normal.
+// Cosine of 0.05 rad: triangles that look the same way within this are one patch, each point with its own normal.
 constexpr Real kSameWay = 0.99875;
 // More patches than this one shape is not given: the nearest of them takes what would begin another.
 constexpr std::size_t kMostPatches = 16;
-// How far over a fold a piece is taken to go on: the reach of contacts, and this share of the shape's radius for what
-// it may sink in; and at a sharp corner at most so many times that.
-constexpr Real kFoldShare = 0.05, kFarthestFold = 4;
+// How far over a concave edge a triangle is taken to go on: the reach of contacts, and this share of the shape's radius
+// for what it may sink in; and at a sharp corner at most so many times that.
+constexpr Real kEdgeShare = 0.05, kFarthestEdge = 4;
 // Which points of many stay: the extreme ones along directions tilted from the normal by this (as in
 // narrow/pair_half_space.cpp), at azimuths turned off every symmetry.
 constexpr Real kTriangleTilt = 0.05;
@@ -39,23 +39,23 @@ constexpr Real kAzimuth[kWays][2] = {
     {-0.4110438076762633, -0.9116155923255148},  {0.09983341664682745, -0.9950041652780259},
     {0.5839603576017613, -0.8117821756786872},   {0.9116155923255146, -0.41104380767626376}};
 
-/// What lies beyond the sides of a piece, as seen along its normal.
+/// What lies beyond the sides of a triangle, as seen along its normal.
 struct Sides {
-  std::array<Vec3, 3> out;   // unit, in the piece's plane, away from it
+  std::array<Vec3, 3> out;   // unit, in the triangle's plane, away from it
   std::array<Vec3, 3> down;  // unit, the way the surface goes on there, square to the side; zero at a rim
   std::array<bool, 3> edge;  // it turns down there, or ends
-  std::array<bool, 3> fold;  // it turns up there, towards the shape
+  std::array<bool, 3> concave;  // it turns up there, towards the shape
   std::array<bool, 3> wall;  // it turns up there, and the shape is behind what does
   bool any = false;          // edges or walls
 
-  /// @param centre  m, of the shape: a fold counts if the shape is on this side of what lies beyond it, too
-  Sides(const Piece& p, const Vec3& centre) {
+  /// @param centre  m, of the shape: a concave edge counts if the shape is on this side of what lies beyond it, too
+  Sides(const Triangle& p, const Vec3& centre) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 along = (p.corner[(i + 1) % 3] - p.corner[i]).normalized();
       out[i] = along.cross(p.normal);
       down[i] = Vec3::zero();
-      edge[i] = true, fold[i] = wall[i] = false;
-      if (!p.rim[i]) {
+      edge[i] = true, concave[i] = wall[i] = false;
+      if (!p.boundary[i]) {
         const Vec3 to = p.far[i] - p.corner[i], square = to - to.dot(along) * along;
         down[i] = square.normalized();
         const Real rises = down[i].dot(p.normal);
@@ -63,7 +63,7 @@ struct Sides {
         edge[i] = rises < -kCrease || (rises <= kCrease && down[i].dot(out[i]) < 0);
         const Vec3 beyond = down[i].cross(along), inner = beyond.dot(out[i]) < 0 ? beyond : Vec3(-beyond);
         const bool before = inner.dot(centre - p.corner[i]) >= 0;
-        fold[i] = rises > kCrease && before, wall[i] = rises > kCrease && !before;
+        concave[i] = rises > kCrease && before, wall[i] = rises > kCrease && !before;
       }
       any |= edge[i] || wall[i];
     }
@@ -76,52 +76,54 @@ struct Sides {
   }
 };
 
-/// A piece's corners, moved out over its folds: beyond one, what is below its plane is below the surface as well, and a
-/// corner of a shape that is pushed into the piece beyond by a little still stands on this one.
-/// Where a corner has something beyond which the shape is, the piece ends there.
+/// A triangle's corners, moved out over its concave edges: beyond one, what is below its plane is below the surface as
+/// well, and a corner of a shape that is pushed into the triangle beyond by a little still stands on this one. Where a
+/// corner has something beyond which the shape is, the triangle ends there.
 /// @param centre  m, of the shape   @param by  m
-std::array<Vec3, 3> over_folds(const Scenery& scenery, const Piece& piece, const Sides& sides, const Vec3& centre,
-                               Real by) {
-  std::array<Vec3, 3> corner = piece.corner;
+std::array<Vec3, 3> over_concave_edges(const Scenery& scenery, const Triangle& triangle, const Sides& sides,
+                                       const Vec3& centre, Real by) {
+  std::array<Vec3, 3> corner = triangle.corner;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t before = (k + 2) % 3;
-    const Real d1 = sides.fold[before] ? by : 0, d2 = sides.fold[k] ? by : 0;
-    if ((d1 == 0 && d2 == 0) || !scenery.is_before_all_around(piece, own_corner(piece, static_cast<int>(k)), centre))
+    const Real d1 = sides.concave[before] ? by : 0, d2 = sides.concave[k] ? by : 0;
+    if ((d1 == 0 && d2 == 0) ||
+        !scenery.is_before_all_around(triangle, own_corner(triangle, static_cast<int>(k)), centre))
       continue;
     const Vec3 &o1 = sides.out[before], &o2 = sides.out[k];
     const Real c = o1.dot(o2);
     const Vec3 way = ((d1 - d2 * c) * o1 + (d2 - d1 * c) * o2) / (1 - c * c);
     const Real length = way.norm();
-    corner[k] += length > kFarthestFold * by ? Vec3(kFarthestFold * by / length * way) : way;
+    corner[k] += length > kFarthestEdge * by ? Vec3(kFarthestEdge * by / length * way) : way;
   }
   return corner;
 }
 
-/// What the surface makes of a normal that a query found at a place of a piece.
+/// What the surface makes of a normal that a query found at a place of a triangle.
 ///   heard      it lies below the plane through the place that is square to n: it can push that way there
-///   neighbours the surface turns down at a side there, and n leans farther over it than the piece beyond does, or it
-///              turns up between piece and shape: whatever is met there, the piece beyond or another one meets it
-///   own        no more than the way out of this piece alone: the piece's own normal is meant
+///   neighbours the surface turns down at a side there, and n leans farther over it than the triangle beyond does, or
+///   it
+///              turns up between triangle and shape: whatever is met there, the triangle beyond or another one meets it
+///   own        no more than the way out of this triangle alone: the triangle's own normal is meant
 enum class Ruling { own, heard, neighbours };
-Ruling judge(const Scenery& scenery, const Piece& piece, const Sides& sides, const Vec3& place, const Vec3& n,
-              Real near) {
+Ruling judge(const Scenery& scenery, const Triangle& triangle, const Sides& sides, const Vec3& place, const Vec3& n,
+             Real near) {
   std::array<bool, 3> at{};
   int count = 0;
-  for (std::size_t i = 0; i < 3; ++i) count += at[i] = -sides.out[i].dot(place - piece.corner[i]) <= near;
+  for (std::size_t i = 0; i < 3; ++i) count += at[i] = -sides.out[i].dot(place - triangle.corner[i]) <= near;
   if (count == 0) return Ruling::own;
   for (std::size_t i = 0; i < 3; ++i)
     if (at[i] && (sides.edge[i] ? sides.down[i].dot(n) > kMeetLevel : sides.wall[i] && sides.out[i].dot(n) > kMeetLevel))
       return Ruling::neighbours;
-  if (n.dot(piece.normal) < -kMeetLevel) return Ruling::own;
+  if (n.dot(triangle.normal) < -kMeetLevel) return Ruling::own;
   if (count == 1) {
     const auto i = static_cast<std::size_t>(at[0] ? 0 : at[1] ? 1 : 2);
     return sides.edge[i] && -sides.out[i].dot(n) <= kMeetLevel ? Ruling::heard : Ruling::own;
   }
-  std::size_t corner = 0;  // of three at once: a piece smaller than the query can tell
+  std::size_t corner = 0;  // of three at once: a triangle smaller than the query can tell
   for (std::size_t k = 1; k < 3; ++k)
-    if ((place - piece.corner[k]).squared_norm() < (place - piece.corner[corner]).squared_norm()) corner = k;
-  return scenery.falls_away_around(piece, own_corner(piece, static_cast<int>(corner)), n) ? Ruling::heard
-                                                                                          : Ruling::own;
+    if ((place - triangle.corner[k]).squared_norm() < (place - triangle.corner[corner]).squared_norm()) corner = k;
+  return scenery.falls_away_around(triangle, own_corner(triangle, static_cast<int>(corner)), n) ? Ruling::heard
+                                                                                                : Ruling::own;
 }
 
 }  // namespace
@@ -140,26 +142,26 @@ bool SceneryPairFinder::find(const SceneryPair& pair, const NarrowSettings& sett
   box.lo -= Vec3::constant(reach), box.hi += Vec3::constant(reach);
   const Vec3 centre = convex_in_scenery.apply(pair.convex.mass.centroid);
   const Terms t{pair, convex_in_scenery, centre, settings, reach, report, fault};
-  Piece under;
+  Triangle under;
   const Ground ground = look_down(t, under);
   if (ground == Ground::below) box.lo.y() = scenery.bounds.lo.y(), box.hi.y() = scenery.bounds.hi.y();
   scenery.each_near(box, [&](std::uint32_t index) { near_.push_back(index); });
-  std::sort(near_.begin(), near_.end());  // who moves meets the same pieces in the same order
+  std::sort(near_.begin(), near_.end());  // who moves meets the same triangles in the same order
   for (const std::uint32_t index : near_) {
-    Piece piece;
-    if (!scenery.piece(index, piece)) continue;
+    Triangle triangle;
+    if (!scenery.triangle(index, triangle)) continue;
     if (ground != Ground::none) {
-      if (!stand(t, piece)) return false;
+      if (!stand(t, triangle)) return false;
       add_standing(t, [&](const Vec3& point) { return scenery.is_over(index, point); });
     }
     if (ground == Ground::below) {
-      if (index == under.index && !lift(t, piece)) return false;
-    } else if (face(scenery, centre, piece) && !meet(t, piece)) {
+      if (index == under.index && !lift(t, triangle)) return false;
+    } else if (face(scenery, centre, triangle) && !meet(t, triangle)) {
       return false;
     }
   }
   if (!has_routine(t)) drop_round_sides(kBeside * pair.convex.bounding_radius);
-  // Deep at a corner, each piece by itself may be left by a way that the others close. Then the least deep of them
+  // Deep at a corner, each triangle by itself may be left by a way that the others close. Then the least deep of them
   // holds.
   if (found_.empty() && left_ && left_->separation < 0)
     found_.push_back({*left_, 0, false}), normals_.push_back(left_->normal);
@@ -167,43 +169,43 @@ bool SceneryPairFinder::find(const SceneryPair& pair, const NarrowSettings& sett
   return true;
 }
 
-bool SceneryPairFinder::meet(const Terms& t, const Piece& piece) {
+bool SceneryPairFinder::meet(const Terms& t, const Triangle& triangle) {
   const SceneryPair& pair = t.pair;
   const Scenery& scenery = *pair.scenery.scenery;
   ++t.report.support_calls;
   Vec3 deepest;
-  if (!full_support(pair.convex, -t.convex_in_scenery.rotate_inverse(piece.normal), deepest, t.fault)) return false;
+  if (!full_support(pair.convex, -t.convex_in_scenery.rotate_inverse(triangle.normal), deepest, t.fault)) return false;
   const Vec3 foot = t.convex_in_scenery.apply(deepest);
-  const Real height = piece.normal.dot(foot - piece.corner[0]);
+  const Real height = triangle.normal.dot(foot - triangle.corner[0]);
   if (!(height <= t.reach)) return true;
-  const Sides sides(piece, t.centre);
-  shape_.set(piece);
+  const Sides sides(triangle, t.centre);
+  shape_.set(triangle);
   const Frame frame(pair.frame.r, pair.frame.apply(shape_.origin()));
   ContactPoint nearest;
-  nearest.normal = piece.normal, nearest.separation = height;
-  nearest.on_a = foot - height * piece.normal - shape_.origin(), nearest.on_b = deepest;
+  nearest.normal = triangle.normal, nearest.separation = height;
+  nearest.on_a = foot - height * triangle.normal - shape_.origin(), nearest.on_b = deepest;
   const auto leave = [&] {
     if (left_ && !(height > left_->separation)) return;
     left_.emplace();
-    left_->on_a = foot - height * piece.normal, left_->on_b = deepest;
-    left_->normal = pair.frame.rotate(piece.normal), left_->separation = height;
+    left_->on_a = foot - height * triangle.normal, left_->on_b = deepest;
+    left_->normal = pair.frame.rotate(triangle.normal), left_->separation = height;
   };
-  bool own = true;  // the piece's own normal is the answer
-  const Real inset = sides.inset(piece.corner, foot);
-  // Along another direction, at an angle t to the normal, the piece reaches farther by inset sin(t) and the shape's
+  bool own = true;  // the triangle's own normal is the answer
+  const Real inset = sides.inset(triangle.corner, foot);
+  // Along another direction, at an angle t to the normal, the triangle reaches farther by inset sin(t) and the shape's
   // depth shrinks by (1 - cos(t)) at most: shallower only if tan(t/2) > inset / depth, and never while that is 1.
   if (sides.any && !(inset >= 0 && -height <= inset)) {
     QuerySettings query = t.settings.query;
     query.max_distance = t.reach, query.method = Method::gjk_epa;
     QueryResult answer;
-    const Frame convex_in_piece = relative(frame, pair.convex_frame);
-    generic_distance(shape_.shape(), pair.convex, convex_in_piece, query, nullptr, answer, t.fault);
+    const Frame convex_in_triangle = relative(frame, pair.convex_frame);
+    generic_distance(shape_.shape(), pair.convex, convex_in_triangle, query, nullptr, answer, t.fault);
     t.report.gjk_calls += 1, t.report.epa_calls += answer.epa_iterations > 0;
     t.report.support_calls += static_cast<std::uint64_t>(answer.support_calls);
     if (answer.status == QueryStatus::fault) return false;
     if (answer.farther || !(answer.separation <= t.reach)) return true;
     const Vec3 place = answer.point_a + shape_.origin();
-    const Ruling verdict = judge(scenery, piece, sides, place, answer.normal, 1e-7 * shape_.shape().bounding_radius);
+    const Ruling verdict = judge(scenery, triangle, sides, place, answer.normal, 1e-7 * shape_.shape().bounding_radius);
     if (verdict == Ruling::neighbours) return leave(), true;
     own = verdict == Ruling::own;
     if (!own) {
@@ -212,12 +214,12 @@ bool SceneryPairFinder::meet(const Terms& t, const Piece& piece) {
     }
   }
   nearest.normal = pair.frame.rotate(nearest.normal);
-  const Real over = t.reach + kFoldShare * pair.convex.bounding_radius;
-  const bool folds = sides.fold[0] || sides.fold[1] || sides.fold[2];
-  std::array<Vec3, 3> corner = piece.corner;
-  if (own && folds) corner = over_folds(scenery, piece, sides, t.centre, over);
-  if (own && folds && inset < 0 && -inset <= over) shape_.reshape(corner);
-  // What reaches far below a piece without touching it comes from around an edge elsewhere.
+  const Real over = t.reach + kEdgeShare * pair.convex.bounding_radius;
+  const bool concave_edges = sides.concave[0] || sides.concave[1] || sides.concave[2];
+  std::array<Vec3, 3> corner = triangle.corner;
+  if (own && concave_edges) corner = over_concave_edges(scenery, triangle, sides, t.centre, over);
+  if (own && concave_edges && inset < 0 && -inset <= over) shape_.reshape(corner);
+  // What reaches far below a triangle without touching it comes from around an edge elsewhere.
   if (own && -height > std::max(inset, t.reach)) {
     const OverlapResult through = overlap(shape_.shape(), pair.convex, relative(frame, pair.convex_frame), 0,
                                           kPoseRounding * kUnitRoundoff, t.settings.query.gjk_cap, t.fault);
@@ -232,7 +234,7 @@ bool SceneryPairFinder::meet(const Terms& t, const Piece& piece) {
   if (!find_patch(patch_pair, nearest, {own, t.reach, blur}, points, t.report.support_calls, t.fault)) return false;
   add(points, shape_.origin(), own && points.flat, t.reach);
   if (own) {
-    if (!stand(t, piece)) return false;
+    if (!stand(t, triangle)) return false;
     add_standing(t, [&](const Vec3& point) { return sides.inset(corner, point) >= -blur; });
   }
   if (points.count == 0 && sides.any) leave();
@@ -256,7 +258,7 @@ void SceneryPairFinder::add(const PatchPoints& points, const Vec3& origin, bool 
     Found& f = found_.emplace_back();
     f.point = p;
     f.point.on_a += origin;
-    f.point.feature = 0;  // a corner's name is its piece's own
+    f.point.feature = 0;  // a corner's name is its triangle's own
     f.patch = static_cast<std::uint32_t>(patch);
     f.firm = firm && (n - normals_[patch]).squared_norm() <= 1e-24;
   }

@@ -1,11 +1,11 @@
-// Contacts of a convex shape with the pieces of a surface that are near it.
+// Contacts of a convex shape with the triangles of a surface that are near it.
 #pragma once
 
 #include <optional>
 
 #include "collision/manifold/patch.h"
 #include "collision/narrow/narrow_phase.h"
-#include "collision/scenery/piece_shape.h"
+#include "collision/scenery/triangle_shape.h"
 
 namespace carom::collision {
 
@@ -17,7 +17,7 @@ struct SceneryPair {
   const Frame& convex_frame;  // shape -> world
 };
 
-/// Points of pieces that look the same way.
+/// Points of triangles that look the same way.
 struct SceneryPatch {
   Vec3 normal;  // unit, world, from the scenery to the shape
   bool firm;    // all its points are of flat faces along one normal, @see PatchMemory
@@ -32,7 +32,7 @@ class SceneryPairFinder {
 
   /// @param reach   m: what is farther apart makes no contact
   /// @return        false if the support function misbehaved: fault is filled, there are no patches
-  /// @accuracy      separations and points of flat shapes to rounding; a piece's own normal to rounding; at rims and
+  /// @accuracy      separations and points of flat shapes to rounding; a triangle's own normal to rounding; at rims and
   ///                ridges as the query's tolerance says
   /// @oracle        tests/unit/collision/scenery/test_meet, tests/oracle/test_scenery
   bool find(const SceneryPair& pair, const NarrowSettings& settings, Real reach, NarrowReport& report,
@@ -44,9 +44,9 @@ class SceneryPairFinder {
     ContactPoint point;
     std::uint32_t patch;
     bool firm;
-    bool is_asked_for = false;  // stands beside a piece, of a shape whose form nobody declared
+    bool is_asked_for = false;  // stands beside a triangle, of a shape whose form nobody declared
   };
-  /// What is asked of each piece alike.
+  /// What is asked of each triangle alike.
   struct Terms {
     const SceneryPair& pair;
     const Frame& convex_in_scenery;
@@ -57,11 +57,11 @@ class SceneryPairFinder {
     SupportFault& fault;
   };
   enum class Ground { none, below, above };  // of a height field, beside the shape's centre
-  Ground look_down(const Terms& t, Piece& under) const;
-  bool meet(const Terms& t, const Piece& piece);
+  Ground look_down(const Terms& t, Triangle& under) const;
+  bool meet(const Terms& t, const Triangle& triangle);
   static bool has_routine(const Terms& t);
-  bool stand(const Terms& t, const Piece& piece);
-  /// Make points of those that stand where a piece counts. @param counts  says so of a point, m, scenery's frame
+  bool stand(const Terms& t, const Triangle& triangle);
+  /// Make points of those that stand where a triangle counts. @param counts  says so of a point, m, scenery's frame
   template <class F>
   void add_standing(const Terms& t, F&& counts) {
     PatchPoints points;
@@ -73,17 +73,17 @@ class SceneryPairFinder {
     for (std::size_t i = first; i < found_.size(); ++i) found_[i].is_asked_for = !has_routine(t);
   }
   void drop_round_sides(Real apart);
-  bool lift(const Terms& t, const Piece& piece);
+  bool lift(const Terms& t, const Triangle& triangle);
   void add(const PatchPoints& points, const Vec3& origin, bool firm, Real reach);
   void gather(const Frame& frame, Real same);
   void choose(std::uint32_t k, const Frame& frame, Real tilt, Real same, SceneryPatch& patch) const;
 
-  PieceShape shape_;
-  Shape plane_;           // of a piece
+  TriangleShape shape_;
+  Shape plane_;           // of a triangle
   Candidates standing_;   // points of the shape over that plane or under it
   Array<std::uint32_t> near_;
   Array<Found> found_;
-  std::optional<ContactPoint> left_;  // of pieces with edges that gave no point, the least deep
+  std::optional<ContactPoint> left_;  // of triangles with edges that gave no point, the least deep
   Array<Vec3> normals_;               // of patches
   Array<SceneryPatch> patches_;
 };

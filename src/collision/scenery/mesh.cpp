@@ -1,4 +1,4 @@
-// A mesh made ready: corners at one place made one, neighbours found by their sides, a tree of all pieces.
+// A mesh made ready: corners at one place made one, neighbours found by their sides, a tree of all triangles.
 #include <algorithm>
 #include <numeric>
 
@@ -11,7 +11,7 @@ constexpr int kNextCorner[3] = {1, 2, 0};
 // A triangle whose least height is below this share of its longest side has no normal to speak of: rounding of its
 // corners alone turns it by a tenth of a milliradian.
 constexpr Real kThin = 1e-12;
-// Pieces around a corner that are walked: a fan of more is taken for one that falls away nowhere.
+// Triangles around a corner that are walked: a fan of more is taken for one that falls away nowhere.
 constexpr int kMostAround = 256;
 
 /// Corners at the same place become one. @return by the host's index: which of scenery.vertex it is
@@ -48,7 +48,7 @@ bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b - a).cross(c - a).norm() > kThin * longest2;
 }
 
-/// Two pieces that have a side in common know each other; where three or more do, none does.
+/// Two triangles that have a side in common know each other; where three or more do, none does.
 void find_neighbours(Scenery& s, Memory* memory) {
   struct Side {
     std::uint32_t low, high, at;
@@ -88,7 +88,7 @@ void make_mesh(std::span<const double> xyz, std::span<const std::uint32_t> trian
       ++s.dropped;
   }
   find_neighbours(s, memory);
-  const std::uint32_t n = s.pieces();
+  const std::uint32_t n = s.triangles();
   Array<Aabb> boxes(n, memory);
   Array<std::uint32_t> leaves(n, memory);
   std::iota(leaves.begin(), leaves.end(), 0u);
@@ -104,17 +104,17 @@ void make_mesh(std::span<const double> xyz, std::span<const std::uint32_t> trian
   s.tree.close();
 }
 
-bool Scenery::piece(std::uint32_t index, Piece& out) const {
+bool Scenery::triangle(std::uint32_t index, Triangle& out) const {
   out.index = index;
-  if (is_field()) return field_piece(index, out);
+  if (is_field()) return field_triangle(index, out);
   const std::uint32_t* const c = &corner[3 * std::size_t(index)];
   for (std::size_t k = 0; k < 3; ++k) out.corner[k] = vertex[c[k]];
   out.normal = (out.corner[1] - out.corner[0]).cross(out.corner[2] - out.corner[0]).normalized();
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t other = beyond[3 * std::size_t(index) + k];
-    out.rim[k] = other == kInvalid;
+    out.boundary[k] = other == kInvalid;
     out.far[k] = out.corner[k];
-    if (out.rim[k]) continue;
+    if (out.boundary[k]) continue;
     const std::uint32_t from = c[k], to = c[kNextCorner[k]];
     for (std::size_t m = 0; m < 3; ++m) {
       const std::uint32_t v = corner[3 * std::size_t(other) + m];
@@ -125,11 +125,11 @@ bool Scenery::piece(std::uint32_t index, Piece& out) const {
 }
 
 template <class F>
-bool Scenery::all_around(const Piece& p, int k, F&& f) const {
+bool Scenery::all_around(const Triangle& p, int k, F&& f) const {
   std::array<Vec3, 3> c;
   if (is_field()) {
     const Vec3& centre = p.corner[static_cast<std::size_t>(p.turned ? (3 - k) % 3 : k)];
-    // The vertex in steps, from its place; of the cells around it those pieces that have it for a corner.
+    // The vertex in steps, from its place; of the cells around it those triangles that have it for a corner.
     const auto column = static_cast<std::int64_t>(std::llround(centre.x() / spacing_x));
     const auto row = static_cast<std::int64_t>(std::llround(centre.z() / spacing_z));
     const std::int64_t cells = columns - 1;
@@ -166,7 +166,7 @@ bool Scenery::all_around(const Piece& p, int k, F&& f) const {
   return true;
 }
 
-bool Scenery::falls_away_around(const Piece& p, int k, const Vec3& n) const {
+bool Scenery::falls_away_around(const Triangle& p, int k, const Vec3& n) const {
   constexpr Real kLevel = 1e-7;  // of the length of a side: what rounding of a normal lifts its end by, and far more
   const Vec3& centre = p.corner[static_cast<std::size_t>(p.turned ? (3 - k) % 3 : k)];
   return all_around(p, k, [&](const std::array<Vec3, 3>& c) {
@@ -175,7 +175,7 @@ bool Scenery::falls_away_around(const Piece& p, int k, const Vec3& n) const {
   });
 }
 
-bool Scenery::is_before_all_around(const Piece& p, int k, const Vec3& point) const {
+bool Scenery::is_before_all_around(const Triangle& p, int k, const Vec3& point) const {
   return all_around(p, k, [&](const std::array<Vec3, 3>& c) {
     const Real height = (c[1] - c[0]).cross(c[2] - c[0]).dot(point - c[0]);
     return p.turned ? height <= 0 : height >= 0;

@@ -11,12 +11,13 @@
 namespace carom::collision {
 
 /// One triangle of a surface, in the scenery's frame.
-struct Piece {
+struct Triangle {
   std::uint32_t index = kInvalid;
   std::array<Vec3, 3> corner;  // m, counter-clockwise as seen from where `normal` points
   Vec3 normal;                 // unit
-  std::array<Vec3, 3> far;  // m: the corner beyond side i (from corner i to the next); that of the piece that shares it
-  std::array<bool, 3> rim;  // side i has nothing beyond
+  std::array<Vec3, 3>
+      far;  // m: the corner beyond side i (from corner i to the next); that of the triangle that shares it
+  std::array<bool, 3> boundary;  // side i has nothing beyond
   bool turned = false;      // corners 1 and 2 have changed places, so that the normal points the other way
 };
 
@@ -29,16 +30,16 @@ struct Scenery {
 
   // A mesh:
   Array<Vec3> vertex;           // m, each place once
-  Array<std::uint32_t> corner;  // [3 pieces] vertices
-  Array<std::uint32_t> beyond;  // [3 pieces] the piece beyond each side, or kInvalid
+  Array<std::uint32_t> corner;  // [3 triangles] vertices
+  Array<std::uint32_t> beyond;  // [3 triangles] the triangle beyond each side, or kInvalid
   std::uint32_t dropped = 0;    // triangles of the host's that have no area
 
-  // A height field: vertices (column * spacing_x, height, row * spacing_z), two pieces to a cell, met from above.
+  // A height field: vertices (column * spacing_x, height, row * spacing_z), two triangles to a cell, met from above.
   std::uint32_t columns = 0, rows = 0;
   Real spacing_x = 1, spacing_z = 1;  // m
   Array<double> heights;              // [rows][columns] m; a cell with a corner that is no number is a hole
 
-  QueryTree tree;  // of pieces; of a height field, of blocks of kBlock x kBlock cells
+  QueryTree tree;  // of triangles; of a height field, of blocks of kBlock x kBlock cells
   static constexpr std::uint32_t kBlock = 8;
 
   std::size_t bytes() const {
@@ -46,19 +47,19 @@ struct Scenery {
            heights.size() * sizeof(double) + tree.bytes();
   }
   bool is_field() const { return columns > 0; }
-  std::uint32_t pieces() const {
+  std::uint32_t triangles() const {
     return is_field() ? 2 * (columns - 1) * (rows - 1) : static_cast<std::uint32_t>(corner.size() / 3);
   }
   /// @return  false: a hole
-  bool piece(std::uint32_t index, Piece& out) const;
+  bool triangle(std::uint32_t index, Triangle& out) const;
 
-  /// Of a height field: the piece that stands over or under a point, by x and z alone. @return  false: none does
-  bool piece_over(const Vec3& point, Piece& out) const;
-  /// Whether a piece of a height field stands over or under a point; on a side of two, both do.
+  /// Of a height field: the triangle that stands over or under a point, by x and z alone. @return  false: none does
+  bool triangle_over(const Vec3& point, Triangle& out) const;
+  /// Whether a triangle of a height field stands over or under a point; on a side of two, both do.
   bool is_over(std::uint32_t index, const Vec3& point) const;
 
-  /// Call f(index) for pieces whose bounds may overlap a box in the scenery's frame, in an order that follows from the
-  /// box and the scenery alone.
+  /// Call f(index) for triangles whose bounds may overlap a box in the scenery's frame, in an order that follows from
+  /// the box and the scenery alone.
   template <class F>
   void each_near(const Aabb& box, F&& f) const {
     if (!QueryTree::reaches(box)) return each(f);
@@ -72,8 +73,8 @@ struct Scenery {
         f(leaf);
     });
   }
-  /// Call f(index) for pieces that a box swept along a line may meet, roughly near ones first; f says up to which way
-  /// (m) others are still of interest.
+  /// Call f(index) for triangles that a box swept along a line may meet, roughly near ones first; f says up to which
+  /// way (m) others are still of interest.
   /// @param extent  m, what is swept: a box about the point that goes along the line
   template <class F>
   void each_along(const Vec3& from, const Vec3& unit, const Aabb& extent, Real length, F&& f) const {
@@ -88,7 +89,7 @@ struct Scenery {
         ask(leaf);
     });
   }
-  /// Likewise for pieces within a distance of a box, which f may lower.
+  /// Likewise for triangles within a distance of a box, which f may lower.
   template <class F>
   void each_around(const Aabb& box, Real distance, F&& f) const {
     if (!QueryTree::reaches(box)) return each(f);
@@ -103,21 +104,21 @@ struct Scenery {
     });
   }
 
-  /// Whether the surface falls away from a corner of a piece on all hands, as seen along n.
-  /// @param k  of an unturned piece
-  bool falls_away_around(const Piece& piece, int k, const Vec3& n) const;
-  /// Whether a point lies in front of all pieces around a corner (behind all, for a turned piece).
-  bool is_before_all_around(const Piece& piece, int k, const Vec3& point) const;
+  /// Whether the surface falls away from a corner of a triangle on all hands, as seen along n.
+  /// @param k  of an unturned triangle
+  bool falls_away_around(const Triangle& triangle, int k, const Vec3& n) const;
+  /// Whether a point lies in front of all triangles around a corner (behind all, for a turned triangle).
+  bool is_before_all_around(const Triangle& triangle, int k, const Vec3& point) const;
 
  private:
   friend void make_height_field(std::span<const double>, std::uint32_t, std::uint32_t, Real, Real, Scenery&);
-  /// Call f(corners) for the pieces around a corner of one of them, counter-clockwise each, until it says no.
+  /// Call f(corners) for the triangles around a corner of one of them, counter-clockwise each, until it says no.
   template <class F>
-  bool all_around(const Piece& piece, int k, F&& f) const;
-  /// All pieces: for who asks from beyond the tree's reach.
+  bool all_around(const Triangle& triangle, int k, F&& f) const;
+  /// All triangles: for who asks from beyond the tree's reach.
   template <class F>
   void each(F&& f) const {
-    for (std::uint32_t index = 0; index < pieces(); ++index) f(index);
+    for (std::uint32_t index = 0; index < triangles(); ++index) f(index);
   }
   template <class F>
   void each_of_block(std::uint32_t block, F&& f) const {
@@ -131,7 +132,7 @@ struct Scenery {
     return Vec3(spacing_x * column, heights[std::size_t(row) * columns + column], spacing_z * row);
   }
   Aabb field_bounds(std::uint32_t index) const;
-  bool field_piece(std::uint32_t index, Piece& out) const;
+  bool field_triangle(std::uint32_t index, Triangle& out) const;
   bool field_corners(std::uint32_t index, std::array<Vec3, 3>& corner) const;
 };
 

@@ -1,5 +1,5 @@
-// What of a shape stands over a piece or under it, against the piece's plane as against a half-space; and a shape whose
-// middle is in the ground.
+// What of a shape stands over a triangle or under it, against the triangle's plane as against a half-space; and a shape
+// whose middle is in the ground.
 #include <algorithm>
 
 #include "collision/narrow/pair.h"
@@ -9,9 +9,9 @@
 namespace carom::collision {
 
 /// Which side of a height field the shape's centre is on.
-/// @param under  the piece that stands over or under it, if the answer is not none
-SceneryPairFinder::Ground SceneryPairFinder::look_down(const Terms& t, Piece& under) const {
-  if (!t.pair.scenery.scenery->piece_over(t.centre, under)) return Ground::none;
+/// @param under  the triangle that stands over or under it, if the answer is not none
+SceneryPairFinder::Ground SceneryPairFinder::look_down(const Terms& t, Triangle& under) const {
+  if (!t.pair.scenery.scenery->triangle_over(t.centre, under)) return Ground::none;
   const Real height = under.normal.dot(t.centre - under.corner[0]);
   // No shape that is pushed out gets its middle deeper than it is large: what is there came from elsewhere.
   if (height < -t.pair.convex.bounding_radius) return Ground::none;
@@ -37,33 +37,33 @@ void SceneryPairFinder::drop_round_sides(Real apart) {
   while (found_.size() > kept) found_.pop_back();
 }
 
-/// Find the points of the shape that matter beside the plane of a piece, @see pair_half_space.cpp.
+/// Find the points of the shape that matter beside the plane of a triangle, @see pair_half_space.cpp.
 /// @return  false if the support function misbehaved
-bool SceneryPairFinder::stand(const Terms& t, const Piece& piece) {
+bool SceneryPairFinder::stand(const Terms& t, const Triangle& triangle) {
   const Shape& convex = t.pair.convex;
-  plane_.normal = piece.normal, plane_.offset = piece.normal.dot(piece.corner[0]);
+  plane_.normal = triangle.normal, plane_.offset = triangle.normal.dot(triangle.corner[0]);
   standing_.count = 0;
   if (has_routine(t))
     pair_entry(Form::half_space, convex.form).routine(plane_, convex, t.convex_in_scenery, t.reach, standing_);
   else if (!half_space_by_support(plane_, convex, t.convex_in_scenery, t.reach, true, leaning_tilt(convex, t.reach),
                                   standing_, t.report.support_calls, t.fault))
     return false;
-  for (int i = 0; i < standing_.count; ++i) standing_.point[i].normal = t.pair.frame.rotate(piece.normal);
+  for (int i = 0; i < standing_.count; ++i) standing_.point[i].normal = t.pair.frame.rotate(triangle.normal);
   return true;
 }
 
-/// A shape whose middle is in the ground is pushed out of it along the normal of the piece above.
-/// @param piece  that stands over its centre
-bool SceneryPairFinder::lift(const Terms& t, const Piece& piece) {
+/// A shape whose middle is in the ground is pushed out of it along the normal of the triangle above.
+/// @param triangle  that stands over its centre
+bool SceneryPairFinder::lift(const Terms& t, const Triangle& triangle) {
   ++t.report.support_calls;
   PatchPoints one;
   ContactPoint& p = one.point[0];
   p = {};
-  if (!full_support(t.pair.convex, -t.convex_in_scenery.rotate_inverse(piece.normal), p.on_b, t.fault)) return false;
+  if (!full_support(t.pair.convex, -t.convex_in_scenery.rotate_inverse(triangle.normal), p.on_b, t.fault)) return false;
   const Vec3 foot = t.convex_in_scenery.apply(p.on_b);
-  p.separation = piece.normal.dot(foot - piece.corner[0]);
-  p.on_a = foot - p.separation * piece.normal;
-  p.normal = t.pair.frame.rotate(piece.normal);
+  p.separation = triangle.normal.dot(foot - triangle.corner[0]);
+  p.on_a = foot - p.separation * triangle.normal;
+  p.normal = t.pair.frame.rotate(triangle.normal);
   one.count = 1;
   add(one, Vec3::zero(), false, t.reach);
   return true;

@@ -26,7 +26,7 @@ struct Accuracy {
   Array<AccuracyView> views;  // worst first, once a step has ended
   struct Decided {
     std::uint32_t body;
-    AccuracyNote note;
+    AccuracyMemory memory;
   };
   Array<Decided> decided;  // in this step
   Passes passes;
@@ -38,27 +38,27 @@ namespace accuracy {
 void begin(const World& world, Owned<Accuracy>& a);
 /// An island's trial is over.   @param each  each(f): f(slot) of its bodies
 template <class Each>
-void decide(Accuracy& a, const Trial& trial, const AccuracyNote& before, std::uint8_t met, std::uint32_t flags,
+void decide(Accuracy& a, const Trial& trial, const AccuracyMemory& before, std::uint8_t met, std::uint32_t flags,
             const Each& each) {
-  const AccuracyNote note = trial.note_after(before, met);
+  const AccuracyMemory memory = trial.memory_after(before, met);
   AccuracyView view;
   view.body = kInvalid;
   each([&](std::uint32_t i) {
-    a.decided.push_back({i, note});
+    a.decided.push_back({i, memory});
     view.body = i < view.body ? i : view.body;
     ++view.bodies;
   });
   view.substeps = static_cast<std::uint32_t>(trial.taken), view.order = static_cast<std::uint32_t>(trial.order);
   view.flags = flags | (trial.is_estimated ? AccuracyView::kEstimated : 0u) |
-               (trial.hit_bound ? AccuracyView::kHitBound : 0u) | (note.stalled ? AccuracyView::kStalled : 0u);
+               (trial.hit_bound ? AccuracyView::kHitBound : 0u) | (memory.stalled ? AccuracyView::kStalled : 0u);
   view.work = trial.work;
-  view.place = note.place, view.turn = note.turn;
+  view.place = memory.place, view.turn = memory.turn;
   a.views.push_back(view);
 }
 
 }  // namespace accuracy
 
 /// Stage function of the page: what bodies remember, and the report.
-void note_accuracy(const World& world, SolverMemory& memory, const StepTime& time);
+void save_accuracy(const World& world, SolverMemory& memory, const StepTime& time);
 
 }  // namespace carom::dynamics

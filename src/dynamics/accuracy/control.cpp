@@ -31,13 +31,13 @@ void Trial::restart(int at_level) {
   run = estimates ? std::max(substeps_at(least), substeps_at(level) / 2) : substeps_at(level);
 }
 
-void Trial::begin(const AccuracyNote& note, std::uint8_t met, int of_order, int least_substeps, int most_substeps) {
+void Trial::begin(const AccuracyMemory& memory, std::uint8_t met, int of_order, int least_substeps, int most_substeps) {
   *this = {};
   order = of_order, most = level_within(most_substeps);
   least = std::min(level_for(least_substeps), std::max(0, most - 1));
-  estimates = note.wait == 0 || note.met != met;
-  if (note.stalled && note.met == met) repeated_share = std::max(note.place, note.turn);
-  restart(std::clamp<int>(note.level, least, most));
+  estimates = memory.wait == 0 || memory.met != met;
+  if (memory.stalled && memory.met == met) repeated_share = std::max(memory.place, memory.turn);
+  restart(std::clamp<int>(memory.level, least, most));
 }
 
 void Trial::raise_least(int least_substeps) {
@@ -99,30 +99,30 @@ End Trial::end_run(bool went_well, const Shares& apart) {
   return End::dropped;
 }
 
-AccuracyNote Trial::note_after(const AccuracyNote& before, std::uint8_t met) const {
-  AccuracyNote note = before;
-  note.met = met;
+AccuracyMemory Trial::memory_after(const AccuracyMemory& before, std::uint8_t met) const {
+  AccuracyMemory memory = before;
+  memory.met = met;
   if (!is_estimated) {
-    note.level = static_cast<std::uint8_t>(level);
-    note.wait = static_cast<std::uint8_t>(hit_bound || note.wait == 0 ? 0 : note.wait - 1);
-    return note;
+    memory.level = static_cast<std::uint8_t>(level);
+    memory.wait = static_cast<std::uint8_t>(hit_bound || memory.wait == 0 ? 0 : memory.wait - 1);
+    return memory;
   }
-  note.place = static_cast<float>(std::min(error.place, Real(1e30))),
-  note.turn = static_cast<float>(std::min(error.turn, Real(1e30)));
+  memory.place = static_cast<float>(std::min(error.place, Real(1e30))),
+  memory.turn = static_cast<float>(std::min(error.turn, Real(1e30)));
   const Real share = error.most();
   const auto predicted = [&](int at) { return share * std::pow(Real(taken) / substeps_at(at), Real(order)); };
   int next = level_within(taken);
   while (next > least && predicted(next - 1) <= kAccuracyAim) --next;
-  note.stalled = is_stalled;
+  memory.stalled = is_stalled;
   if (is_stalled) {  // as before they were tried, and for a while
-    note.level = static_cast<std::uint8_t>(level_within(repeated));
-    note.wait = kAccuracyEveryQuiet - 1;
-    return note;
+    memory.level = static_cast<std::uint8_t>(level_within(repeated));
+    memory.wait = kAccuracyEveryQuiet - 1;
+    return memory;
   }
   const bool is_quiet = next <= least && predicted(next) <= kAccuracyQuiet;
-  note.level = static_cast<std::uint8_t>(next);
-  note.wait = static_cast<std::uint8_t>(is_quiet ? kAccuracyEveryQuiet - 1 : next != level ? 0 : kAccuracyEvery - 1);
-  return note;
+  memory.level = static_cast<std::uint8_t>(next);
+  memory.wait = static_cast<std::uint8_t>(is_quiet ? kAccuracyEveryQuiet - 1 : next != level ? 0 : kAccuracyEvery - 1);
+  return memory;
 }
 
 std::uint8_t number_of(std::uint32_t bodies, std::uint32_t rows, std::uint32_t links, bool softly) {
@@ -131,7 +131,7 @@ std::uint8_t number_of(std::uint32_t bodies, std::uint32_t rows, std::uint32_t l
   return static_cast<std::uint8_t>(mixed >> 24);
 }
 
-void join_note(AccuracyNote& to, const AccuracyNote& other, bool is_first) {
+void join_memory(AccuracyMemory& to, const AccuracyMemory& other, bool is_first) {
   if (is_first) {
     to = other;
     return;

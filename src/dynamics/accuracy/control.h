@@ -80,13 +80,13 @@ struct Trial {
 
   /// @param met    a number of what the island consists of: another one asks for an estimate
   /// @param order  of the error @param least, most  substeps at least and at most; most is 2 or more
-  void begin(const AccuracyNote& note, std::uint8_t met, int order, int least, int most);
+  void begin(const AccuracyMemory& memory, std::uint8_t met, int order, int least, int most);
   /// A run turned out to be of too few substeps to be judged.
   void raise_least(int least_substeps);
   /// A run has ended.   @param apart  of it and of the one it is compared with, where there is one
   End end_run(bool went_well, const Shares& apart);
   /// What the island's bodies are to remember.
-  AccuracyNote note_after(const AccuracyNote& before, std::uint8_t met) const;
+  AccuracyMemory memory_after(const AccuracyMemory& before, std::uint8_t met) const;
 
  private:
   void restart(int at_level);
@@ -100,7 +100,7 @@ struct Trial {
 std::uint8_t number_of(std::uint32_t bodies, std::uint32_t rows, std::uint32_t links, bool softly);
 
 /// Of an island, from its bodies': the highest level, and an estimate as soon as any wants one, or where they differ.
-void join_note(AccuracyNote& to, const AccuracyNote& other, bool is_first);
+void join_memory(AccuracyMemory& to, const AccuracyMemory& other, bool is_first);
 
 }  // namespace accuracy
 }  // namespace carom::dynamics

@@ -100,12 +100,12 @@ void find_islands(const World& world, Passes& p, Real dt) {
   for (Passes::Island& island : p.islands) {
     bool is_first = true;
     each_member(p, island, [&](std::uint32_t, std::uint32_t i) {
-      join_note(island.note, world.state.accuracy[i], is_first);
+      join_memory(island.memory, world.state.accuracy[i], is_first);
       is_first = false;
     });
-    island.met = number_of(island.bodies, island.rows, island.links, island.note.softly);
-    island.trial.begin(island.note, island.met, order_of(world, p, island),
-                       island.note.softly && island.rows > 0 ? borne.least_soft : 1, borne.most);
+    island.met = number_of(island.bodies, island.rows, island.links, island.memory.softly);
+    island.trial.begin(island.memory, island.met, order_of(world, p, island),
+                       island.memory.softly && island.rows > 0 ? borne.least_soft : 1, borne.most);
   }
 }
 

@@ -61,9 +61,9 @@ int choose(Passes& p) {
 }
 
 /// What the ledger is told of: the accepted runs alone, each once more.
-bool choose_to_book(Passes& p) {
-  if (!p.is_booked || p.is_booking) return false;
-  p.is_booking = true;
+bool choose_to_account(Passes& p) {
+  if (!p.is_accounted || p.is_accounting) return false;
+  p.is_accounting = true;
   for (Passes::Island& island : p.islands) island.trial.run = island.trial.taken;
   return true;
 }
@@ -160,11 +160,11 @@ void judge(const World& world, Passes& p, Passes::Island& island, const Borne& b
     if (island.trial.coarse > 0)
       add_apart(apart, p.coarse[k], end, world.scene.inertia[i], world.scene.inv_inertia[i], horizon, borne);
   });
-  if (p.is_booking) {
+  if (p.is_accounting) {
     island.trial.run = 0;
     return keep_ended(world, island);
   }
-  island.note.softly = island.is_soft;
+  island.memory.softly = island.is_soft;
   if (island.is_soft && island.trial.run < borne.least_soft && island.trial.least < island.trial.most - 1)
     return island.trial.raise_least(borne.least_soft);
   switch (island.trial.end_run(went_well, apart)) {
@@ -182,7 +182,7 @@ void put_back_lists(const World& world, Passes& p) {
   exchange_lists(*world.plan, p.lists);
   world.plan->substeps = p.substeps;
   world.plan->in_pass = p.is_running = false;
-  if (p.is_booked) world.ledger->is_paused = false;
+  if (p.is_accounted) world.ledger->is_paused = false;
 }
 
 /// All that stages after the passes read.
@@ -215,20 +215,20 @@ bool goes_by_island(const World& world) { return world.accuracy && world.continu
 
 void plan_passes(const World& world, const StepTime& time) {
   Passes& p = world.accuracy->passes;
-  p.is_booking = false;
+  p.is_accounting = false;
   p.substeps = world.plan->substeps;
   find_islands(world, p, time.dt);
   keep_begun(world, p);
   p.group_views.clear();
   world.accuracy->decided.reserve(world.scene.bodies.slots());
-  p.is_booked = keeps_books(world);
+  p.is_accounted = keeps_ledger(world);
   p.is_planned = true;
 }
 
 bool begin_pass(const World& world, SpringLoads& springs, Floats& floats, Passing, const StepTime& time) {
   Passes& p = world.accuracy->passes;
   int substeps = choose(p);
-  if (substeps == 0 && choose_to_book(p)) substeps = choose(p);
+  if (substeps == 0 && choose_to_account(p)) substeps = choose(p);
   if (substeps == 0) return false;
   Plan& plan = *world.plan;
   p.those.clear();
@@ -246,7 +246,7 @@ bool begin_pass(const World& world, SpringLoads& springs, Floats& floats, Passin
   carry_springs(world, springs, h);
   floats.most_rate = 1 / h;
   part_stiff(world, h);
-  if (p.is_booked) world.ledger->is_paused = !p.is_booking;
+  if (p.is_accounted) world.ledger->is_paused = !p.is_accounting;
   return true;
 }
 
@@ -267,7 +267,7 @@ void end_pass(const World& world, Passing to, const StepTime& time) {
   }
   GroupViews& views = to;
   const auto is_told = [&](const GroupView& view) {
-    return runs(p, view.body) && p.islands[p.island_of[view.body]].trial.run == 0 && p.is_booking == p.is_booked;
+    return runs(p, view.body) && p.islands[p.island_of[view.body]].trial.run == 0 && p.is_accounting == p.is_accounted;
   };
   for (const GroupView& view : views)
     if (is_told(view)) p.group_views.push_back(view);
@@ -290,7 +290,7 @@ void end_passes(const World& world, Passing to, Events& events, const StepTime& 
   for (const GroupView& view : p.group_views) report.direct_groups += view.direct;
   views = p.group_views;
   for (const Passes::Island& island : p.islands)
-    decide(a, island.trial, island.note, island.met, 0,
+    decide(a, island.trial, island.memory, island.met, 0,
            [&](const auto& f) { each_member(p, island, [&](std::uint32_t, std::uint32_t i) { f(i); }); });
   break_overloaded(world, to, events);
 }
@@ -310,10 +310,10 @@ void drop_passes(const World& world, Passing to) {
 
 }  // namespace accuracy
 
-void note_accuracy(const World& world, SolverMemory& memory, const StepTime&) {
+void save_accuracy(const World& world, SolverMemory& memory, const StepTime&) {
   if (!world.accuracy) return;
   Accuracy& a = *world.accuracy;
-  for (const Accuracy::Decided& d : a.decided) memory.accuracy[d.body] = d.note;
+  for (const Accuracy::Decided& d : a.decided) memory.accuracy[d.body] = d.memory;
   std::ranges::sort(a.views, [](const AccuracyView& one, const AccuracyView& other) {
     return one.share() != other.share() ? one.share() > other.share() : one.body < other.body;
   });

@@ -21,7 +21,7 @@ struct Passes {
     std::uint8_t met;             // @see accuracy::Trial::begin()
     bool runs;                    // in this pass
     bool is_soft;                 // contacts of it were springs, in its last run
-    AccuracyNote note;
+    AccuracyMemory memory;
     accuracy::Trial trial;
   };
   Array<Island> islands;
@@ -67,10 +67,10 @@ struct Passes {
 
   Participants those, scratch;
   PlanLists lists;          // of a pass; while it runs, of all
-  bool is_booked = false;   // somebody keeps a ledger, which is told of no trials
+  bool is_accounted = false;  // somebody keeps a ledger, which is told of no trials
   bool is_planned = false;  // in this step
   bool is_running = false;
-  bool is_booking = false;  // trials are over, and what was accepted runs once more for the ledger
+  bool is_accounting = false;  // trials are over, and what was accepted runs once more for the ledger
   int substeps = 1;         // of the plan
   std::uint64_t revision = 0, collider_revision = 0, quarantined = 0, groups = 0, largest_group = 0;
   bool alarm = false;

@@ -66,7 +66,7 @@ struct SweptBody {
   bool outruns = false;                           // its contacts do not reach as far as it moves in this step
   bool loose = false;                             // it is not in the tree of participants, or has left its box there
   bool changed = false;                           // something hit it in this substep
-  bool struck = false;                            // likewise, in this step
+  bool is_hit = false;                            // likewise, in this step
   bool flies = false;                             // its path is a parabola's chord; else a solver's straight line
   static constexpr std::uint32_t kMostHits = 16;  // in a substep
   std::uint32_t hits = 0;                         // in this substep
@@ -80,7 +80,7 @@ struct SweptBody {
   Real when = kInfinity;             // s; infinite: there is none
   std::uint32_t own = 0, other = 0;  // collider slots
   std::uint32_t met_version = 0;     // of the other's path, that this was found with
-  SweptPiece own_piece, other_piece;
+  SweptPart own_part, other_part;
   Vec3 normal, point;  // unit, from own to other; m, world
 };
 

@@ -18,7 +18,7 @@ constexpr Real kMostSlack = 0.05, kLeastSlack = 1e-5;
 
 /// m: how deep two may sink in a substep without a hit.
 Real Sweeper::slack(const Side& a, const Side& b) const {
-  const Real thin = std::min(thickness(*a.piece.shape), thickness(*b.piece.shape));
+  const Real thin = std::min(thickness(*a.part.shape), thickness(*b.part.shape));
   return std::clamp(tolerance_, kLeastSlack * thin, kMostSlack * thin);
 }
 
@@ -29,7 +29,7 @@ Sweeper::Velocity Sweeper::velocity(const Side& side, Real moment, Real now) {
   Velocity u{s.v[side.body], s.omega[side.body]};
   if (!side.known) return u;
   if (side.known->flies) u.v -= (lag_ - moment) * side.known->accel;
-  if (carried(side.body)) u.omega = turned(side, time_.h, now - time_.h, s.omega[side.body]);
+  if (turns_by_own_method(side.body)) u.omega = turned(side, time_.h, now - time_.h, s.omega[side.body]);
   return u;
 }
 
@@ -64,7 +64,7 @@ bool Sweeper::is_slow(const Side& a, const Side& b, const FirstContact& m) {
 
 Sweeper::FirstContact Sweeper::meet(const Side& a, const Side& b, Real from, Real to) {
   // What comes no nearer than two may sink is the solver's, wherever it is.
-  const auto arm = [](const Side& s) { return s.piece.local.p.norm() + s.piece.shape->bounding_radius; };
+  const auto arm = [](const Side& s) { return s.part.local.p.norm() + s.part.shape->bounding_radius; };
   const Real a_turns = a.path.w == Vec3::zero() ? 0 : a.path.w.norm() * arm(a),
              b_turns = b.path.w == Vec3::zero() ? 0 : b.path.w.norm() * arm(b);
   if (((a.path.u - b.path.u).norm() + a_turns + b_turns) * (to - from) <= kDeeper * slack(a, b)) return {};
@@ -76,8 +76,8 @@ Sweeper::FirstContact Sweeper::meet(const Side& a, const Side& b, Real from, Rea
   const auto look = [&]() -> FirstContact {
     SupportFault fault;
     settings.target = allowed;
-    any_shape::time_of_impact(*a.piece.shape, a.path.motion(a.piece, start), *b.piece.shape,
-                              b.path.motion(b.piece, start), to - start, settings, r, fault);
+    any_shape::time_of_impact(*a.part.shape, a.path.motion(a.part, start), *b.part.shape, b.path.motion(b.part, start),
+                              to - start, settings, r, fault);
     if (fault.kind != SupportFault::none && c_.fault.kind == SupportFault::none) c_.fault = fault;
     if (r.outcome == CastOutcome::miss || r.status == QueryStatus::fault || r.normal == Vec3::zero()) return {};
     // What could not be decided is as good as touching: nothing touches before.

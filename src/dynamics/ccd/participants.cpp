@@ -18,7 +18,7 @@ constexpr Real kSpin = 0.25;  // rad a step
 
 // Room for bodies that are hit in a step, and for what events tell of. Beyond it hits are answered all the same: a body
 // that is hit then is not swept itself, and events do not tell of it.
-constexpr std::size_t kStruck = 64, kStruckEach = 4, kHitsEach = 16, kPassedEach = 64;
+constexpr std::size_t kHit = 64, kHitEach = 4, kHitsEach = 16, kPassedEach = 64;
 
 bool can_sweep(const World& world, std::uint32_t body) {
   return world.scene.type[body] != BodyType::fixed && !world.state.held_out[body] && !world.state.sleeps(body);
@@ -43,7 +43,7 @@ bool is_fast(const World& world, std::uint32_t body, Real dt) {
   return reach > 0 && (way > reach || spins);
 }
 
-void forget(Continuous& c) {
+void clear(Continuous& c) {
   for (const SweptBody& b : c.bodies) c.index[b.body] = kInvalid;
   c.bodies.clear(), c.loose.clear(), c.hits.clear(), c.passed.clear();
   c.participants = 0;
@@ -83,13 +83,13 @@ void carry_all_known(const World& world) {
   PlannedEffect& row = plan.effects[+EffectId::gyroscopic];
   c.found.clear(), c.more.clear(), c.merged.clear();
   for (const SweptBody& b : c.bodies)
-    if (!plan.carried[b.body] && row.candidates.has(b.body)) c.found.push_back(b.body);
+    if (!plan.turns_by_method[b.body] && row.candidates.has(b.body)) c.found.push_back(b.body);
   if (c.found.empty()) return;
   std::sort(c.found.begin(), c.found.end());
   for (const std::uint32_t i : c.found) c.more.add(i);
   each_of_both(row.participants, c.more, [&](std::uint32_t i) { c.merged.add(i); });
   std::swap(row.participants, c.merged);
-  for (const std::uint32_t i : c.found) plan.carried[i] = 1;
+  for (const std::uint32_t i : c.found) plan.turns_by_method[i] = 1;
 }
 
 }  // namespace
@@ -129,7 +129,7 @@ void continuous::find(const Scene& scene, const State& state, Participants& part
 void find_swept(const World& world, Colliders& table, Real dt) {
   Continuous& c = *world.continuous;
   PlannedEffect& row = world.plan->effects[+EffectId::continuous];
-  forget(c);
+  clear(c);
   row.participants.clear();
   if (c.seen.empty() && !c.too_many_seen && row.candidates.count == 0) return;
   list_candidates(world);
@@ -174,8 +174,8 @@ bool sweeps_into(const World& world, std::uint32_t collider, std::uint32_t sleep
   settings.target = world.scene.dials[Dial::contact_distance];
   const Aabb box = swept_bounds(world, collider, dt), own = table.bounds[sleeper];
   bool meets = false;
-  each_swept_piece(world, collider, own, [&](const SweptPiece& mine) {
-    each_swept_piece(world, sleeper, box, [&](const SweptPiece& its) {
+  each_swept_part(world, collider, own, [&](const SweptPart& mine) {
+    each_swept_part(world, sleeper, box, [&](const SweptPart& its) {
       CastResult result;
       SupportFault fault;
       if (meets) return;
@@ -251,7 +251,7 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
         know(world, table.body[slot]);
   }
   const std::size_t most =
-      std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kStruck + kStruckEach * c.participants);
+      std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kHit + kHitEach * c.participants);
   c.most_bodies = std::max(most, c.bodies.size()), c.most_hits = kHitsEach * (c.participants + 1);
   c.bodies.reserve(most), c.loose.reserve(most), c.boxes.resize(c.participants);
   c.leaves.resize(c.participants);

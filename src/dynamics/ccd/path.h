@@ -2,7 +2,7 @@
 #pragma once
 
 #include "collision/scenery/ask.h"
-#include "dynamics/ccd/pieces.h"
+#include "dynamics/ccd/parts.h"
 
 namespace carom::dynamics {
 
@@ -30,17 +30,17 @@ struct Path {
   void stay() { u = w = Vec3::zero(); }
 
   /// A piece from a time on, whose zero is that time.
-  RigidMotion motion(const SweptPiece& piece, Real from) const {
+  RigidMotion motion(const SweptPart& part, Real from) const {
     RigidMotion m;
     const Quat there = orientation(from);
     m.centre = place(from);
-    m.at = {there * piece.local.q, m.centre + there * piece.local.p};
+    m.at = {there * part.local.q, m.centre + there * part.local.p};
     m.velocity = u, m.omega = w;
     return m;
   }
-  Frame frame(const SweptPiece& piece, Real time) const {
+  Frame frame(const SweptPart& part, Real time) const {
     const Quat there = orientation(time);
-    return Frame(Pose{there * piece.local.q, place(time) + there * piece.local.p});
+    return Frame(Pose{there * part.local.q, place(time) + there * part.local.p});
   }
   /// What a ball about the centre sweeps. @param radius  m
   Aabb swept(Real from, Real to, Real radius) const {

@@ -43,8 +43,8 @@ bool Sweeper::passes(const SweptBody& b, std::uint32_t own, std::uint32_t other,
   settings.cap = kPassCap;
   bool any = false;
   const Aabb box = b.path.swept(from, to, b.radius);
-  each_swept_piece(world_, own, table.bounds[other], [&](const SweptPiece& mine) {
-    each_swept_piece(world_, other, box, [&](const SweptPiece& its) {
+  each_swept_part(world_, own, table.bounds[other], [&](const SweptPart& mine) {
+    each_swept_part(world_, other, box, [&](const SweptPart& its) {
       CastResult r;
       SupportFault fault;
       any_shape::time_of_impact(*mine.shape, b.path.motion(mine, from), *its.shape, other_path.motion(its, from), to - from,

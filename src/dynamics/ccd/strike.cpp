@@ -33,19 +33,19 @@ void Sweeper::strike(SweptBody& b) {
   SweptBody* const partner = take_up(other);
   Strike s;
   s.now = b.when, s.normal = b.normal, s.point = b.point;
-  s.a = {b.body, b.own, b.own_piece, b.path, &b};
-  s.b = {other, b.other, b.other_piece, path_of(other), partner};
+  s.a = {b.body, b.own, b.own_part, b.path, &b};
+  s.b = {other, b.other, b.other_part, path_of(other), partner};
   b.when = kInfinity;
   for (SweptBody* const p : {&b, partner}) {
     if (!p || !moved_by_hits(p->body)) continue;
     sense(*p, s.now);
-    ++p->hits, p->struck = true;
+    ++p->hits, p->is_hit = true;
   }
-  const bool struck = exchange(s);
+  const bool is_hit = exchange(s);
   ++report_.sweep_hits;
   // Bodies that are pushed on by nothing but their path are aimed along their velocity, which does not close.
   const Real rest = time_.h - s.now;
-  const bool astray = !struck || s.sinks * rest > kDeeper * slack(s.a, s.b);
+  const bool astray = !is_hit || s.sinks * rest > kDeeper * slack(s.a, s.b);
   if (astray) brace(s);
   for (SweptBody* const p : {&b, partner}) {
     if (!p || !moved_by_hits(p->body)) continue;
@@ -56,7 +56,7 @@ void Sweeper::strike(SweptBody& b) {
   }
   look_ahead(b, s.now);
   if (partner && partner->swept) look_ahead(*partner, s.now);
-  if (struck && c_.hits.size() < c_.most_hits) {
+  if (is_hit && c_.hits.size() < c_.most_hits) {
     const bool in_order = s.a.collider < s.b.collider;
     c_.hits.push_back({{std::min(s.a.collider, s.b.collider), std::max(s.a.collider, s.b.collider)},
                        static_cast<std::uint32_t>(c_.hits.size()),
@@ -109,11 +109,11 @@ void Sweeper::scenery_points(const SceneryPair& pair, const NarrowSettings& sett
 
 /// Points that touch at the moment of a hit, as the narrow phase has them; where it finds none, the sweep's own.
 int Sweeper::find_points(const Strike& s, Manifold& manifold) {
-  const Frame frame_a = s.a.path.frame(s.a.piece, s.now), frame_b = s.b.path.frame(s.b.piece, s.now);
+  const Frame frame_a = s.a.path.frame(s.a.part, s.now), frame_b = s.b.path.frame(s.b.part, s.now);
   NarrowSettings settings = narrow_settings(world_.scene.dials);
   settings.manifold.kind = ManifoldKind::clip;
   settings.manifold.contact_distance = slack(s.a, s.b);
-  const Shape &a = *s.a.piece.shape, &b = *s.b.piece.shape;
+  const Shape &a = *s.a.part.shape, &b = *s.b.part.shape;
   QueryMemory memory;
   Candidates found;
   SupportFault fault;
@@ -183,7 +183,7 @@ bool Sweeper::exchange(Strike& s) {
   find_points(s, manifold);
   const MixedMaterial material = mixed(scene, s.a.collider, s.b.collider);
   const Real threshold = scene.dials[Dial::restitution_speed];
-  const Frame frame_a = s.a.path.frame(s.a.piece, s.now), frame_b = s.b.path.frame(s.b.piece, s.now);
+  const Frame frame_a = s.a.path.frame(s.a.part, s.now), frame_b = s.b.path.frame(s.b.part, s.now);
   const bool locked = scene.locks_of(s.a.body) | scene.locks_of(s.b.body);
   const Real unlocked = locked ? s.of.a.moves * scene.inv_mass[s.a.body] + s.of.b.moves * scene.inv_mass[s.b.body] : 0;
   std::array<ImpactPoint, Manifold::kMaxPoints>& points = s.points;
@@ -233,7 +233,7 @@ void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
   const Real rest = time_.h - s.now;
   const Vec3 end = known->path.place(time_.h) + (time_.h - s.moment) * change.v;
   known->changed = true;
-  const bool turns = carried(i);
+  const bool turns = turns_by_own_method(i);
   const Vec3 omega = (turns ? velocity(side, s.moment, s.now).omega : motion_.omega[i]) + change.omega;
   known->path.go_on_from(s.now);
   Path& path = known->path;

@@ -61,8 +61,8 @@ void Sweeper::run() {
 }
 
 bool Sweeper::moved_by_hits(std::uint32_t body) const { return responds(world_.scene, world_.state, body); }
-bool Sweeper::carried(std::uint32_t body) const {
-  return is_carried(*world_.plan, body) && rotates(world_.scene, body);
+bool Sweeper::turns_by_own_method(std::uint32_t body) const {
+  return turns_by_method(*world_.plan, body) && rotates(world_.scene, body);
 }
 
 void Sweeper::lay_paths() {
@@ -106,7 +106,7 @@ Aabb Sweeper::swept_box(const SweptBody& b, std::uint32_t collider, Real now) {
   if (!(turn < 1)) return ball;
   const Colliders& table = world_.scene.colliders;
   const Shape& shape = *table.shape[collider];
-  const SweptPiece whole{&shape, {table.local[collider].q, table.local[collider].p - world_.scene.center[b.body]}};
+  const SweptPart whole{&shape, {table.local[collider].q, table.local[collider].p - world_.scene.center[b.body]}};
   SupportFault fault;
   const Frame from = b.path.frame(whole, now), to = b.path.frame(whole, time_.h);
   const Aabb first = world_bounds(shape, from.r, from.p, fault), last = world_bounds(shape, to.r, to.p, fault);
@@ -175,13 +175,13 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   if ((spent || !moved_by_hits(b.body)) && (other_spent || !moved_by_hits(body))) return;
   Side a{b.body, own, {}, b.path, &b}, o{body, other, {}, path_of(body), known};
   const Aabb box = a.path.swept(now, time_.h, b.radius);
-  each_swept_piece(world_, own, table.bounds[other], [&](const SweptPiece& mine) {
-    each_swept_piece(world_, other, box, [&](const SweptPiece& its) {
-      a.piece = mine, o.piece = its;
+  each_swept_part(world_, own, table.bounds[other], [&](const SweptPart& mine) {
+    each_swept_part(world_, other, box, [&](const SweptPart& its) {
+      a.part = mine, o.part = its;
       const FirstContact m = meet(a, o, now, std::min(b.when, time_.h));
       if (!(m.when < b.when)) return;
       b.when = m.when, b.own = own, b.other = other, b.met_version = version_of(body);
-      b.own_piece = mine, b.other_piece = its;
+      b.own_part = mine, b.other_part = its;
       b.normal = m.normal, b.point = m.point;
     });
   });

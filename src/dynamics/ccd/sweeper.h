@@ -17,7 +17,7 @@ class Sweeper {
   /// One of two that meet.
   struct Side {
     std::uint32_t body, collider;
-    SweptPiece piece;
+    SweptPart part;
     Path path;
     const SweptBody* known;  // null: it stands still, or nobody thought of it
   };
@@ -49,7 +49,7 @@ class Sweeper {
   Path path_of(std::uint32_t body) const;
   std::uint32_t version_of(std::uint32_t body) const;
   bool moved_by_hits(std::uint32_t body) const;
-  bool carried(std::uint32_t body) const;
+  bool turns_by_own_method(std::uint32_t body) const;
 
   // sense.cpp: which sensors it passes
   void sense(SweptBody& b, Real to);

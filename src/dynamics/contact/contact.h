@@ -21,15 +21,15 @@ struct alignas(64) Row {
 
   Real k_n;                 // 1/kg, n.K n: normal velocity per unit of normal impulse
   Real slip_most2;          // (m/s)^2, the most slip that friction could change, squared; 0: no friction impulse now
-  Vec3 rub = Vec3::zero();  // N s, tangent part of p
-  Real rub2;                // (N s)^2, |rub|^2
+  Vec3 friction_p = Vec3::zero();  // N s, tangent part of p
+  Real friction_p2;                // (N s)^2, |rub|^2
   bool on_rim;              // the friction impulse is as large as the cone allows
   bool moves_a, moves_b;    // an impulse moves it
   bool one_normal;          // all rows of its pair have the same
   // Of the first row of a pair alone, @see find_slide():
   bool loads_known;         // all loads of the pair's last step are those of points that it still has
   bool slides;              // it does as the step begins: friction acts at the middle of its loads
-  bool rubs_by_load;        // likewise, and starts from known loads and friction
+  bool slides_by_load;      // likewise, and starts from known loads and friction
   Real friction;            // mixed Coulomb coefficient
 
   Vec3 p;              // N s, impulse on B in this substep so far, world; between substeps, what the next starts from
@@ -44,9 +44,9 @@ struct alignas(64) Row {
     const Real bound = friction * p_n;
     slip_most2 = 0, on_rim = false;
     if (!(bound > 0)) return;
-    rub = p - p_n * n;
-    rub2 = rub.squared_norm();
-    on_rim = rub2 >= 0.999999 * bound * bound;
+    friction_p = p - p_n * n;
+    friction_p2 = friction_p.squared_norm();
+    on_rim = friction_p2 >= 0.999999 * bound * bound;
     const Real most = 2 * bound * k_n;
     slip_most2 = most * most;
   }
@@ -162,7 +162,7 @@ struct Resistance {
   std::uint32_t row, points;  // its first row; how many
   Real rolling, spinning;     // m, mixed coefficients
   Vec3 moment;                // N m s, world, on B: of this substep; between substeps, what the next starts from
-  Real pressed;               // N s, by its points since the step began, as this substep's contacts are yet unsolved
+  Real normal_sum;            // N s, by its points since the step began, as this substep's contacts are yet unsolved
 };
 
 /// A pair whose surfaces move of themselves: a belt and what lies on it.
@@ -269,8 +269,8 @@ struct Contacts {
   enum Load : std::uint8_t { kUnseen, kLight, kHeavy };
   Array<std::uint8_t> load;  // by body slot, scratch of a solver that chooses: kUnseen between steps
 
-  bool answered_directly(std::size_t group) const { return direct.empty() || direct[group]; }
-  bool answered_in_lanes(std::size_t row) const { return direct.empty() || !direct[label[row]]; }
+  bool solved_directly(std::size_t group) const { return direct.empty() || direct[group]; }
+  bool solved_in_lanes(std::size_t row) const { return direct.empty() || !direct[label[row]]; }
   bool has_joints(std::size_t group) const {
     return !group_link_begin.empty() && group_link_begin[group] < group_link_begin[group + 1];
   }

@@ -60,7 +60,7 @@ class Impacts {
     const State& s = world_.state;
     for (const std::uint32_t body : c_.bodies) {
       if (!world_.plan->effects[+EffectId::gyroscopic].candidates.has(body) || s.held_out[body]) continue;
-      const bool far = is_carried(*world_.plan, body) && turns_far_for_its_shape(world_, body, time_.h);
+      const bool far = turns_by_method(*world_.plan, body) && turns_far_for_its_shape(world_, body, time_.h);
       const Vec3 end = s.omega[body], begun = far ? led_back(world_, body, end) : end;
       c_.spins.push_back({body, begun, end, far});
       if (far) motion_.omega[body] = begun;
@@ -76,7 +76,7 @@ class Impacts {
         continue;
       }
       if (!spin.is_led_back && !turns_far_for_its_shape(world_, spin.slot, time_.h)) continue;
-      if (!is_carried(*world_.plan, spin.slot)) {
+      if (!turns_by_method(*world_.plan, spin.slot)) {
         if (world_.plan->integrator->proposes)
           world_.plan->predicted.q[spin.slot] = normalized(exp_map(time_.h * s.omega[spin.slot]) * s.q[spin.slot]);
         continue;
@@ -200,7 +200,7 @@ class Impacts {
     c_.turn[body] -= moment * domega;
     Plan& plan = *world_.plan;
     const Real rest = time_.h - moment;
-    const bool carried = is_carried(plan, body);
+    const bool carried = turns_by_method(plan, body);
     if (plan.integrator->proposes) plan.predicted.x[body] += rest * dv;
     if (!rotates(world_.scene, body) || !(plan.integrator->proposes || carried)) return;
     plan.predicted.q[body] = normalized(exp_map(rest * domega) * plan.predicted.q[body]);

@@ -37,10 +37,10 @@ Vec3 resolved_impulse(const Row& row, const RowMass& m, Real target) {
   for (int sweep = 0; sweep < kSlideSweeps; ++sweep) {
     const Real u_n = u.dot(n);
     const Real next_n = std::max(Real(0), p_n + (target - u_n) / row.k_n);
-    Vec3 next_rub = (p - p_n * n) - (u - u_n * n) / k_t;
-    const Real bound = row.friction * next_n, norm = next_rub.norm();
-    if (norm > bound) next_rub *= bound / norm;
-    const Vec3 next = next_n * n + next_rub;
+    Vec3 next_friction = (p - p_n * n) - (u - u_n * n) / k_t;
+    const Real bound = row.friction * next_n, norm = next_friction.norm();
+    if (norm > bound) next_friction *= bound / norm;
+    const Vec3 next = next_n * n + next_friction;
     u += m.k * (next - p);
     p = next, p_n = next_n;
   }

@@ -143,7 +143,8 @@ class Group {
   /// Without what a rotation method did itself: it has turned the body by the mean of that.
   Vec3 gained_omega(const Body& b) const {
     const Plan& plan = *world_.plan;
-    return world_.state.omega[b.slot] - (is_carried(plan, b.slot) ? plan.predicted.omega[b.slot] : plan.begun[b.slot].omega);
+    return world_.state.omega[b.slot] -
+           (turns_by_method(plan, b.slot) ? plan.predicted.omega[b.slot] : plan.begun[b.slot].omega);
   }
 
   /// m/s, the most that a body's middle, or a ball of its mass and inertia at its rim, goes by; not finite if any is

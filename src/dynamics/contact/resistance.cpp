@@ -11,10 +11,10 @@ namespace carom::dynamics {
 namespace {
 
 /// N s: what a pair's points press in all, in this step so far; of solvers in lanes, in this substep.
-Real pressed(const World& world, const Resistance& r) {
+Real normal_sum(const World& world, const Resistance& r) {
   const Contacts& c = *world.contacts;
   Real sum = 0;
-  if (world.plan->solver->in_lanes && c.answered_in_lanes(r.row)) {
+  if (world.plan->solver->in_lanes && c.solved_in_lanes(r.row)) {
     const WideContacts::Manifold& m = world.wide->manifold_of(r.row);
     with_lanes(*world.wide, [&](const auto& lanes, const auto&) {
       const auto& pair = lanes.pairs[m.pair];
@@ -23,7 +23,7 @@ Real pressed(const World& world, const Resistance& r) {
     return sum;
   }
   for (std::uint32_t i = r.row; i < r.row + r.points; ++i) sum += c.geometry[i].impulse.dot(c.rows[i].n);
-  return sum - r.pressed;
+  return sum - r.normal_sum;
 }
 
 /// Whether a moment turns a body.
@@ -69,8 +69,8 @@ void hold_moments(const World& world, Velocities& to, const StepTime&) {
   refresh_inertias(world);
   for (Resistance& r : c.resisting) {
     twist(world, to, c.rows[r.row], r.moment);
-    r.pressed = 0;
-    r.pressed = pressed(world, r);
+    r.normal_sum = 0;
+    r.normal_sum = normal_sum(world, r);
   }
 }
 
@@ -83,7 +83,7 @@ void resist(const World& world, Velocities& to, const StepTime&) {
     Mat3 k = Mat3::zero();
     if (turns(world, row.moves_a, row.a)) k += c.inv_inertia_w[row.a];
     if (turns(world, row.moves_b, row.b)) k += c.inv_inertia_w[row.b];
-    const Real load = std::max(Real(0), pressed(world, r));
+    const Real load = std::max(Real(0), normal_sum(world, r));
     Vec3 spin = s.omega[row.b] - s.omega[row.a];
     while (driven < c.driven.data() + c.driven.size() && driven->row < r.row) ++driven;
     if (driven < c.driven.data() + c.driven.size() && driven->row == r.row) spin += driven->spin;

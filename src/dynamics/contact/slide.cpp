@@ -66,7 +66,7 @@ struct Patch {
     return false;
   }
   /// Whether friction starts from most of what the loads allow: loads of what tips, rolls or parts will not stay.
-  bool rubs() const {
+  bool slides_all_over() const {
     Real load = 0, rub = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
       const Real normal = rows[k].p.dot(rows[k].n);
@@ -82,7 +82,7 @@ void look_for_slide(const World& world, std::uint32_t first, std::uint32_t count
   const Patch patch(world, first, count);
   Row& row = world.contacts->rows[first];
   row.slides = (surface || !patch.is_slow()) && patch.bears() && patch.slips(surface);
-  row.rubs_by_load = row.slides && row.loads_known && patch.rubs();
+  row.slides_by_load = row.slides && row.loads_known && patch.slides_all_over();
   if (!row.slides) return;
   const collision::Manifold& manifold = world.pairs[patch.geometry->pair].manifold;
   row.twist_share = twist_share(manifold.count, manifold.has_more_corners);

@@ -24,7 +24,7 @@ void look_for_slide(const World& world, std::uint32_t first, std::uint32_t count
 /// @param surface  m/s, [count], what B's does relative to A's by itself; null: nothing
 inline void find_slide(const World& world, std::uint32_t first, std::uint32_t count, const Vec3* surface) {
   Row& row = world.contacts->rows[first];
-  row.slides = row.rubs_by_load = false;
+  row.slides = row.slides_by_load = false;
   if (count > 1 && row.friction > 0) look_for_slide(world, first, count, surface);
 }
 

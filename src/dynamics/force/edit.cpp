@@ -119,7 +119,7 @@ void World::set_body_mode(std::uint32_t body, std::size_t row, EffectMode mode) 
   modes.forbidden_of.reserve(slots);
   if (modes.forced_of.size() < slots) modes.forced_of.resize(slots, 0);
   if (modes.forbidden_of.size() < slots) modes.forbidden_of.resize(slots, 0);
-  stir(*this, body);
+  mark_touched_by_host(*this, body);
   set_bit(modes.forbidden_of[body], row, mode == EffectMode::forbid);
   set_bit(modes.forced_of[body], row, mode == EffectMode::force);
   if (mode == EffectMode::forbid) modes.forbidden_anywhere |= row_bit(row);

@@ -38,7 +38,7 @@ void evaluate_forces(const World& world, const Motion& given, const Accelerate& 
     if (row.served != Served::force || row.participants.count == 0) continue;
     const Participants& whom = row.forced();
     if (whom.count == 0) continue;
-    const BookRow book(world, row, out.v, out.omega, out.share);
+    const AccountForRow account(world, row, out.v, out.omega, out.share);
     serve(world, row, whom, [&] { row.effect->force(world.scene, world.state, whom, at, out); });
   }
 }
@@ -58,7 +58,7 @@ void evaluate_flows(const World& world, Velocities& to, Real h, const Quat* q) {
   for (PlannedEffect& row : world.plan->effects) {
     if (row.participants.count == 0 || !(row.served == Served::flow || row.has_stiff())) continue;
     const Participants& whom = row.served == Served::flow ? row.participants : row.decays->stiff;
-    const BookRow book(world, row, to.v.data(), to.omega.data(), 1);
+    const AccountForRow account(world, row, to.v.data(), to.omega.data(), 1);
     serve(world, row, whom, [&] { row.effect->flow(world.scene, whom, h, q, to.v.data(), to.omega.data()); });
   }
 }

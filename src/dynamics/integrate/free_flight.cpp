@@ -7,7 +7,7 @@
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/integrate/integrator.h"
-#include "dynamics/ledger/books.h"
+#include "dynamics/ledger/accounts.h"
 #include "dynamics/ledger/ledger.h"
 
 namespace carom::dynamics {
@@ -125,7 +125,7 @@ void take_back(const World& world, Poses& poses, Velocities& motion, FreeFlight&
   f.watched.each([&](std::uint32_t i) {
     const FreeFlight::Begun& b = *begun++;
     const SweptBody* const known = world.continuous->find(i);
-    if ((known && known->struck) || world.state.held_out[i]) return;
+    if ((known && known->is_hit) || world.state.held_out[i]) return;
     poses.x[i] = b.x, poses.q[i] = b.q;
     motion.v[i] = b.v, motion.omega[i] = b.omega;
     (rotates(world.scene, i) ? f.again.rotating : f.again.linear).add(i);
@@ -145,9 +145,9 @@ void fly_again(const World& world, Poses& poses, Quarantining to, FreeFlight& f,
   exchange(plan, f.movers, f.again), exchange_the_rest(plan, f);
   integrate_velocity(world, to, whole);
   integrate_position(world, poses, to, whole);
-  if (keeps_books(world))
+  if (keeps_ledger(world))
     each_of_both(plan.linear, plan.rotating,
-                 [&](std::uint32_t i) { forget_kicks(ledger_of(world), i), open_phase(world, i); });
+                 [&](std::uint32_t i) { clear_kicks(ledger_of(world), i), open_phase(world, i); });
   exchange(plan, f.movers, f.again), exchange_the_rest(plan, f);
 }
 
@@ -190,11 +190,11 @@ void integrate_free_bodies(const World& world, Poses& poses, Quarantining to, co
   if (!plan.idle && !f.any) return;
   if (f.any) exchange(plan, f.movers, f.flying);
   exchange_the_rest(plan, f);
-  const bool is_booked = keeps_books(world);
+  const bool is_accounted = keeps_ledger(world);
   integrate_velocity(world, to, whole);
-  if (is_booked) book_stage(world, Booking::forces, whole);
+  if (is_accounted) account_stage(world, LedgerAccount::forces, whole);
   integrate_position(world, poses, to, whole);
-  if (is_booked) book_stage(world, Booking::moves, whole);
+  if (is_accounted) account_stage(world, LedgerAccount::moves, whole);
   exchange_the_rest(plan, f);
   if (std::exchange(f.any, false)) exchange(plan, f.movers, f.flying);
 }

@@ -56,7 +56,7 @@ void stop_listed(const World& world, Quarantining to) {
 void integrate_velocity(const World& world, Quarantining to, const StepTime& time) {
   Plan& plan = *world.plan;
   plan.integrator->velocity(world, to, time.h);
-  if (keeps_books(world)) book_turns(world);
+  if (keeps_ledger(world)) account_turns(world);
   axis_locks::hold(world, to, time.h);
   // Before any contact reads them, so that one body's infinity does not become its neighbours'.
   stop_listed(world, to);
@@ -96,7 +96,7 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
     face(i, q);
   };
   const bool carries = plan.rotation_method != nullptr;
-  const auto orient = [&](std::uint32_t i) { (carries && plan.carried[i]) ? turn(i) : spin(i); };
+  const auto orient = [&](std::uint32_t i) { (carries && plan.turns_by_method[i]) ? turn(i) : spin(i); };
 
   if (!plan.integrator->proposes) {
     plan.linear.each(world.jobs, move);

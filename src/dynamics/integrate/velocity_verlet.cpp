@@ -25,7 +25,7 @@ void velocity_by_verlet(const World& world, Velocities& end, Real h) {
   const bool carries = plan.rotation_method != nullptr;
   plan.rotating.each([&](std::uint32_t i) {
     move(i);
-    if (!carries || !plan.carried[i]) to.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
+    if (!carries || !plan.turns_by_method[i]) to.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
   });
   turn_tops(world, end, h);
 

@@ -162,7 +162,7 @@ bool has_sane_impulses(Joints& joints, Joint& joint) {
 }
 
 void start_cold(Joints& joints, Joint& joint) {
-  joints.forget_impulses(joint);
+  joints.clear_impulses(joint);
   joint.transmission.phase = finite(joint.transmission.phase) ? joint.transmission.phase : 0;
   joint.force.set_zero(), joint.torque.set_zero();
 }

@@ -31,9 +31,9 @@ std::uint32_t& link_of(Joints& joints, std::uint32_t body, std::uint32_t slot) {
 }
 
 /// @param before  the key of its layout, as it was
-void note_layout(World& world, Joint& joint, std::uint64_t before) {
+void mark_layout(World& world, Joint& joint, std::uint64_t before) {
   if (layout_key(world.joints, joint) == before) return;
-  world.joints.forget_impulses(joint);
+  world.joints.clear_impulses(joint);
   ++world.scene.revision;
 }
 
@@ -90,7 +90,7 @@ void World::set_joint_drive(std::uint32_t slot, Coordinate c, const JointDrive& 
   const std::uint64_t before = layout_key(joints, joint);
   wake_both(*this, joint.def);
   joint.drive[static_cast<std::size_t>(c)] = drive;
-  note_layout(*this, joint, before);
+  mark_layout(*this, joint, before);
 }
 
 void World::set_joint_axis(std::uint32_t slot, std::uint32_t axis, const JointAxis& to) {
@@ -98,7 +98,7 @@ void World::set_joint_axis(std::uint32_t slot, std::uint32_t axis, const JointAx
   const std::uint64_t before = layout_key(joints, joint);
   wake_both(*this, joint.def);
   joints.axes_of(joint)->axis[axis] = to;
-  note_layout(*this, joint, before);
+  mark_layout(*this, joint, before);
 }
 
 void World::set_joint_turn(std::uint32_t slot, const TurnDrive& to) {
@@ -107,14 +107,14 @@ void World::set_joint_turn(std::uint32_t slot, const TurnDrive& to) {
   wake_both(*this, joint.def);
   const Vec3 p = joint.turn.p;
   joint.turn = to, joint.turn.p = p;
-  note_layout(*this, joint, before);
+  mark_layout(*this, joint, before);
 }
 
 void World::set_transmission(std::uint32_t slot, const Transmission& transmission) {
   Joint& joint = joints.joint[slot];
   wake_both(*this, joint.def);
   joint.transmission = transmission;
-  joints.forget_impulses(joint);
+  joints.clear_impulses(joint);
   ++scene.revision;
 }
 

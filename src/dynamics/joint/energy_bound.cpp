@@ -29,7 +29,7 @@ std::uint32_t find_deep(const World& world, WideJoints& w) {
   std::uint32_t found = 0;
   for (const ContactPair& m : c.contact_pairs)
     for (std::uint32_t i = m.row; i < m.row + m.count; ++i) {
-      if (!(c.geometry[i].separation < -deep) || !c.answered_in_lanes(i)) continue;
+      if (!(c.geometry[i].separation < -deep) || !c.solved_in_lanes(i)) continue;
       if (found++ == 0) w.bounds.resize(c.groups());
       w.bounds[c.label[i]].is_deep = true;
     }
@@ -105,7 +105,7 @@ bool find_unresolved(const World& world, WideJoints& w, Real h) {
   for (const Bounded& b : w.bounded) {
     GroupBound& group = w.bounds[b.group];
     if (group.is_driven || group.is_unresolved || w.linked.empty() || !w.linked[b.body]) continue;
-    if (!is_carried(*world.plan, b.body)) continue;
+    if (!turns_by_method(*world.plan, b.body)) continue;
     any |= group.is_unresolved = h * h * world.state.omega[b.body].squared_norm() > kUnresolvedTurn * kUnresolvedTurn;
   }
   return any;
@@ -166,11 +166,12 @@ void find_bounded(const World& world, Real h) {
   if (!w.bounded.empty()) find_unresolved(world, w, h);
 }
 
-void note_energies(const World& world) {
+void save_energies(const World& world) {
   const State& s = world.state;
   const Plan& plan = *world.plan;
   for (Bounded& b : world.wide_joints->bounded)
-    b.v = s.v[b.body], b.omega = s.omega[b.body], b.q = is_carried(plan, b.body) ? plan.predicted.q[b.body] : s.q[b.body];
+    b.v = s.v[b.body], b.omega = s.omega[b.body],
+    b.q = turns_by_method(plan, b.body) ? plan.predicted.q[b.body] : s.q[b.body];
 }
 
 void refuse_start(const World& world) {

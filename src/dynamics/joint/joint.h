@@ -111,7 +111,7 @@ struct Joints {
   const JointAxes& axes_of(const Joint& j) const { return j.axes ? axes[j.axes - 1] : kFreeAxes; }
   JointAxes* axes_of(Joint& j) { return j.axes ? &axes[j.axes - 1] : nullptr; }
   /// No impulses any more: rows stand for something else now.
-  void forget_impulses(Joint& j) {
+  void clear_impulses(Joint& j) {
     j.p.fill(0), j.drive_p.fill(0), j.turn.p.set_zero();
     if (JointAxes* const a = axes_of(j)) a->p = {};
   }

@@ -195,7 +195,7 @@ void act_again(const JointRun& run) {
   }
 }
 
-CAROM_LANES_INLINE void book_one(const JointRun& run, JointLanes& joint) {
+CAROM_LANES_INLINE void accumulate_one(const JointRun& run, JointLanes& joint) {
   const Pushes pushes = all_of(run, joint);
   joint.force = joint.force + pushes.p;
   joint.torque = joint.torque + (pushes.turn_b - cross(joint.r_b, pushes.p));
@@ -244,7 +244,7 @@ CAROM_LANES_INLINE void sweep(const JointRun& run, double inv_h) {
       sweep_one<kPush, true, false>(run, joint, inv_h);
     else
       sweep_one<kPush, false, false>(run, joint, inv_h);
-    if constexpr (!kPush) book_one(run, joint);
+    if constexpr (!kPush) accumulate_one(run, joint);
   }
 }
 

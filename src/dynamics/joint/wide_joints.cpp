@@ -16,7 +16,7 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr std::uint32_t kNoPlace = 0xFFFFFFFFu, kAnsweredDirectly = kColours + 1;
+constexpr std::uint32_t kNoPlace = 0xFFFFFFFFu, kSolvedDirectly = kColours + 1;
 
 bool moves(const World& world, std::uint32_t body) {
   return body != kInvalid && yields(world.scene, world.state, body);
@@ -29,11 +29,11 @@ bool forbids(const World& world, std::size_t row, const JointDef& def) {
 }
 
 /// Note what is forbidden to a joint, and whom of the table it calls for.
-void note_parts(const World& world, Joints& joints, Joint& joint) {
+void count_parts(const World& world, Joints& joints, Joint& joint) {
   const std::uint64_t before = layout_key(joints, joint);
   joint.without_limits = forbids(world, +EffectId::joint_limits, joint.def);
   joint.without_motors = forbids(world, +EffectId::joint_motors, joint.def);
-  if (layout_key(joints, joint) != before) joints.forget_impulses(joint);
+  if (layout_key(joints, joint) != before) joints.clear_impulses(joint);
   const auto any = [&](auto&& has) { return std::any_of(joint.drive.begin(), joint.drive.end(), has); };
   const DrivenAxes axes = driven_axes(joints, joint);
   const auto count = [&](std::size_t row, bool has, bool without) {
@@ -97,7 +97,7 @@ void place_lanes(const World& world, WideJoints& w) {
         joint.geared = static_cast<std::uint32_t>(w.gears.size());
       }
       w.occupant.insert(w.occupant.end(), kLanes, kNoPlace);
-      if (o.colour != kAnsweredDirectly) w.swept = static_cast<std::uint32_t>(w.joints.size());
+      if (o.colour != kSolvedDirectly) w.swept = static_cast<std::uint32_t>(w.joints.size());
     }
     JointLanes& joint = w.joints.back();
     w.place[o.index] = {static_cast<std::uint32_t>(w.joints.size() - 1), joint.occupied};
@@ -173,7 +173,7 @@ void find_kicked(const World& world, WideJoints& w) {
 
 /// Whether a rotation method carries a body, which is free to turn as it does.
 bool turns_freely(const World& world, std::uint32_t body) {
-  return is_carried(*world.plan, body) && !(world.scene.locks_of(body) & kAngularLocks);
+  return turns_by_method(*world.plan, body) && !(world.scene.locks_of(body) & kAngularLocks);
 }
 /// Who moves on from a rotation method's predicted pose by what a solver changed, @see integrator.h.
 bool is_turned_on(const World& world, std::uint32_t body) {
@@ -214,7 +214,7 @@ void find_gyro(const World& world, Real h, WideJoints& w) {
 }
 
 /// Poses as the step begins, where contacts may come to count from later ones.
-void note_starts(const World& world, WideJoints& w) {
+void save_starts(const World& world, WideJoints& w) {
   const WideContacts& wide = *world.wide;
   w.start.clear(), w.shift.clear();
   if (!wide.far_turners) return;
@@ -259,7 +259,7 @@ void plan_joints(const World& world, Joints& joints) {
   for (std::uint32_t j = 0; j < world.joints.slots.slots(); ++j)
     if (world.joints.alive(j) && is_active(world, world.joints.joint[j])) w.active.push_back(j);
   if (!w.any()) return;
-  for (const std::uint32_t j : w.active) note_parts(world, joints, joints.joint[j]);
+  for (const std::uint32_t j : w.active) count_parts(world, joints, joints.joint[j]);
   w.linked.assign(world.scene.bodies.slots(), 0);
   for (const std::uint32_t j : w.active) {
     const JointDef& def = world.joints.joint[j].def;
@@ -293,7 +293,7 @@ void colour_joints(const World& world) {
   w.order.clear();
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
     const Joint& joint = world.joints.joint[w.active[i]];
-    const std::uint32_t colour = directly(i) ? kAnsweredDirectly : colours_of(world, joint).take_lowest();
+    const std::uint32_t colour = directly(i) ? kSolvedDirectly : colours_of(world, joint).take_lowest();
     w.order.push_back({layout_key(world.joints, joint), colour, i});
   }
   std::sort(w.order.begin(), w.order.end());
@@ -306,7 +306,7 @@ void begin_joints(const World& world, Real h) {
   if (!w.any()) return;
   w.kernels = &joint_kernels(world.wide->kernels->name);
   find_kicked(world, w);
-  note_starts(world, w);
+  save_starts(world, w);
   w.gyro.reserve(world.plan->rotation_method ? world.wide->slot.size() : 0);
   const Dials& dials = world.scene.dials;
   const Softness soft = softness(std::min(dials[Dial::joint_frequency], 0.25 / h), dials[Dial::joint_damping], h);

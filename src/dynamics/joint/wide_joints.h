@@ -191,7 +191,7 @@ void drop_impulses(WideJoints& w, std::uint32_t link);
 /// @param h  s, a substep
 void find_bounded(const World& world, Real h);
 /// Before a substep's solver: their motion.
-void note_energies(const World& world);
+void save_energies(const World& world);
 /// After the impulses that sweeps start from: groups whose joints are not resolved start from nothing where those give
 /// energy.
 void refuse_start(const World& world);

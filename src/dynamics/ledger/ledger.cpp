@@ -2,7 +2,7 @@
 #include "dynamics/ledger/ledger.h"
 
 #include "dynamics/force/force.h"
-#include "dynamics/ledger/books.h"
+#include "dynamics/ledger/accounts.h"
 #include "dynamics/quarantine.h"
 
 namespace carom::dynamics {
@@ -94,7 +94,7 @@ void after_row(const World& world, const PlannedEffect& row, const Vec3* v, cons
   });
 }
 
-void book_turns(const World& world) {
+void account_turns(const World& world) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   each_awake(world, [&](std::uint32_t i) {

@@ -1,6 +1,6 @@
 // The ledger: where energy, momentum and angular momentum come from and go to, by cause.
 //
-// Between any two rooms of the page that change the state stands a booking. It only reads; a world steps the same bits
+// Between any two rooms of the page that change the state stands a account. It only reads; a world steps the same bits
 // with it and without. Nothing of it exists in a world that did not ask (World::ledger is null then).
 //
 // What is booked, for all dynamic bodies (asleep and in quarantine too) and particles, @see Amount:
@@ -105,7 +105,7 @@ struct Ledger {
     Vec3 x;                   // m
     Quat q;                   // with x: as its phase began, which is as it has been throughout
     Vec3 v, omega;            // m/s, rad/s, as its phase began
-    Vec3 seen_v, seen_omega;  // as the last booking saw them
+    Vec3 seen_v, seen_omega;  // as the last account saw them
     bool kicked;              // half of what forces did comes after the move
     bool held;                // in quarantine
   };
@@ -135,7 +135,7 @@ struct Ledger {
   Array<Real> old_points, old_pairs, old_rows, old_drives;
   Array<Vec3> old_impacts;
 
-  void book(Cause cause, const Amount& a) { step[index_of(cause)].add(a); }
+  void account(Cause cause, const Amount& a) { step[index_of(cause)].add(a); }
   std::span<Kick> kicks_of(std::uint32_t i) { return {&kicks[i * columns], columns}; }
 };
 
@@ -149,15 +149,17 @@ void each_awake(const World& world, F&& f) {
 }
 
 /// Whether what happens is booked: a host asked for it, and does not forbid it.
-inline bool keeps_books(const World& world) { return world.ledger && !world.ledger->is_paused && !world.scene.modes.forbids(+EffectId::ledger); }
+inline bool keeps_ledger(const World& world) {
+  return world.ledger && !world.ledger->is_paused && !world.scene.modes.forbids(+EffectId::ledger);
+}
 
 /// How the ledger books what a stage did, @see stages.cpp, which says so of each.
-enum class Booking : std::uint8_t {
-  none,          // it changes nothing that is booked
-  with_host,     // before the books of a step open: its changes count among the host's
-  by_itself,     // it books on the way
-  opens,         // the books of a step, with what the host did since the last one
-  makes_room,    // for what solvers give
+enum class LedgerAccount : std::uint8_t {
+  none,        // it changes nothing that is booked
+  with_host,   // before the books of a step open: its changes count among the host's
+  by_itself,   // it books on the way
+  opens,       // the books of a step, with what the host did since the last one
+  makes_room,  // for what solvers give
   forces,
   impacts,
   moments,
@@ -168,31 +170,31 @@ enum class Booking : std::uint8_t {
   sweeps,
   particles,
   corrections,
-  lost_bodies,   // who left the finite world
+  lost_bodies,  // who left the finite world
   sleepers,
   closes
 };
 
 /// After a stage: book what it did.
-void book_stage(const World& world, Booking booking, const StepTime& time);
+void account_stage(const World& world, LedgerAccount account, const StepTime& time);
 
 // Within integrate_velocity().
 void before_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega);
 void after_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share);
 /// Books what a row of the table does, in this scope, to velocities or to what becomes of them. It writes to nobody
 /// but its participants.
-class BookRow {
+class AccountForRow {
  public:
   /// @param v, omega  by body slot   @param share  @see Accelerate
-  BookRow(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share)
+  AccountForRow(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share)
       : world_(world), row_(row), v_(v), omega_(omega), share_(share) {
-    if (keeps_books(world_)) before_row(world_, row_, v_, omega_);
+    if (keeps_ledger(world_)) before_row(world_, row_, v_, omega_);
   }
-  ~BookRow() {
-    if (keeps_books(world_)) after_row(world_, row_, v_, omega_, share_);
+  ~AccountForRow() {
+    if (keeps_ledger(world_)) after_row(world_, row_, v_, omega_, share_);
   }
-  BookRow(const BookRow&) = delete;
-  BookRow& operator=(const BookRow&) = delete;
+  AccountForRow(const AccountForRow&) = delete;
+  AccountForRow& operator=(const AccountForRow&) = delete;
 
  private:
   const World& world_;
@@ -201,16 +203,16 @@ class BookRow {
   const Real share_;
 };
 /// After the integrator and before locks: what is not of a row.
-void book_turns(const World& world);
+void account_turns(const World& world);
 
 // ---- shares.cpp: of a solver's impulses ----
 /// Room for what the next two keep. Allocates.
 void make_room_for_shares(const World& world);
 /// Impulses as the phase after the move begins with them.
-void note_impulses(const World& world);
+void save_impulses(const World& world);
 /// Friction of a pair in lanes counts from nothing again.
-void forget_friction(const World& world, std::uint32_t pair, std::uint32_t lane);
-void note_impacts(const World& world);  // likewise before impacts are answered
+void clear_friction(const World& world, std::uint32_t pair, std::uint32_t lane);
+void save_impacts(const World& world);  // likewise before impacts are answered
 /// Split what the solver did into its causes; bodies have the velocities with which their phases end.
 void share_solved(const World& world);
 void share_relaxed(const World& world);

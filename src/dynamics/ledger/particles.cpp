@@ -1,7 +1,7 @@
 // Particles in the ledger: sums over a set before and after its flight.
 #include <algorithm>
 
-#include "dynamics/ledger/books.h"
+#include "dynamics/ledger/accounts.h"
 
 namespace carom::dynamics {
 namespace {
@@ -51,13 +51,13 @@ void take_set(const World& world, std::uint32_t s, bool host) {
   Ledger& l = ledger_of(world);
   const bool there = s < world.particles.set.size();
   const SetSums sums = there ? sums_of(world, s) : SetSums{{}, Vec3::zero()};
-  if (host) l.book(Cause::host, sums.amount - l.set_amount[s]);
+  if (host) l.account(Cause::host, sums.amount - l.set_amount[s]);
   if (there) keep_sums(world, s, sums);
 }
 
 /// Gravity's impulse is the step's, at the middle of the way; damping has the rest, and where there is none the
 /// integrator.
-void book_flight(const World& world, const StepTime& time) {
+void account_flight(const World& world, const StepTime& time) {
   Ledger& l = ledger_of(world);
   for (std::uint32_t s = 0; s < world.particles.set.size(); ++s) {
     const ParticleSet& set = world.particles.set[s];
@@ -77,11 +77,11 @@ void book_flight(const World& world, const StepTime& time) {
     l.step[l.gravity].add(by_gravity);
     const Amount rest = change - by_gravity;
     if (lost)
-      l.book(Cause::quarantine, rest);
+      l.account(Cause::quarantine, rest);
     else if (set.def.linear_damping > 0)
       l.step[cause_of_row(+EffectId::linear_damping)].add(rest);
     else
-      l.book(Cause::integrator, rest);
+      l.account(Cause::integrator, rest);
     keep_sums(world, s, sums);
   }
 }

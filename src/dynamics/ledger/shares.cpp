@@ -16,7 +16,7 @@ namespace {
 /// Impulses of one row, by what they give its bodies.
 class Gift {
  public:
-  /// @param at_once  they acted since the last booking, and not throughout the phase that ends
+  /// @param at_once  they acted since the last account, and not throughout the phase that ends
   explicit Gift(const World& world, bool at_once = false) : world_(world), at_once_(at_once) {}
 
   /// @param p  N s, world   @param moment  N m s, world, about the centre of mass
@@ -70,8 +70,8 @@ class Shares {
   ~Shares() {
     for (const Cause cause : {Cause::contact, Cause::friction, Cause::joints, Cause::drives}) {
       const Amount& a = by_cause_[index_of(cause)];
-      world_.ledger->book(cause, a);
-      world_.ledger->book(from_, -a);
+      world_.ledger->account(cause, a);
+      world_.ledger->account(from_, -a);
     }
   }
   Shares(const Shares&) = delete;
@@ -106,7 +106,7 @@ void share_point(Shares& shares, const Row& row, const Vec3& p, const Vec3& r_a,
   shares.give(Cause::friction, friction);
 }
 
-/// @param old  impulses are those since note_impulses()
+/// @param old  impulses are those since save_impulses()
 template <class Number>
 void share_lanes(Shares& shares, const ContactLanes<Number>& lanes, bool old) {
   const World& world = shares.world();
@@ -209,9 +209,7 @@ void share_group_links(Shares& shares, bool settled) {
   }
 }
 
-bool answers_directly(const World& world) {
-  return world.plan->solver->calls_direct && world.direct->groups() > 0;
-}
+bool solves_directly(const World& world) { return world.plan->solver->calls_direct && world.direct->groups() > 0; }
 
 }  // namespace
 
@@ -226,7 +224,7 @@ void make_room_for_shares(const World& world) {
   l.old_impacts.resize(world.contacts->impacts.size());
 }
 
-void note_impulses(const World& world) {
+void save_impulses(const World& world) {
   Ledger& l = *world.ledger;
   const WideContacts& wide = *world.wide;
   const WideJoints& w = *world.wide_joints;
@@ -247,12 +245,12 @@ void note_impulses(const World& world) {
   for (std::size_t i = 0; i < w.drives.size(); ++i) note(&l.old_drives[i * kLanes], 1, w.drives[i].row.p);
 }
 
-void forget_friction(const World& world, std::uint32_t pair, std::uint32_t lane) {
+void clear_friction(const World& world, std::uint32_t pair, std::uint32_t lane) {
   Real* const was = &world.ledger->old_pairs[(std::size_t(pair) * kLanes + lane) * 3];
   std::fill(was, was + 3, Real(0));
 }
 
-void note_impacts(const World& world) {
+void save_impacts(const World& world) {
   const Contacts& c = *world.contacts;
   if (!world.plan->runs[static_cast<std::size_t>(Stage::solve)]) return;
   for (std::size_t k = 0; k < c.impacts.size(); ++k)
@@ -264,14 +262,14 @@ void share_solved(const World& world) {
   Shares shares(world);
   if (solver->in_lanes) share_lanes(shares, false);
   if (solver->row_by_row) share_rows(shares);
-  if (answers_directly(world)) share_groups(shares), share_group_links(shares, false);
+  if (solves_directly(world)) share_groups(shares), share_group_links(shares, false);
   if (world.wide_joints->any()) share_joint_lanes(shares, false);
 }
 
 void share_relaxed(const World& world) {
   Shares shares(world);
   if (world.plan->solver->in_lanes) share_lanes(shares, true);
-  if (answers_directly(world)) share_group_links(shares, true);
+  if (solves_directly(world)) share_group_links(shares, true);
   if (world.wide_joints->any()) share_joint_lanes(shares, true);
 }
 

@@ -105,7 +105,7 @@ WorldHit find_nearest(const World& world, const QueryShape& query_shape, Real re
   if (is_empty(box)) return failed(kInvalid);
   WorldHit best;
   // Of a distance a bracket is known, as wide as the tolerance times the smaller of both; of a point, the other.
-  const Real width = 2 * width_of_answers(index, options.cast);
+  const Real width = 2 * width_of_brackets(index, options.cast);
   around(index, box, reach + width, [&](std::uint32_t slot) {
     if (passes(world, options.filter, slot)) {
       const WorldHit hit = nearest_against(world, slot, query_shape, reach, options.cast);

@@ -36,26 +36,26 @@ std::uint64_t QueryIndex::changes(const World& world, std::uint64_t moves) {
   return world.scene.collider_revision + moves;
 }
 
-void QueryIndex::note_moved(std::uint32_t body, bool revised) {
+void QueryIndex::mark_moved(std::uint32_t body, bool revised) {
   ++moves_;
-  noted_ += revised;
+  marked_ += revised;
   if (!whole_ || body >= is_moved_.size() || is_moved_[body]) return;  // who is new has its colliders noted
   is_moved_[body] = 1;
   moved_.push_back(body);  // there is room for all bodies
 }
 
-void QueryIndex::note_changed(std::uint32_t slot) {
+void QueryIndex::mark_changed(std::uint32_t slot) {
   if (!whole_ || changed_.size() == changed_.capacity()) return;  // without a note all will be looked at
   changed_.push_back(slot);
-  ++noted_;
+  ++marked_;
 }
 
 void save_moved_bodies(const World& world, const StepTime&) {
   if (!world.queries->in_use()) return;
-  const auto note = [&](std::uint32_t body) { world.queries->note_moved(body); };
-  world.plan->linear.each(note);
-  world.plan->rotating.each(note);
-  world.plan->kinematic.each(note);
+  const auto mark = [&](std::uint32_t body) { world.queries->mark_moved(body); };
+  world.plan->linear.each(mark);
+  world.plan->rotating.each(mark);
+  world.plan->kinematic.each(mark);
 }
 
 void QueryIndex::bring_up_to_date(const World& world) {
@@ -69,7 +69,7 @@ void QueryIndex::bring_up_to_date(const World& world) {
 
 void QueryIndex::update(const World& world) {
   const Scene& scene = world.scene;
-  const bool all = !whole_ || revision_ + noted_ != scene.collider_revision;
+  const bool all = !whole_ || revision_ + marked_ != scene.collider_revision;
   if (!whole_) {
     tree_.clear();
     std::fill(where_.begin(), where_.end(), Where::nowhere);
@@ -91,7 +91,7 @@ void QueryIndex::update(const World& world) {
   tree_.refit();
   if (tree_.worn() || loose_.size() > 16 + tree_.size() / 64) rebuild();
   revision_ = scene.collider_revision;
-  noted_ = 0;
+  marked_ = 0;
   whole_ = true;
 }
 

@@ -17,9 +17,9 @@ class QueryIndex {
   // ---- by a writer, alone ----
   /// A host or a step moved a body. Allocates nothing.
   /// @param revised  the scene's collider_revision was, or is about to be, raised by one for this
-  void note_moved(std::uint32_t body, bool revised = false);
+  void mark_moved(std::uint32_t body, bool revised = false);
   /// A collider comes or goes, for which the revision is raised by one. Allocates nothing.
-  void note_changed(std::uint32_t slot);
+  void mark_changed(std::uint32_t slot);
   bool in_use() const { return whole_; }
 
   // ---- by readers, any number at a time ----
@@ -61,7 +61,7 @@ class QueryIndex {
   std::atomic<std::uint64_t> seen_{0};  // changes() that all below is up to date with
   std::uint64_t moves_ = 0;             // noted since the world was made
   std::uint64_t revision_ = 0;          // Scene::collider_revision, likewise
-  std::uint64_t noted_ = 0;             // times that was raised since, for what is noted below
+  std::uint64_t marked_ = 0;            // times that was raised since, for what is noted below
   bool whole_ = false;                  // it has been made; false again where memory ran out half-way
 
   QueryTree tree_;

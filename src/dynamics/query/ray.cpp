@@ -39,7 +39,7 @@ WorldHit first(const World& world, const Way& way, Real max, const QueryOptions&
   const QueryIndex& index = *world.queries;
   WorldHit best;
   best.cast.time = best.cast.lower = max;
-  const Real width = width_of_answers(index, options.cast);
+  const Real width = width_of_brackets(index, options.cast);
   Real limit = kInfinity;
   along(index, way, [&](std::uint32_t slot) {
     if (!passes(world, options.filter, slot)) return limit;

@@ -105,7 +105,7 @@ inline bool by_time(const WorldHit& a, const WorldHit& b) {
 
 /// How much later than its bounds an answer that was given the same time may be, m: brackets have a width, and grazes
 /// are uncertain by the root of rounding.
-inline Real width_of_answers(const QueryIndex& index, const CastSettings& settings) {
+inline Real width_of_brackets(const QueryIndex& index, const CastSettings& settings) {
   return std::max(settings.tolerance, Real(1e-6)) * index.largest_radius();
 }
 

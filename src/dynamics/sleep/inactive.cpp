@@ -226,7 +226,7 @@ Sleep::Sleep(Memory* m)
       restless(m),
       fallen(m),
       woken(m),
-      stirred(m),
+      touched_by_host(m),
       rejoined(m),
       tree(m),
       in_tree(m),
@@ -278,7 +278,7 @@ void plan_sleep(const World& world, Settling to, Plan& plan) {
   if (z.count > 0) list_awake(world, z, to, to, z.bodies);
 }
 
-void forget_sleepers(const World& world, Forgetting to) {
+void clear_sleepers(const World& world, ClearingSleepers to) {
   Sleep& z = to;
   wake_all(world, to);
   z.tree.clear();
@@ -314,7 +314,7 @@ void rejoin(const World& world, Settling to) {
     std::erase_if(z.bodies, [&](std::uint32_t i) { return !responds(world.scene, world.state, i); });
     list_awake(world, z, to, to, z.bodies);
   } catch (...) {
-    forget_sleepers(world, to);
+    clear_sleepers(world, to);
     throw;
   }
 }

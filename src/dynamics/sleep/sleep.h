@@ -56,7 +56,7 @@ struct Sleep {
   Array<std::uint8_t> restless;     // scratch: by root
 
   Array<std::uint32_t> fallen, woken;  // bodies since lists were last settled; some may have changed their mind
-  Array<std::uint32_t> stirred;        // static and kinematic bodies that a host moved: they touch once like movers
+  Array<std::uint32_t> touched_by_host;  // static and kinematic bodies that a host moved: they touch once like movers
   Array<std::uint32_t> rejoined;       // colliders that came back: what no pair reclaims is dropped
   std::uint64_t count = 0;             // bodies asleep
   std::uint64_t woke = 0;              // bodies woken since the last report
@@ -98,10 +98,10 @@ void wake_joined(const World& world, Sleepers to, std::uint32_t body);
 void wake_wearing(World& world, std::uint32_t material);
 /// A host changed what a body is or where it stands: it wakes; who touched a static or kinematic one wakes; whom that
 /// one touches now wakes in the next step.
-void stir(World& world, std::uint32_t body);
+void mark_touched_by_host(World& world, std::uint32_t body);
 /// A collider, or a body without colliders, is about to be removed: nothing here names it any longer.
-void forget_collider(World& world, std::uint32_t collider);
-void forget_body(World& world, std::uint32_t body);
+void unlist_collider(World& world, std::uint32_t collider);
+void unlist_body(World& world, std::uint32_t body);
 
 // ---- within refresh() ----
 /// After a plan was made for everybody: cut its lists down to who is awake.
@@ -118,8 +118,8 @@ void fall_asleep(const World& world, Velocities& motion, Sleepers to, StepReport
 
 /// Settle, for stages that wake: bodies of sleep.woken back into arrays and lists of the plan.
 void rejoin(const World& world, Settling to);
-using Forgetting = Writes<SleepFlags, Sleep, PairTable, Impulses, Revisions>;
+using ClearingSleepers = Writes<SleepFlags, Sleep, PairTable, Impulses, Revisions>;
 /// Where memory ran out half-way: everybody is awake, and caches are gone.
-void forget_sleepers(const World& world, Forgetting to);
+void clear_sleepers(const World& world, ClearingSleepers to);
 
 }  // namespace carom::dynamics

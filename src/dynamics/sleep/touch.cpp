@@ -28,8 +28,8 @@ void gather_movers(const World& world, Sleep& z) {
     if (scene.type[i] == BodyType::dynamic || s.v[i] != Vec3::zero() || s.omega[i] != Vec3::zero())
       z.asking.push_back(slot);
   }
-  for (const std::uint32_t i : z.stirred) ask_for(world, z, i);
-  z.stirred.clear();
+  for (const std::uint32_t i : z.touched_by_host) ask_for(world, z, i);
+  z.touched_by_host.clear();
 }
 
 /// Who hangs on a kinematic body that moves; of those woken, the colliders ask like other movers'.
@@ -94,7 +94,7 @@ void ask(const World& world, Sleepers to, NarrowReport& report, const NarrowSett
 void wake_touched(const World& world, Settling to, SpringLoads& springs, StepReport& report, const StepTime& time) {
   Sleep& z = to;
   z.near.clear();
-  if (z.count == 0) return z.stirred.clear();
+  if (z.count == 0) return z.touched_by_host.clear();
   const NarrowSettings settings = narrow_settings(world.scene.dials);
   try {
     gather_movers(world, z);
@@ -102,7 +102,7 @@ void wake_touched(const World& world, Settling to, SpringLoads& springs, StepRep
     for (std::size_t k = 0; k < z.asking.size(); ++k) ask(world, to, report.narrow, settings, z.asking[k], time.dt);
     if (!z.woken.empty()) rejoin(world, to);
   } catch (...) {
-    forget_sleepers(world, to);  // whom a host's hand stirred, and whom it touched, is lost otherwise
+    clear_sleepers(world, to);  // whom a host's hand stirred, and whom it touched, is lost otherwise
     throw;
   }
   carry_springs(world, springs, time.h);

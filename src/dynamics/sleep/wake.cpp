@@ -66,17 +66,17 @@ void wake_wearing(World& world, std::uint32_t material) {
   });
 }
 
-void stir(World& world, std::uint32_t body) {
+void mark_touched_by_host(World& world, std::uint32_t body) {
   const Scene& scene = world.scene;
   if (scene.type[body] == BodyType::dynamic) return wake(world, body);
   if (world.sleep->count == 0) return;
   wake_joined(world, Sleepers(world), body);
-  world.sleep->stirred.push_back(body);
+  world.sleep->touched_by_host.push_back(body);
   for (std::uint32_t c = scene.first_collider[body]; c != kInvalid; c = scene.colliders.next[c])
     wake_touching(world, c);
 }
 
-void forget_collider(World& world, std::uint32_t collider) {
+void unlist_collider(World& world, std::uint32_t collider) {
   Sleep& z = *world.sleep;
   if (collider < z.in_tree.size() && z.in_tree[collider]) z.tree.remove(collider), z.in_tree[collider] = 0;
   const auto names = [&](const OldImpulse& o) { return o.pair.a == collider || o.pair.b == collider; };
@@ -87,9 +87,9 @@ void forget_collider(World& world, std::uint32_t collider) {
   std::erase(z.rejoined, collider);
 }
 
-void forget_body(World& world, std::uint32_t body) {
+void unlist_body(World& world, std::uint32_t body) {
   Sleep& z = *world.sleep;
-  for (Array<std::uint32_t>* list : {&z.fallen, &z.woken, &z.stirred}) std::erase(*list, body);
+  for (Array<std::uint32_t>* list : {&z.fallen, &z.woken, &z.touched_by_host}) std::erase(*list, body);
   if (body >= z.inactive.size()) return;
   z.inactive[body] = 0, z.ring[body] = kInvalid, z.sleep_timer[body] = 0;  // as of a slot that has not lived yet
   z.anchor_x[body] = Vec3::zero(), z.anchor_q[body] = Quat::identity();

@@ -113,10 +113,11 @@ std::uint16_t bits_of_body(const World& world, std::uint32_t i) {
       bit(!same_bits(s.held_q[i], s.q[i]), kHeld) |
       bit(!same_bits(s.placed_x[i], s.x[i]) || !same_bits(s.placed_q[i], s.q[i]), kPlacedElsewhere) |
       bit(!zero_bits(s.force[i]) || !zero_bits(s.torque[i]), kPushed) |
-      bit(s.loaded_steps[i] | s.cooldown_steps[i], kSolverMemory) | bit(s.is_lost(i), kQuarantined) | bit(s.is_disabled(i), kDisabled) |
-      bit(s.is_written[i], kWritten) | bit(world.state.sleeps(i), kAsleep) | bit(sleeps && z.inactive[i], kInactive) |
-      bit(rests, kRests) | bit(i < world.events->slept.size() && world.events->slept[i], kSleptBefore) |
-      bit(settings_of(world.scene, i), kSettings) | bit(s.accuracy[i] != AccuracyNote(), kAccuracy));
+      bit(s.loaded_steps[i] | s.cooldown_steps[i], kSolverMemory) | bit(s.is_lost(i), kQuarantined) |
+      bit(s.is_disabled(i), kDisabled) | bit(s.is_written[i], kWritten) | bit(world.state.sleeps(i), kAsleep) |
+      bit(sleeps && z.inactive[i], kInactive) | bit(rests, kRests) |
+      bit(i < world.events->slept.size() && world.events->slept[i], kSleptBefore) |
+      bit(settings_of(world.scene, i), kSettings) | bit(s.accuracy[i] != AccuracyMemory(), kAccuracy));
 }
 
 bool sane_turn(const Quat& q) {
@@ -159,16 +160,17 @@ void body(Io& io, W& world, std::uint32_t i) {
   const auto loaded = bits & kSolverMemory ? io.value(s.loaded_steps[i]) : std::uint8_t(0);
   const auto cooldown = bits & kSolverMemory ? io.value(s.cooldown_steps[i]) : std::uint8_t(0);
   keep(io, s.loaded_steps[i], loaded), keep(io, s.cooldown_steps[i], cooldown);
-  AccuracyNote note;
+  AccuracyMemory memory;
   if (bits & kAccuracy) {
-    note.level = io.value(s.accuracy[i].level), note.wait = io.value(s.accuracy[i].wait), note.met = io.value(s.accuracy[i].met);
+    memory.level = io.value(s.accuracy[i].level), memory.wait = io.value(s.accuracy[i].wait),
+    memory.met = io.value(s.accuracy[i].met);
     const auto flags = io.value(static_cast<std::uint8_t>(s.accuracy[i].softly | s.accuracy[i].stalled << 1));
     io.demand(flags <= 3);
-    note.softly = flags & 1, note.stalled = flags >> 1;
-    note.place = io.value(s.accuracy[i].place), note.turn = io.value(s.accuracy[i].turn);
-    io.demand(note.level <= accuracy::kMostLevel && note.place >= 0 && note.turn >= 0);
+    memory.softly = flags & 1, memory.stalled = flags >> 1;
+    memory.place = io.value(s.accuracy[i].place), memory.turn = io.value(s.accuracy[i].turn);
+    io.demand(memory.level <= accuracy::kMostLevel && memory.place >= 0 && memory.turn >= 0);
   }
-  keep(io, s.accuracy[i], note);
+  keep(io, s.accuracy[i], memory);
   const std::uint32_t ring = bits & kAsleep ? io.value(Io::saves ? z.ring[i] : 0u) : kInvalid;
   const Real sleep_timer = bits & kRests ? io.real(Io::saves ? z.sleep_timer[i] : Real(0)) : Real(0);
   const Vec3 anchor_x = bits & kRests ? io.vec(Io::saves ? z.anchor_x[i] : zero) : x;

@@ -65,7 +65,8 @@ struct Sleepers {
     const auto collider = [&](std::uint32_t i) { return world.scene.collider_slots.alive(i); };
     const std::size_t bodies = world.scene.bodies.slots();
     slots(io, z.fallen, needs.fallen, bodies, sleeper), slots(io, z.woken, needs.woken, bodies, sleeper);
-    slots(io, z.stirred, needs.stirred, kMaxSlots, body), slots(io, z.rejoined, needs.rejoined, kMaxSlots, collider);
+    slots(io, z.touched_by_host, needs.touched_by_host, kMaxSlots, body),
+        slots(io, z.rejoined, needs.rejoined, kMaxSlots, collider);
     if constexpr (Io::loads) z.kept.clear(), z.kept_free.clear(), z.near.clear();
     const auto keeps = [&](std::uint32_t i) { return z.kept_first[i] != kInvalid; };
     std::uint64_t keepers = 0;

@@ -53,7 +53,7 @@ void make_room_for(World& world, const Needs& n) {
   z.anchor_x.reserve(sleepers), z.anchor_q.reserve(sleepers), z.radius.reserve(sleepers), z.rows.reserve(sleepers);
   z.kept_first.reserve(sleepers), z.root.reserve(sleepers), z.restless.reserve(sleepers);
   if (sleepers > 0) z.fallen.reserve(std::max(bodies, n.fallen)), z.woken.reserve(std::max(bodies, n.woken));
-  z.stirred.reserve(n.stirred), z.rejoined.reserve(n.rejoined);
+  z.touched_by_host.reserve(n.touched_by_host), z.rejoined.reserve(n.rejoined);
   z.kept.reserve(n.kept), z.kept_free.reserve(z.kept.capacity());
   e.touching.reserve(n.touching), e.within.reserve(n.within), e.slept.reserve(std::max(e.slept.size(), n.slept));
   world.plan->faulty.reserve(n.faulty);
@@ -66,7 +66,7 @@ void make_room_for(World& world, const Needs& n) {
 }
 
 /// What the last step left for who asks is not of the state that is put back.
-void forget_last_step(World& world) {
+void clear_last_step(World& world) {
   Contacts& c = *world.contacts;
   world.views->clear(), world.group_views.clear(), world.fault_views.clear();
   world.events->clear();
@@ -100,7 +100,7 @@ void load_state(World& world, Found& found) {
     Loader io(found.begin[k], found.end[k], found.begin[k] == nullptr);
     all[k]->load(io, world);
   }
-  forget_last_step(world);
+  clear_last_step(world);
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ void look_at_joints(const World& world, std::size_t group, GroupView& view) {
 }
 
 struct GroupMotion {
-  bool struck = false, still = true;
+  bool is_under_impact = false, still = true;
 };
 
 /// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
@@ -154,11 +154,12 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
       const Real load = std::max(points.p_n[k] * rate, share);
       // How deep soft contacts let the point sink, of the thickness of what touches: P / (m w^2) over that.
       if (load > 0) most = std::max(most, load * points.response[k] * give);
-      motion.struck |= points.closing[k] * points.closing[k] > kImpactShare * fall;
+      motion.is_under_impact |= points.closing[k] * points.closing[k] > kImpactShare * fall;
       motion.still &= points.speed2[k] < kLiesStill * fall;
     }
     const auto bears = [&](bool moves, std::uint32_t body) {
-      if (moves && is_carried(*world.plan, body) && turns_far_for_its_shape(world, body, world.plan->substeps * h)) motion = {true, false};
+      if (moves && turns_by_method(*world.plan, body) && turns_far_for_its_shape(world, body, world.plan->substeps * h))
+        motion = {true, false};
       if (moves) seen.mark(c.load[body], body, most > deep ? Contacts::kHeavy : Contacts::kLight);
     };
     bears(row.moves_a, row.a), bears(row.moves_b, row.b);
@@ -201,7 +202,7 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   if (memory.cools_down && (!unlike || joined || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (!memory.bears) return GroupReason::still;
-  return motion.struck ? GroupReason::blow : GroupReason::sink;
+  return motion.is_under_impact ? GroupReason::impact : GroupReason::sink;
 }
 
 Contacts::Choice answer_to(GroupReason reason) {
@@ -261,7 +262,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
     GroupView& view = views[g];
     view = view_of(world, memory, g, w2, h);
     c.direct[g] = answer_to(view.reason);
-    view.direct = c.answered_directly(g);
+    view.direct = c.solved_directly(g);
   });
   for (const GroupView& view : views) report.direct_groups += view.direct;
 }
@@ -271,7 +272,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
 void start_cooldowns(const World& world, SolverMemory& memory) {
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    if (d.rest[g].waits || d.rest[g].lies || !is_far_off(d.answer[g], world.scene.dials)) continue;
+    if (d.rest[g].waits || d.rest[g].lies || !is_far_off(d.solution[g], world.scene.dials)) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
       memory.cooldown_steps[d.bodies[i].slot] = kCooldown;
   }
@@ -285,7 +286,7 @@ void each_taken_over(const World& world, F&& f) {
     return moves && world.state.cooldown_steps[body] == kCooldown - 1;
   };
   for (std::size_t g = 0; g < c.groups(); ++g) {
-    if (c.answered_directly(g)) continue;
+    if (c.solved_directly(g)) continue;
     bool is_new = false;
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1] && !is_new; ++k) {
       const Row& row = c.rows[c.group_rows[k]];

@@ -32,7 +32,7 @@ struct ContactSweeps {
   /// One sweep without a spring: friction, then normals, which undo no penetration.
   void (*sweep)(const Run& run, double inv_h);
   /// Book this substep's impulses under the step's.
-  void (*book)(const Run& run);
+  void (*accumulate)(const Run& run);
   /// One sweep over displacements instead of velocities: what lies deeper than `slop`, and than its spring lets sink
   /// what it bears, is moved apart by `share` of that.
   /// @param run  velocities of this run are displacements, m and rad

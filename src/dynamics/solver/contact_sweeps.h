@@ -43,13 +43,14 @@ CAROM_LANES_INLINE void as_it_is(const Pair& pair, const F& f) {
 
 /// Normal impulses of a pair, added up: what they are together where its friction acts, and their moment about it.
 template <class Number, int kCount, int kOneNormal>
-struct Press {
+struct NormalImpulse {
   using Lanes = LanesOf<Number>;
   using LaneVec = LaneVecOf<Number>;
   LaneVec force, moment;  // N s, N m s
 
   /// @param impulse  [kCount] N s
-  CAROM_LANES_INLINE Press(const PairLanesOf<Number>& pair, const PointLanesOf<Number>* points, const Lanes* impulse) {
+  CAROM_LANES_INLINE NormalImpulse(const PairLanesOf<Number>& pair, const PointLanesOf<Number>* points,
+                                   const Lanes* impulse) {
     if constexpr (kOneNormal) {
       Lanes sum = impulse[0];
       LaneVec arm = impulse[0] * points[0].d;
@@ -103,7 +104,8 @@ struct Closing {
 ///
 /// @tparam kSpare  what will bounce in the next substep keeps the impulse that it has
 template <bool kPush, bool kSpare, int kCount, int kOneNormal, class Number>
-CAROM_LANES_INLINE void press(Both<Number>& both, PointLanesOf<Number>* points, Number inv_h, Number push_speed) {
+CAROM_LANES_INLINE void solve_normal(Both<Number>& both, PointLanesOf<Number>* points, Number inv_h,
+                                     Number push_speed) {
   using Lanes = LanesOf<Number>;
   constexpr auto kUnder = static_cast<Number>(kUnderLoad.value);
   const PairLanesOf<Number>& pair = both.pair;
@@ -151,7 +153,7 @@ CAROM_LANES_INLINE void press(Both<Number>& both, PointLanesOf<Number>* points, 
     push[k] = impulse[k] - push[k];
     p.p_n = impulse[k];
   }
-  Press<Number, kCount, kOneNormal>(pair, points, push).act(both);
+  NormalImpulse<Number, kCount, kOneNormal>(pair, points, push).act(both);
 }
 
 /// kernel(pair, points, both, count, one_normal) for each, with bodies' velocities read before and written after.
@@ -177,10 +179,10 @@ void warm_start(const LaneRunOf<Number>& run) {
                  constexpr int kCount = decltype(count)::value;
                  LanesOf<Number> impulse[kCount];
                  for (int k = 0; k < kCount; ++k) impulse[k] = points[k].p_n;
-                 Press<Number, kCount, decltype(one_normal)::value> press(pair, points, impulse);
-                 press.force = press.force + pair.p_t * pair.t + pair.p_s * cross(pair.n, pair.t);
-                 press.moment = press.moment + pair.p_w * pair.n;
-                 press.act(both);
+                 NormalImpulse<Number, kCount, decltype(one_normal)::value> solve_normal(pair, points, impulse);
+                 solve_normal.force = solve_normal.force + pair.p_t * pair.t + pair.p_s * cross(pair.n, pair.t);
+                 solve_normal.moment = solve_normal.moment + pair.p_w * pair.n;
+                 solve_normal.act(both);
                });
 }
 
@@ -190,8 +192,8 @@ void solve(const LaneRunOf<Number>& run, double per_substep, double most_push) {
   each_pair(
       run, [&](auto& pair, auto* points, auto& both, auto count, auto one_normal) __attribute__((always_inline)) {
         constexpr int kCount = decltype(count)::value;
-        rub<kCount>(both, pair, points, run.drives);
-        press<true, false, kCount, decltype(one_normal)::value>(both, points, inv_h, push_speed);
+        solve_friction<kCount>(both, pair, points, run.drives);
+        solve_normal<true, false, kCount, decltype(one_normal)::value>(both, points, inv_h, push_speed);
       });
 }
 
@@ -236,8 +238,8 @@ void relax(const LaneRunOf<Number>& run, double per_substep) {
         separate<kCount, kOneNormal>(run, pair, points);
         // Normals first: friction is then bound by the loads themselves, of which the springs of solve()
         // gave a part away.
-        press<false, kSpare, kCount, kOneNormal>(both, points, inv_h, Number(0));
-        rub<kCount>(both, pair, points, run.drives);
+        solve_normal<false, kSpare, kCount, kOneNormal>(both, points, inv_h, Number(0));
+        solve_friction<kCount>(both, pair, points, run.drives);
         add_to_sums(pair, points, kCount);
       });
 }
@@ -248,13 +250,13 @@ void sweep(const LaneRunOf<Number>& run, double per_substep) {
   each_pair(
       run, [&](auto& pair, auto* points, auto& both, auto count, auto one_normal) __attribute__((always_inline)) {
         constexpr int kCount = decltype(count)::value;
-        rub<kCount>(both, pair, points, run.drives);
-        press<false, false, kCount, decltype(one_normal)::value>(both, points, inv_h, Number(0));
+        solve_friction<kCount>(both, pair, points, run.drives);
+        solve_normal<false, false, kCount, decltype(one_normal)::value>(both, points, inv_h, Number(0));
       });
 }
 
 template <class Number>
-void book(const LaneRunOf<Number>& run) {
+void accumulate(const LaneRunOf<Number>& run) {
   for (std::size_t i = 0; i < run.count; ++i)
     add_to_sums(run.pairs[i], run.points + run.pairs[i].first, run.pairs[i].points);
 }
@@ -297,9 +299,9 @@ void measure(const LaneRunOf<Number>& run) {
 
 template <class Number>
 constexpr ContactSweeps<Number> all_sweeps() {
-  return {lay_out<Number>, read_back<Number>,    prepare<Number>,     warm_start<Number>,
-          solve<Number>,   relax<false, Number>, relax<true, Number>, sweep<Number>,
-          book<Number>,    part<Number>,         measure<Number>};
+  return {lay_out<Number>,    read_back<Number>,    prepare<Number>,     warm_start<Number>,
+          solve<Number>,      relax<false, Number>, relax<true, Number>, sweep<Number>,
+          accumulate<Number>, part<Number>,         measure<Number>};
 }
 
 constexpr ContactKernels kernels_named(const char* name) {

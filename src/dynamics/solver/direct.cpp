@@ -67,7 +67,7 @@ static void share_out(DirectGroups& d, std::uint64_t work) {
     if (shares(g) && !rest.at_once) rest.work = rest.share = rest.share * work / expected;
   }
   std::ranges::sort(urgent, [&](std::uint32_t a, std::uint32_t b) {
-    const Real of_a = d.answer[a].residual, of_b = d.answer[b].residual;
+    const Real of_a = d.solution[a].residual, of_b = d.solution[b].residual;
     return of_a != of_b ? of_a > of_b : a < b;
   });
   std::uint64_t taken = 0;
@@ -91,9 +91,9 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
   });
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].repeats > 0) continue;
-    report.velocity_impulses += d.answer[g].factorisations;
-    report.wedged_groups += d.answer[g].is_wedged, report.refused_answers += d.answer[g].is_by_sweeps;
-    report.solver_residual = std::max<double>(report.solver_residual, d.answer[g].residual);
+    report.velocity_impulses += d.solution[g].factorisations;
+    report.wedged_groups += d.solution[g].is_wedged, report.refused_answers += d.solution[g].is_by_sweeps;
+    report.solver_residual = std::max<double>(report.solver_residual, d.solution[g].residual);
   }
 }
 
@@ -103,7 +103,7 @@ void part_groups(const World& world, Poses& to, StepReport& report, Real h) {
   if (std::ranges::all_of(d.rest, [](const GroupRest& rest) { return rest.lasts; })) return;
   refresh_rotations(world);
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).part(to, h); });
-  for (const ConeAnswer& answer : d.answer) report.position_moves += answer.factorisations;
+  for (const ConeSolution& solution : d.solution) report.position_moves += solution.factorisations;
 }
 
 void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h) {

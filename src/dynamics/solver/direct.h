@@ -40,8 +40,8 @@ struct GroupRest {
 };
 
 /// An answer that came nowhere near the law.
-inline bool is_far_off(const ConeAnswer& answer, const Dials& dials) {
-  return !answer.reached && answer.residual > dials[Dial::velocity_tolerance];
+inline bool is_far_off(const ConeSolution& solution, const Dials& dials) {
+  return !solution.reached && solution.residual > dials[Dial::velocity_tolerance];
 }
 
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
@@ -79,7 +79,7 @@ struct DirectGroups {
         factor(m),
         scratch(m),
         products(m),
-        answer(m),
+        solution(m),
         rest(m) {}
 
   struct Begin {
@@ -107,7 +107,7 @@ struct DirectGroups {
   BlockFactor factor;
   Array<Vec6> scratch;
   Array<std::uint64_t> products;  // of blocks, of a factorisation, by group
-  Array<ConeAnswer> answer;   // by group, of the last solve
+  Array<ConeSolution> solution;   // by group, of the last solve
   Array<GroupRest> rest;      // by group
 
   /// The body of a slot, new to the present group or not; kInvalid where impulses do not move it.

@@ -81,15 +81,17 @@ class Renewal {
       set(p.gap, lane, gap);
     }
     // What slides and has been rubbed in this substep has that much less to bear in the sweeps ahead.
-    if (slides) set(pair.friction, lane, (h_ > 0 ? left_to_rub(pair, points, lane, m.points) : 1) * row.friction);
-    if (h_ > 0) book(pair.p_t, pair.sum_t, lane), book(pair.p_s, pair.sum_s, lane), book(pair.p_w, pair.sum_w, lane);
-    if (h_ > 0 && keeps_books(world_)) forget_friction(world_, m.pair, m.lane);
+    if (slides) set(pair.friction, lane, (h_ > 0 ? left_to_friction(pair, points, lane, m.points) : 1) * row.friction);
+    if (h_ > 0)
+      accumulate(pair.p_t, pair.sum_t, lane), accumulate(pair.p_s, pair.sum_s, lane),
+          accumulate(pair.p_w, pair.sum_w, lane);
+    if (h_ > 0 && keeps_ledger(world_)) clear_friction(world_, m.pair, m.lane);
     set(pair.p_t, lane, 0), set(pair.p_s, lane, 0), set(pair.p_w, lane, 0);
   }
 
  private:
   template <class Lanes>
-  static void book(const Lanes& p, Lanes& sum, int lane) {
+  static void accumulate(const Lanes& p, Lanes& sum, int lane) {
     sum[lane] += p[lane];
   }
   /// Where friction acts, m, from A's centre of mass: of what slides at the middle of its loads, or where nothing bears
@@ -112,8 +114,8 @@ class Renewal {
   }
   /// Which share of friction's bound a pair does not bear, @see lane_friction.h.
   template <class Number>
-  static Real left_to_rub(const PairLanesOf<Number>& pair, const PointLanesOf<Number>* points, int lane,
-                          std::uint32_t count) {
+  static Real left_to_friction(const PairLanesOf<Number>& pair, const PointLanesOf<Number>* points, int lane,
+                               std::uint32_t count) {
     Real load = 0, moment = 0;
     for (std::uint32_t k = 0; k < count; ++k)
       load += points[k].p_n[lane], moment += points[k].reach[lane] * points[k].p_n[lane];
@@ -249,7 +251,8 @@ void begin_far_turns(const World& world, Velocities& to, WideContacts& wide, Rea
     FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
     f.led_on = false;
-    f.led_back = f.may && is_carried(*world.plan, slot) && turns_far_for_its_shape(world, slot, h) && !s.held_out[slot];
+    f.led_back =
+        f.may && turns_by_method(*world.plan, slot) && turns_far_for_its_shape(world, slot, h) && !s.held_out[slot];
     f.end = s.omega[slot];
     if (f.led_back) f.begun = to.omega[slot] = led_back(world, slot, f.end);
   }
@@ -261,7 +264,9 @@ void end_far_turns(const World& world, Velocities& to, WideContacts& wide, Real 
   for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
     FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
-    if (!f.led_back && !(f.may && is_carried(*world.plan, slot) && world.plan->touched[slot] && turns_far_for_its_shape(world, slot, h))) continue;
+    if (!f.led_back && !(f.may && turns_by_method(*world.plan, slot) && world.plan->touched[slot] &&
+                         turns_far_for_its_shape(world, slot, h)))
+      continue;
     f.led_on = true;
     if (f.led_back && s.omega[slot] == f.begun) {
       to.omega[slot] = f.end;

@@ -35,7 +35,7 @@ struct Slip {
 
 /// Force and twist of a patch.
 template <class Number>
-struct Rub {
+struct FrictionImpulse {
   using Lanes = LanesOf<Number>;
   Lanes t, s, w;  // N s, N m s
 };
@@ -48,26 +48,28 @@ struct Bound {
 
   /// How far beyond it something is, squared: what its parts are divided by, squared, to lie on the bound; below 1
   /// within.
-  CAROM_LANES_INLINE Lanes beyond2(const Rub<Number>& p) const {
+  CAROM_LANES_INLINE Lanes beyond2(const FrictionImpulse<Number>& p) const {
     const Lanes per = inverse_or_zero(most), per_w = inverse_or_zero(most_w);
     const Lanes x_t = per * p.t, x_s = per * p.s, y = per_w * p.w, x2 = x_t * x_t + x_s * x_s, y2 = y * y;
     const Lanes sum = x2 + y2, both = all<Number>(kPatchBend.value) * (x2 * y2);
     return (sum + square_root(sum * sum + 4 * both)) / 2;
   }
   /// Shortened to it, by what beyond2() says.
-  CAROM_LANES_INLINE Rub<Number> bounded(const Rub<Number>& p, Lanes beyond2) const {
+  CAROM_LANES_INLINE FrictionImpulse<Number> bounded(const FrictionImpulse<Number>& p, Lanes beyond2) const {
     const Lanes one = all<Number>(1), none = all<Number>(0);
     const Lanes shorten = one / square_root(larger(beyond2, one));
     return {most > none ? shorten * p.t : none, most > none ? shorten * p.s : none,
             most_w > none ? shorten * p.w : none};
   }
-  CAROM_LANES_INLINE Rub<Number> bounded(const Rub<Number>& p) const { return bounded(p, beyond2(p)); }
+  CAROM_LANES_INLINE FrictionImpulse<Number> bounded(const FrictionImpulse<Number>& p) const {
+    return bounded(p, beyond2(p));
+  }
 };
 
 /// What a patch bears next, from what it bore: impulses on both bodies.
 template <class Number>
-CAROM_LANES_INLINE void change(Both<Number>& both, const LaneVecOf<Number>& tangent_s, const Rub<Number>& from,
-                               const Rub<Number>& to) {
+CAROM_LANES_INLINE void change(Both<Number>& both, const LaneVecOf<Number>& tangent_s,
+                               const FrictionImpulse<Number>& from, const FrictionImpulse<Number>& to) {
   const PairLanesOf<Number>& pair = both.pair;
   const LaneVecOf<Number> p = (to.t - from.t) * pair.t + (to.s - from.s) * tangent_s, w = (to.w - from.w) * pair.n;
   both.apply(p, cross(pair.r_a, p) + w, cross(pair.r_b, p) + w);
@@ -77,8 +79,8 @@ CAROM_LANES_INLINE void change(Both<Number>& both, const LaneVecOf<Number>& tang
 /// step that no response outdoes, so that what slides fast is rubbed against its motion.   @param left  of bodies that
 /// bear p
 template <class Number>
-CAROM_LANES_INLINE Rub<Number> against(const PairLanesOf<Number>& pair, const Bound<Number>& bound,
-                                       const Rub<Number>& p, const Slip<Number>& left) {
+CAROM_LANES_INLINE FrictionImpulse<Number> against(const PairLanesOf<Number>& pair, const Bound<Number>& bound,
+                                                   const FrictionImpulse<Number>& p, const Slip<Number>& left) {
   using Lanes = LanesOf<Number>;
   const Lanes none = all<Number>(0), bend = all<Number>(kPatchBend.value);
   // The normal where it was, which is nearer to where it slides than what would stop it.
@@ -93,8 +95,8 @@ CAROM_LANES_INLINE Rub<Number> against(const PairLanesOf<Number>& pair, const Bo
 /// allow. What slides and can't bear both together has them shortened to the bound on both, and goes on from there.
 /// Four that stick do not look at it, and what sticks beside what slides keeps its bits.
 template <int kCount, class Number>
-CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const PointLanesOf<Number>* points,
-                            const DriveLanesOf<Number>* drives) {
+CAROM_LANES_INLINE void solve_friction(Both<Number>& both, PairLanesOf<Number>& pair,
+                                       const PointLanesOf<Number>* points, const DriveLanesOf<Number>* drives) {
   using Lanes = LanesOf<Number>;
   const Lanes one = all<Number>(1), none = all<Number>(0);
   const LaneVecOf<Number> s = cross(pair.n, pair.t);
@@ -104,7 +106,7 @@ CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const
     moment += points[k].reach * points[k].p_n;
   }
   const Bound<Number> bound = {pair.friction * load, pair.friction * moment};
-  Rub<Number> stops = {none, none, none};
+  FrictionImpulse<Number> stops = {none, none, none};
   if constexpr (kCount > 1) {  // one point has no reach, and bears no twist
     Lanes spin = dot(both.spin(), pair.n);
     if (pair.driven) spin += drives[pair.driven - 1].w;
@@ -117,17 +119,17 @@ CAROM_LANES_INLINE void rub(Both<Number>& both, PairLanesOf<Number>& pair, const
   const Lanes size2 = stops.t * stops.t + stops.s * stops.s;
   const auto outside = size2 > bound.most * bound.most;
   const Lanes shorten = outside ? bound.most / square_root(outside ? size2 : one) : one;
-  Rub<Number> p = {shorten * stops.t, shorten * stops.s, stops.w};
-  const Rub<Number> borne = {pair.p_t, pair.p_s, stops.w};
+  FrictionImpulse<Number> p = {shorten * stops.t, shorten * stops.s, stops.w};
+  const FrictionImpulse<Number> borne = {pair.p_t, pair.p_s, stops.w};
   if (kCount > 1 && pair.slides) {
     stops.w = pair.m_w > none ? stops.w : none;  // what can't turn leaves its force the whole bound
     const Lanes beyond2 = bound.beyond2(stops), slide = beyond2 > one ? pair.slide : none;
     if (some_slide(slide)) {
       const auto slides = slide > none;
-      const auto where = [&](const Rub<Number>& sliding) __attribute__((always_inline)) {
-        return Rub<Number>{slides ? sliding.t : p.t, slides ? sliding.s : p.s, slides ? sliding.w : p.w};
+      const auto where = [&](const FrictionImpulse<Number>& sliding) __attribute__((always_inline)) {
+        return FrictionImpulse<Number>{slides ? sliding.t : p.t, slides ? sliding.s : p.s, slides ? sliding.w : p.w};
       };
-      const Rub<Number> first = where(bound.bounded(stops, beyond2));
+      const FrictionImpulse<Number> first = where(bound.bounded(stops, beyond2));
       change(both, s, borne, first);
       p = where(against(pair, bound, first, Slip<Number>(both, s, drives)));
       change(both, s, first, p);

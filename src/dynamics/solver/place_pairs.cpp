@@ -27,7 +27,7 @@ bool meet_as_before(const World& world, const WideContacts& wide) {
   };
   auto old = p.met.begin();
   for (const ContactPair& m : c.contact_pairs) {
-    if (!c.answered_in_lanes(m.row)) continue;
+    if (!c.solved_in_lanes(m.row)) continue;
     if (old == p.met.end() || !old->is_like(m)) return false;
     if (!has_its_number(m.moves_a, m.a) || !has_its_number(m.moves_b, m.b)) return false;
     ++old;
@@ -39,7 +39,7 @@ bool meet_as_before(const World& world, const WideContacts& wide) {
 void take_rows(const Contacts& c, WideContacts& wide) {
   std::size_t i = 0;
   for (const ContactPair& m : c.contact_pairs)
-    if (c.answered_in_lanes(m.row)) wide.manifolds[i].row = wide.placing->met[i].row = m.row, ++i;
+    if (c.solved_in_lanes(m.row)) wide.manifolds[i].row = wide.placing->met[i].row = m.row, ++i;
 }
 
 /// Who is answered in lanes, and their bodies.
@@ -60,7 +60,7 @@ void list_bodies(const World& world, WideContacts& wide) {
     if (scene.type[body] == BodyType::kinematic) wide.body[body] = kMoves, p.kinematic.push_back(body);
   };
   for (const ContactPair& m : c.contact_pairs)
-    if (c.answered_in_lanes(m.row)) p.met.push_back(m), mark(m.moves_a, m.a), mark(m.moves_b, m.b);
+    if (c.solved_in_lanes(m.row)) p.met.push_back(m), mark(m.moves_a, m.a), mark(m.moves_b, m.b);
   for (const Link& l : c.links)
     for (const auto& [moves, body] : {std::pair(l.moves_a, l.a), std::pair(l.moves_b, l.b)})
       if (body != kInvalid) mark(moves, body);
@@ -102,7 +102,7 @@ void number_bodies(WideContacts& wide) {
 }
 
 /// Where bodies are as the step begins, and room for what lanes know of them.
-void note_poses(const World& world, WideContacts& wide) {
+void save_poses(const World& world, WideContacts& wide) {
   const std::size_t n = wide.slot.size();
   wide.velocity.assign(n, {});
   wide.shift.assign(n, {});
@@ -345,7 +345,7 @@ void place_pairs(const World& world, WideContacts& wide) {
     list_manifolds(wide);
     place_all(world, wide);
   }
-  note_poses(world, wide);
+  save_poses(world, wide);
   p.stands = world.contacts->links.empty();
 }
 

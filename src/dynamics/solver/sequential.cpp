@@ -30,7 +30,7 @@ void sequential_velocities(const World& world, Solver::Solves to, const StepTime
     sweep_rows(
         world, [&](const JointRun& run) { joints->solve(run, inv_h); },
         [&](const auto& s, const auto& run) { s.sweep(run, inv_h); });
-  over_contacts(world, [](const auto& s, const auto& run) { s.book(run); });
+  over_contacts(world, [](const auto& s, const auto& run) { s.accumulate(run); });
   store_velocities(world, to, wide, time.h);
   end_far_turns(world, to, wide, time.h);
   report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();

@@ -20,8 +20,8 @@ Real velocity_severity_squared(const Row& row) {
   Real slip2 = slip.squared_norm();
   if (row.on_rim) {
     // On the rim of the disc, slipping against the friction impulse is what the law wants.
-    const Real along = slip.dot(row.rub);
-    if (along < 0) slip2 = std::max(Real(0), slip2 - along * along / row.rub2);
+    const Real along = slip.dot(row.friction_p);
+    if (along < 0) slip2 = std::max(Real(0), slip2 - along * along / row.friction_p2);
   }
   return std::max(normal * normal, std::min(slip2, row.slip_most2));
 }

@@ -26,7 +26,7 @@ void begin_contacts(const World& world, Solver::Begins to, Owned<MeanMotion>& me
   find_small_groups(world, means);
 }
 void solve_velocities(const World& world, Solver::Solves to, const StepTime& time) {
-  note_energies(world);
+  save_energies(world);
   take_half_kicks(world, to);
   serve(world.plan->solver->velocities, world, to, time);
   find_mean_motion(world, time);

@@ -72,7 +72,7 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     of.inv_mass_b[lane] = row.moves_b ? scene.inv_mass[row.b] : 0;
     of.to_b[lane] = Arms::to_b(row, g);
     of.friction[lane] = row.friction;
-    of.slide[lane] = row.slides + row.rubs_by_load;
+    of.slide[lane] = row.slides + row.slides_by_load;
     of.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
   }
   return of;
@@ -84,7 +84,7 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
   const Contacts& c = *world.contacts;
   rows.drives.clear();
   for (const Driven& driven : c.driven) {
-    if (!c.answered_in_lanes(driven.row)) continue;
+    if (!c.solved_in_lanes(driven.row)) continue;
     const WideContacts::Manifold& m = wide.manifold_of(driven.row);
     PairLanesOf<Number>& pair = rows.pairs[m.pair];
     if (!pair.driven) {
@@ -238,7 +238,7 @@ void heed_impacts(const World& world, WideContacts& wide) {
   if (std::ranges::none_of(c.impacts, &Impact::concerns_solver)) return;
   measure_lanes(world);
   for (const Impact& at : c.impacts) {
-    if (!at.concerns_solver() || !c.answered_in_lanes(at.row)) continue;
+    if (!at.concerns_solver() || !c.solved_in_lanes(at.row)) continue;
     const WideContacts::Manifold& m = wide.manifold_of(at.row);
     with_lanes(wide, [&](auto& lanes, const auto&) {
       auto& pair = lanes.pairs[m.pair];

@@ -1,4 +1,4 @@
-// Meshes and height fields as they are kept: corners made one, neighbours, pieces near a box.
+// Meshes and height fields as they are kept: corners made one, neighbours, triangles near a box.
 #include <algorithm>
 #include <random>
 #include <set>
@@ -13,19 +13,19 @@ namespace {
 
 double bumps(double x, double z) { return 0.3 * std::sin(1.7 * x) * std::cos(2.3 * z); }
 
-Piece piece_of(const Shape& s, std::uint32_t i) {
-  Piece p;
-  assert_true(s.scenery->piece(i, p));
+Triangle piece_of(const Shape& s, std::uint32_t i) {
+  Triangle p;
+  assert_true(s.scenery->triangle(i, p));
   return p;
 }
 
-/// A piece by what it is, whoever keeps it.
-bool same(const Piece& a, const Piece& b) {
+/// A triangle by what it is, whoever keeps it.
+bool same(const Triangle& a, const Triangle& b) {
   for (std::size_t turn = 0; turn < 3; ++turn) {
     bool equal = true;
     for (std::size_t k = 0; k < 3 && equal; ++k) {
       const std::size_t m = (k + turn) % 3;
-      equal = a.corner[k] == b.corner[m] && a.rim[k] == b.rim[m] && (a.rim[k] || a.far[k] == b.far[m]);
+      equal = a.corner[k] == b.corner[m] && a.boundary[k] == b.boundary[m] && (a.boundary[k] || a.far[k] == b.far[m]);
     }
     if (equal) return true;
   }
@@ -42,13 +42,13 @@ static void corners_at_one_place_are_one_and_a_closed_surface_has_no_rim(void**)
   for (const Triangles& given : {box, loose}) {
     const Shape s = mesh(given);
     assert_int_equal(s.scenery->vertex.size(), 8);
-    assert_int_equal(s.scenery->pieces(), 12);
+    assert_int_equal(s.scenery->triangles(), 12);
     for (std::uint32_t i = 0; i < 12; ++i) {
-      const Piece p = piece_of(s, i);
+      const Triangle p = piece_of(s, i);
       assert_true(p.normal.dot(p.corner[0]) > 0);  // outward
       for (std::size_t k = 0; k < 3; ++k) {
-        assert_false(p.rim[k]);
-        // What lies beyond is another corner of the box, on or below the piece's plane.
+        assert_false(p.boundary[k]);
+        // What lies beyond is another corner of the box, on or below the triangle's plane.
         assert_true((p.far[k] - p.corner[0]).dot(p.normal) <= 0);
         assert_true(std::find(p.corner.begin(), p.corner.end(), p.far[k]) == p.corner.end());
       }
@@ -62,7 +62,7 @@ static void triangles_without_area_are_dropped_and_counted(void**) {
   const std::uint32_t a = t.vertex(10, 0, 0), b = t.vertex(11, 0, 0), c = t.vertex(12, 1e-13, 0);
   t.triangle(a, b, c);  // three on a line
   const Shape s = mesh(t);
-  assert_int_equal(s.scenery->pieces(), 18);
+  assert_int_equal(s.scenery->triangles(), 18);
   assert_int_equal(s.scenery->dropped, 2);
 }
 
@@ -72,7 +72,7 @@ static void where_three_triangles_share_a_side_all_have_a_rim(void**) {
   for (int k = 0; k < 3; ++k) t.triangle(a, b, t.vertex(0.5, std::cos(2.0 * k), std::sin(2.0 * k)));
   const Shape s = mesh(t, true);
   for (std::uint32_t i = 0; i < 3; ++i)
-    for (const bool rim : piece_of(s, i).rim) assert_true(rim);
+    for (const bool boundary : piece_of(s, i).boundary) assert_true(boundary);
 }
 
 static void a_height_field_is_the_mesh_of_its_vertices(void**) {
@@ -80,11 +80,11 @@ static void a_height_field_is_the_mesh_of_its_vertices(void**) {
   const Shape field =
       height_field(13, 10, 0.25, 0.25, [](std::uint32_t x, std::uint32_t z) { return bumps(0.25 * x, 0.25 * z); });
   const Shape surface = mesh(t);
-  assert_int_equal(field.scenery->pieces(), surface.scenery->pieces());
-  for (std::uint32_t i = 0; i < field.scenery->pieces(); ++i) {
-    const Piece p = piece_of(field, i);
+  assert_int_equal(field.scenery->triangles(), surface.scenery->triangles());
+  for (std::uint32_t i = 0; i < field.scenery->triangles(); ++i) {
+    const Triangle p = piece_of(field, i);
     bool found = false;
-    for (std::uint32_t j = 0; j < surface.scenery->pieces() && !found; ++j) found = same(p, piece_of(surface, j));
+    for (std::uint32_t j = 0; j < surface.scenery->triangles() && !found; ++j) found = same(p, piece_of(surface, j));
     assert_true(found);
     assert_true(p.normal.y() > 0);
   }
@@ -94,11 +94,11 @@ static void a_hole_of_a_height_field_has_rims_around_it(void**) {
   const Shape field =
       height_field(6, 6, 1, 1, [](std::uint32_t x, std::uint32_t z) { return x == 2 && z == 2 ? NAN : 0.0; });
   int there = 0, rims = 0;
-  for (std::uint32_t i = 0; i < field.scenery->pieces(); ++i) {
-    Piece p;
-    if (!field.scenery->piece(i, p)) continue;
+  for (std::uint32_t i = 0; i < field.scenery->triangles(); ++i) {
+    Triangle p;
+    if (!field.scenery->triangle(i, p)) continue;
     ++there;
-    for (const bool rim : p.rim) rims += rim;
+    for (const bool boundary : p.boundary) rims += boundary;
   }
   assert_int_equal(there, 2 * (25 - 4));
   assert_int_equal(rims, 20 + 8);  // around the field, and around the hole of two by two cells
@@ -117,8 +117,8 @@ static void pieces_near_a_box_are_those_whose_bounds_overlap_it(void**) {
       box.hi = box.lo + Vec3(size(random), size(random), size(random));
       std::set<std::uint32_t> near;
       s.scenery->each_near(box, [&](std::uint32_t k) { assert_true(near.insert(k).second); });
-      for (std::uint32_t k = 0; k < s.scenery->pieces(); ++k) {
-        const Piece p = piece_of(s, k);
+      for (std::uint32_t k = 0; k < s.scenery->triangles(); ++k) {
+        const Triangle p = piece_of(s, k);
         Aabb own;
         for (const Vec3& c : p.corner) own.lo = own.lo.min(c), own.hi = own.hi.max(c);
         if (own.overlaps(box)) assert_true(near.count(k) == 1);  // the tree may name more
@@ -131,8 +131,8 @@ static void a_surface_falls_away_around_a_corner_within_its_normals(void**) {
   const Shape s = mesh(box_surface(Vec3(1, 2, 3)));
   std::mt19937_64 random(5);
   std::normal_distribution<double> any;
-  for (std::uint32_t i = 0; i < s.scenery->pieces(); ++i) {
-    const Piece p = piece_of(s, i);
+  for (std::uint32_t i = 0; i < s.scenery->triangles(); ++i) {
+    const Triangle p = piece_of(s, i);
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 200; ++j) {
         const Vec3 n = Vec3(any(random), any(random), any(random)).normalized();

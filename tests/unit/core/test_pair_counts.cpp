@@ -28,7 +28,7 @@ static void it_holds_what_a_map_holds(void**) {
       set.remove(b, a);
       if (auto at = truth.find(key); at != truth.end() && --at->second == 0) truth.erase(at);
     } else {
-      set.forget(a);
+      set.remove(a);
       std::erase_if(truth, [&](const auto& e) { return e.first.first == a || e.first.second == a; });
     }
     assert_int_equal(set.size(), truth.size());

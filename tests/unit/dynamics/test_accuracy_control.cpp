@@ -11,7 +11,7 @@ using namespace carom::dynamics::accuracy;
 namespace {
 
 /// A trial of an island with an error of c n^-p (tolerances). @return it, over
-Trial tried(const AccuracyNote& note, Real c, int p, int least = 1, int most = 256) {
+Trial tried(const AccuracyMemory& note, Real c, int p, int least = 1, int most = 256) {
   Trial t;
   t.begin(note, note.met, p, least, most);
   const auto error = [&](int n) { return c * std::pow(Real(n), -p); };
@@ -39,9 +39,9 @@ static void levels_ascend_and_all_but_the_first_have_a_half(void**) {
 static void the_fewest_substeps_within_the_tolerance_are_found(void**) {
   for (const int p : {1, 2, 4})
     for (const Real c : {1e-3, 0.5, 3.0, 40.0, 90.0}) {
-      AccuracyNote note;
+      AccuracyMemory note;
       note.level = 2;
-      for (int step = 0; step < 12; ++step) note = tried(note, c, p).note_after(note, note.met);
+      for (int step = 0; step < 12; ++step) note = tried(note, c, p).memory_after(note, note.met);
       const Trial t = tried(note, c, p);
       assert_true(c * std::pow(Real(t.taken), -p) <= 1);
       assert_false(t.hit_bound);
@@ -53,7 +53,7 @@ static void the_fewest_substeps_within_the_tolerance_are_found(void**) {
 /// The estimate is the error itself, where the order is as told.
 static void the_estimate_is_the_error(void**) {
   for (const int p : {1, 2, 4}) {
-    const Trial t = tried(AccuracyNote{4, 0, 0, false, false, 0, 0}, 2.5, p);
+    const Trial t = tried(AccuracyMemory{4, 0, 0, false, false, 0, 0}, 2.5, p);
     const Real truth = 2.5 * std::pow(Real(t.taken), -p);
     assert_true(std::fabs(t.error.most() - truth) < 1e-12 * truth);
   }
@@ -69,18 +69,18 @@ static void a_bound_of_work_is_hit_and_told(void**) {
 /// A quiet island is estimated every eighth step, a busy one every second, and one that meets another at once.
 static void quiet_islands_are_estimated_rarely(void**) {
   const auto estimates = [](Real c) {
-    AccuracyNote note;
+    AccuracyMemory note;
     int count = 0;
     for (int step = 0; step < 64; ++step) {
       const Trial t = tried(note, c, 2);
       count += t.is_estimated;
-      note = t.note_after(note, note.met);
+      note = t.memory_after(note, note.met);
     }
     return count;
   };
   assert_in_range(estimates(1e-4), 64 / kAccuracyEveryQuiet, 64 / kAccuracyEveryQuiet + 2);
   assert_in_range(estimates(100), 64 / kAccuracyEvery, 64 / kAccuracyEvery + 4);
-  AccuracyNote waits;
+  AccuracyMemory waits;
   waits.wait = 5;
   Trial t;
   t.begin(waits, 1, 2, 1, 256);
@@ -102,17 +102,17 @@ static void what_fails_is_tried_finer_up_to_the_bound(void**) {
 }
 
 static void islands_that_join_take_the_higher_level_and_an_estimate(void**) {
-  AccuracyNote a, b;
+  AccuracyMemory a, b;
   a.level = 3, a.wait = 4, b.level = 6, b.wait = 1;
-  AccuracyNote both;
-  join_note(both, a, true), join_note(both, b, false);
+  AccuracyMemory both;
+  join_memory(both, a, true), join_memory(both, b, false);
   assert_int_equal(both.level, 6);
   assert_int_equal(both.wait, 0);
 }
 
 /// An error that does not fall is not chased up to the bound; and not again until it grows.
 static void what_more_substeps_do_not_help_is_left(void**) {
-  AccuracyNote note;
+  AccuracyMemory note;
   const auto step = [&](Real share) {
     Trial t;
     t.begin(note, note.met, 1, 1, 1024);
@@ -121,7 +121,7 @@ static void what_more_substeps_do_not_help_is_left(void**) {
       most = std::max(most, t.run);
       t.end_run(true, {share, 0});
     }
-    note = t.note_after(note, note.met);
+    note = t.memory_after(note, note.met);
     return most;
   };
   assert_true(step(5) <= 32);

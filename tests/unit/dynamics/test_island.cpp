@@ -53,7 +53,7 @@ static void union_find_agrees_with_breadth_first_search(void**) {
     Contacts c(std::pmr::new_delete_resource());
     for (std::uint32_t k = 0; k < rows; ++k) {
       Row row{};
-      row.u = row.n = row.p = row.rub = Vec3::zero();
+      row.u = row.n = row.p = row.friction_p = Vec3::zero();
       row.a = random.below(bodies), row.b = random.below(bodies);
       row.moves_a = moves[row.a], row.moves_b = moves[row.b];
       if (row.a == row.b || !(row.moves_a || row.moves_b)) continue;

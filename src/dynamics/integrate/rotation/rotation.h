@@ -30,7 +30,9 @@ extern const Rotation kRotationRungeKutta4, kLieMidpoint, kSplitting, kSplitting
 const Rotation* rotation_method(std::uint32_t choice);
 
 /// Whether the method turns a body in this step.
-inline bool is_carried(const Plan& plan, std::uint32_t body) { return plan.rotation_method && plan.carried[body]; }
+inline bool turns_by_method(const Plan& plan, std::uint32_t body) {
+  return plan.rotation_method && plan.turns_by_method[body];
+}
 
 /// Advance whoever a method carries, if there is one. For integrators, at their place among forces and flows.
 void turn_tops(const World& world, Velocities& to, Real h);

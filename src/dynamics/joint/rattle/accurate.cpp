@@ -4,7 +4,7 @@
 #include "dynamics/accuracy/accuracy.h"
 #include "dynamics/accuracy/measure.h"
 #include "dynamics/joint/rattle/rattle.h"
-#include "dynamics/ledger/books.h"
+#include "dynamics/ledger/accounts.h"
 #include "dynamics/ledger/ledger.h"
 
 namespace carom::dynamics::rattle {
@@ -50,12 +50,12 @@ End judge(Rattle& r, const RattleIsland& island, Trial& trial, const Borne& born
   return end;
 }
 
-AccuracyNote note_of(const World& world, const Rattle& r, const RattleIsland& island) {
-  AccuracyNote note;
+AccuracyMemory memory_of(const World& world, const Rattle& r, const RattleIsland& island) {
+  AccuracyMemory memory;
   each_moved(island, [&](std::uint32_t i) {
-    accuracy::join_note(note, world.state.accuracy[r.bodies[i].slot], i == island.body);
+    accuracy::join_memory(memory, world.state.accuracy[r.bodies[i].slot], i == island.body);
   });
-  return note;
+  return memory;
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void try_accurately(const World& world, Rattle& r, Real dt, int order) {
   r.trials.assign(r.islands.size(), {});
   for (std::size_t k = 0; k < r.islands.size(); ++k)
     if (r.islands[k].is_held && !r.islands[k].is_met && r.islands[k].movers > 0)
-      r.trials[k].begin(note_of(world, r, r.islands[k]), number_of(r.islands[k]), order, 1, borne.most);
+      r.trials[k].begin(memory_of(world, r, r.islands[k]), number_of(r.islands[k]), order, 1, borne.most);
   for (;;) {
     int run = 0;
     for (const Trial& t : r.trials)
@@ -84,14 +84,14 @@ void try_accurately(const World& world, Rattle& r, Real dt, int order) {
       RattleIsland& island = r.islands[k];
       if (!island.was_tried) continue;
       island.went_well = judge(r, island, r.trials[k], borne) == End::accepted;
-      if (island.went_well || !keeps_books(world)) continue;
-      each_moved(island, [&](std::uint32_t i) { forget_kicks(ledger_of(world), r.bodies[i].slot); });
+      if (island.went_well || !keeps_ledger(world)) continue;
+      each_moved(island, [&](std::uint32_t i) { clear_kicks(ledger_of(world), r.bodies[i].slot); });
     }
   }
   for (std::size_t k = 0; k < r.islands.size(); ++k) {
     const RattleIsland& island = r.islands[k];
     if (!island.went_well) continue;
-    decide(a, r.trials[k], note_of(world, r, island), number_of(island), AccuracyView::kByJointsAlone,
+    decide(a, r.trials[k], memory_of(world, r, island), number_of(island), AccuracyView::kByJointsAlone,
            [&](const auto& f) { each_moved(island, [&](std::uint32_t i) { f(r.bodies[i].slot); }); });
   }
 }

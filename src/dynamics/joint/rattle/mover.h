@@ -211,7 +211,7 @@ class Mover {
     for (std::uint32_t k = 0; k < n; ++k)
       for (std::uint32_t l = 0; l < n; ++l)
         locks[n * k + l] =
-            k < j.rows && l < j.rows ? answer(r_.rows[j.row + k], r_.rows[j.row + l], a, b) : Real(k == l);
+            k < j.rows && l < j.rows ? response(r_.rows[j.row + k], r_.rows[j.row + l], a, b) : Real(k == l);
     for (int k = 0; k < n; ++k) own[k] = locks[n * k + k];
     Blocks<n>::invert(locks, own, true);
     for (std::uint32_t c = 0; c < kCoordinates; ++c) {
@@ -220,8 +220,8 @@ class Mover {
       const Placed::Along along = placed.coordinate(static_cast<Coordinate>(c));
       RattleRow row{along.d, along.w_a, along.w_b, a.inv_world * along.w_a, b.inv_world * along.w_b, 0, 0};
       Real coupled[n] = {};
-      for (std::uint32_t k = 0; k < j.rows; ++k) coupled[k] = answer(r_.rows[j.row + k], row, a, b);
-      const Real whole = answer(row, row, a, b);
+      for (std::uint32_t k = 0; k < j.rows; ++k) coupled[k] = response(r_.rows[j.row + k], row, a, b);
+      const Real whole = response(row, row, a, b);
       Real rest = whole;
       for (int k = 0; k < n; ++k)
         for (int l = 0; l < n; ++l) rest -= coupled[k] * locks[n * k + l] * coupled[l];
@@ -239,7 +239,7 @@ class Mover {
     }
   }
   /// Velocity at one row per impulse at another of the same joint.
-  static Real answer(const RattleRow& at, const RattleRow& by, const RattleBody& a, const RattleBody& b) {
+  static Real response(const RattleRow& at, const RattleRow& by, const RattleBody& a, const RattleBody& b) {
     return (a.inv_mass + b.inv_mass) * at.d.dot(by.d) + (at.w_a.dot(by.i_a) + at.w_b.dot(by.i_b));
   }
 
@@ -291,7 +291,7 @@ class Mover {
             block[n * k + l] = k == l;
             continue;
           }
-          block[n * k + l] = answer(rows[k], r_.rows[j.row + l], a, b);
+          block[n * k + l] = response(rows[k], r_.rows[j.row + l], a, b);
         }
       if (is_symmetric)
         for (int k = 0; k < n; ++k) self[k] = block[n * k + k];

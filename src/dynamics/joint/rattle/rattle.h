@@ -178,7 +178,7 @@ void list_held(const World& world, Rattle& r);
 /// What is hidden is there again. As a step begins: of one that was not carried through.
 void come_back(const World& world);
 /// Books of what went well.
-void book(const World& world, const Rattle& r);
+void account(const World& world, const Rattle& r);
 
 /// f(island) that went well and is not yet in its place, or is since this step.
 template <class F>

@@ -6,7 +6,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/joint/rattle/motion.h"
 #include "dynamics/joint/rattle/rattle.h"
-#include "dynamics/ledger/books.h"
+#include "dynamics/ledger/accounts.h"
 #include "dynamics/quarantine.h"
 
 namespace carom::dynamics {
@@ -69,9 +69,9 @@ bool try_all(const World& world, Rattle& r, Real dt, int halvings, int order) {
     if (!island.was_tried) continue;
     if (island.is_moving || island.halvings == halvings) island.halvings = kRattleHalvings + 1;  // no more tries
     island.went_well = island.is_moving;
-    if (island.went_well || !keeps_books(world)) continue;
+    if (island.went_well || !keeps_ledger(world)) continue;
     for (std::uint32_t i = island.body; i < island.body + island.movers; ++i)
-      forget_kicks(ledger_of(world), r.bodies[i].slot);
+      clear_kicks(ledger_of(world), r.bodies[i].slot);
   }
   return true;
 }
@@ -152,7 +152,7 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
       joint.force = j.force / time.dt, joint.torque = j.torque / time.dt;
     }
   });
-  if (keeps_books(world)) rattle::book(world, r);
+  if (keeps_ledger(world)) rattle::account(world, r);
   rattle::each_held(r, [&](const RattleIsland& island) {
     for (std::uint32_t i = island.joint; i < island.joint + island.joints; ++i) {
       const Joint& joint = world.joints.joint[r.joints[i].slot];

@@ -75,7 +75,7 @@ void find_accelerations(const World& world, Rattle& r, Real h, Real share) {
   const Accelerate to{1, r.accel.data(), r.alpha.data(), share};
   for (PlannedEffect& row : world.plan->effects) {
     if (!is_force(row) || row.participants.count == 0) continue;
-    const BookRow book(world, row, to.v, to.omega, share);
+    const AccountForRow account(world, row, to.v, to.omega, share);
     row.effect->force(world.scene, world.state, row.participants, at, to);
     row.evaluations += row.participants.count;
   }

@@ -75,7 +75,7 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
       c_(*world.contacts),
       s_(world.state),
       rest_(world.direct->rest[group]),
-      answer_(world.direct->answer[group]),
+      solution_(world.direct->solution[group]),
       problem_(world.direct->problem(group)),
       row_(world.direct->row.data() + world.direct->begin[group].contact),
       link_row_(world.direct->link_row.data() + world.direct->begin[group].link),
@@ -91,14 +91,14 @@ std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
 }
 
-void ConeGroup::book_work() {
+void ConeGroup::account_work() {
   if (!rest_.is_bounded) return;
-  const std::uint32_t beyond = std::max(answer_.factorisations, kAlways.value) - kAlways;
+  const std::uint32_t beyond = std::max(solution_.factorisations, kAlways.value) - kAlways;
   rest_.work -= std::min(rest_.work, beyond * work_);
 }
 
 /// Impulses of substeps that repeated the one before, into those of the step.
-void ConeGroup::book_repeats() {
+void ConeGroup::accumulate_repeats() {
   if (rest_.repeats == 0) return;
   each([&](const ConeContact& contact, std::uint32_t row) { c_.geometry[row].impulse += rest_.repeats * contact.p; });
   rest_.repeats = 0;
@@ -140,7 +140,7 @@ Real ConeGroup::start(Real h) {
   }
   if (!rest_.is_first) follow_bodies();
   problem_.stood &=
-      std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.carried == Vec3::zero(); });
+      std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.surface == Vec3::zero(); });
   rest_.stood = problem_.stood;
   // Gaps of nanometres are none to what stands: else they would say which corners of a stack bear it.
   const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
@@ -168,7 +168,7 @@ Real ConeGroup::start(Real h) {
     b.gained += b.v;
   }
   for (ConeContact& contact : problem_.contacts)
-    contact.u = contact.carried + relative<&ConeBody::v>(problem_.bodies, contact);
+    contact.u = contact.surface + relative<&ConeBody::v>(problem_.bodies, contact);
   measure_links(problem_);
   return least;
 }
@@ -188,60 +188,60 @@ void ConeGroup::follow_impulses() {
 }
 
 void ConeGroup::keep(Velocities& to) {
-  if (answer_.factorisations > 0 && !is_joined() && !answer_.is_by_sweeps) follow_impulses();
+  if (solution_.factorisations > 0 && !is_joined() && !solution_.is_by_sweeps) follow_impulses();
   each([&](const ConeContact& contact, std::uint32_t i) {
     c_.rows[i].p = contact.next_p;
     c_.rows[i].u = contact.u;
     c_.geometry[i].impulse += contact.p;
   });
   keep_links(world_, problem_, link_row_);
-  book_links(world_, problem_, link_row_);
+  accumulate_links(world_, problem_, link_row_);
   for (const ConeBody& b : bodies_of(problem_)) store(to, b);
 }
 
 /// Impulses, by the law and the rules beside it (least_force.h).
 void ConeGroup::find(Real goal, std::uint32_t most_steps) {
   const bool shares = is_joined() && !problem_.contacts.empty();
-  answer_ = shares ? solve_with_least_force(problem_, goal, most_steps) : solve_cones(problem_, goal, most_steps);
-  if (answer_.reached || !is_wedged(problem_)) return;
+  solution_ = shares ? solve_with_least_force(problem_, goal, most_steps) : solve_cones(problem_, goal, most_steps);
+  if (solution_.reached || !is_wedged(problem_)) return;
   find_from_nothing(goal, most_steps);
 }
 
 void ConeGroup::find_from_nothing(Real goal, std::uint32_t most_steps) {
-  const std::uint32_t taken = answer_.factorisations;
+  const std::uint32_t taken = solution_.factorisations;
   drop_impulses(problem_);
-  answer_ = solve_with_least_force(problem_, goal, std::max(most_steps, taken + kAlways) - taken);
-  answer_.factorisations += taken;
+  solution_ = solve_with_least_force(problem_, goal, std::max(most_steps, taken + kAlways) - taken);
+  solution_.factorisations += taken;
 }
 
 /// From the answer on: what is off by a little gives a little.
 void ConeGroup::find_closer(Real goal, std::uint32_t most_steps) {
-  const ConeAnswer was = answer_;
-  answer_ = solve_cones(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
-  answer_.factorisations += was.factorisations, answer_.rounds += was.rounds;
-  answer_.is_wedged = was.is_wedged;
+  const ConeSolution was = solution_;
+  solution_ = solve_cones(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
+  solution_.factorisations += was.factorisations, solution_.rounds += was.rounds;
+  solution_.is_wedged = was.is_wedged;
 }
 
 /// Surfaces that close on a body at a small angle shoot it out, by the law. No machine does: contacts yield then.
 void ConeGroup::refuse_throw(Real goal, std::uint32_t most_steps) {
-  for (Real give = kGiveOfContacts; answer_.factorisations > 0 && throws(problem_) && give < kGiveOfSweeps;) {
+  for (Real give = kGiveOfContacts; solution_.factorisations > 0 && throws(problem_) && give < kGiveOfSweeps;) {
     give = std::min(10 * give, kGiveOfSweeps.value);
-    const std::uint32_t taken = answer_.factorisations;
+    const std::uint32_t taken = solution_.factorisations;
     drop_impulses(problem_);
-    answer_ = solve_yielding(problem_, give, goal, std::max(most_steps, taken + kAlways) - taken);
-    answer_.factorisations += taken, answer_.is_wedged = true;
+    solution_ = solve_yielding(problem_, give, goal, std::max(most_steps, taken + kAlways) - taken);
+    solution_.factorisations += taken, solution_.is_wedged = true;
   }
 }
 
 void ConeGroup::refuse_gain(Real goal, std::uint32_t most_steps) {
   const auto gives = [&] { return gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]); };
-  if (answer_.factorisations == 0 || !gives()) return;
+  if (solution_.factorisations == 0 || !gives()) return;
   if (goal > tolerance()) find_closer(tolerance(), most_steps);
   if (!gives()) return;
   find_from_nothing(std::min(goal, tolerance()), most_steps);
   if (!gives()) return;
-  answer_by_sweeps(problem_);
-  answer_.residual = residual(problem_), answer_.reached = false, answer_.is_by_sweeps = true;
+  solve_by_sweeps(problem_);
+  solution_.residual = residual(problem_), solution_.reached = false, solution_.is_by_sweeps = true;
 }
 
 Real ConeGroup::tolerance() const { return kDirectShare * world_.scene.dials[Dial::velocity_tolerance]; }
@@ -253,18 +253,18 @@ bool ConeGroup::lies_still() const {
 /// What stood still and has drifted off its answer by a little: contacts that stick go on sticking, so that one factor sets
 /// it right, where Newton's method would begin with the question which do.
 bool ConeGroup::is_still_at_rest(Real goal) {
-  if (is_joined() || !problem_.stood || !rest_.lies || !(answer_.residual < kRest * tolerance())) return false;
-  answer_.factorisations = rest(problem_, goal);
-  answer_.residual = residual(problem_), answer_.reached = answer_.residual <= goal;
-  return lasts_ = answer_.factorisations > 0 && answer_.reached && lies_still();
+  if (is_joined() || !problem_.stood || !rest_.lies || !(solution_.residual < kRest * tolerance())) return false;
+  solution_.factorisations = rest(problem_, goal);
+  solution_.residual = residual(problem_), solution_.reached = solution_.residual <= goal;
+  return lasts_ = solution_.factorisations > 0 && solution_.reached && lies_still();
 }
 
 /// An answer in which all lies still, made one that lasts.
 bool ConeGroup::comes_to_rest(Real goal) {
   if (lasts_) return true;
-  if (!problem_.stood || !answer_.reached || answer_.factorisations == 0 || !lies_still()) return false;
+  if (!problem_.stood || !solution_.reached || solution_.factorisations == 0 || !lies_still()) return false;
   const std::uint32_t taken = rest(problem_, goal);
-  answer_.factorisations += taken;
+  solution_.factorisations += taken;
   return taken > 0;
 }
 
@@ -281,7 +281,7 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   if (rest_.is_first) rest_.work = rest_.share = own_work(work);
   rest_.asks = false;
   if (rest_.lasts && repeat(to, tolerance())) return;
-  book_repeats();
+  accumulate_repeats();
   if (rest_.has_moved) turn_frames(), measure();  // should it not lie still any more
   rest_.least = start(h);
   rest_.lies = lies_still();
@@ -290,10 +290,10 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   rest_.waits = rest_.is_bounded && rest_.at_once && (rest_.is_close || (rest_.lies && rest_.waits));
   if (rest_.is_too_large || rest_.gave_up || takes_all_of(own_work(work))) return go_on_by_sweeps(to);
   rest_.goal = goal(is_bounded);
-  answer_ = {};
-  answer_.residual = residual(problem_);
-  answer_.reached = answer_.residual <= rest_.goal;
-  rest_.asks = is_joined() || !answer_.reached;
+  solution_ = {};
+  solution_.residual = residual(problem_);
+  solution_.reached = solution_.residual <= rest_.goal;
+  rest_.asks = is_joined() || !solution_.reached;
   if (!rest_.asks) finish(to);
 }
 
@@ -312,25 +312,25 @@ bool ConeGroup::takes_all_of(std::uint64_t work) const {
 /// from the next step on.
 void ConeGroup::go_on_by_sweeps(Velocities& to) {
   if (rest_.gave_up)
-    answer_by_sweeps(problem_);
+    solve_by_sweeps(problem_);
   else
     sweep(problem_, 2);
-  answer_ = {};
-  answer_.residual = residual(problem_);
+  solution_ = {};
+  solution_.residual = residual(problem_);
   finish(to);
 }
 
 void ConeGroup::solve(Velocities& to, Real h, int substeps) {
   const std::uint64_t work = rest_.at_once ? rest_.work : rest_.share / static_cast<std::uint64_t>(substeps);
-  if (!rest_.waits) answer(h, allowed_steps(work));
+  if (!rest_.waits) find_solution(h, allowed_steps(work));
   finish(to);
 }
 
-void ConeGroup::answer(Real h, std::uint32_t most_steps) {
+void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
   const Real goal = rest_.goal;
   if (is_still_at_rest(goal)) {
     rest_.is_close = true;
-    return book_work();
+    return account_work();
   }
   find(goal, most_steps);
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
@@ -345,19 +345,19 @@ void ConeGroup::answer(Real h, std::uint32_t most_steps) {
   }
   refuse_throw(goal, most_steps);
   refuse_gain(goal, most_steps);
-  book_work();
-  rest_.is_close = answer_.residual < world_.scene.dials[Dial::velocity_tolerance];
-  rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_joined() && is_far_off(answer_, world_.scene.dials);
+  account_work();
+  rest_.is_close = solution_.residual < world_.scene.dials[Dial::velocity_tolerance];
+  rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_joined() && is_far_off(solution_, world_.scene.dials);
 }
 
 void ConeGroup::finish(Velocities& to) {
-  if (answer_.is_wedged || answer_.is_by_sweeps)
+  if (solution_.is_wedged || solution_.is_by_sweeps)
     start_from_nothing(problem_);
   else if (!comes_to_rest(rest_.goal))
     start_from_loads(problem_);
   keep(to);
   rest_.is_first = false;
-  rest_.lasts = !is_joined() && answer_.factorisations == 0 && rest_.least >= -1 && !rest_.resists &&
+  rest_.lasts = !is_joined() && solution_.factorisations == 0 && rest_.least >= -1 && !rest_.resists &&
                 fastest_any_way(problem_) < kRest * tolerance();
   rest_.has_moved = rest_.lasts;  // or part() measures
 }

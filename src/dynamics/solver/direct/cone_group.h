@@ -30,8 +30,8 @@ class ConeGroup {
     for (std::size_t i = 0; i < problem_.contacts.size(); ++i) f(problem_.contacts[i], row_[i]);
   }
   std::uint32_t allowed_steps(std::uint64_t work) const;
-  void book_work();
-  void book_repeats();
+  void account_work();
+  void accumulate_repeats();
   bool repeat(Velocities& to, Real tolerance);
   Real start(Real h);
   void follow_bodies();
@@ -44,7 +44,7 @@ class ConeGroup {
   std::uint64_t own_work(std::uint64_t most) const;
   bool takes_all_of(std::uint64_t work) const;
   void go_on_by_sweeps(Velocities& to);
-  void answer(Real h, std::uint32_t most_steps);
+  void find_solution(Real h, std::uint32_t most_steps);
   void finish(Velocities& to);
   bool lies_still() const;
   bool is_still_at_rest(Real goal);
@@ -64,7 +64,7 @@ class ConeGroup {
   Contacts& c_;
   const State& s_;
   GroupRest& rest_;
-  ConeAnswer& answer_;
+  ConeSolution& solution_;
   ConeProblem problem_;
   const std::uint32_t* row_;
   const DirectGroups::LinkRow* link_row_;

@@ -21,7 +21,7 @@ struct ConeLink {
   Real low, high;  // m/s or rad/s
   Real give;       // 1/kg or 1/(kg m^2)
   Real most;       // N s or N m s
-  Real carried;    // m/s or rad/s, of bodies that impulses do not move
+  Real surface;    // m/s or rad/s, of bodies that impulses do not move
   Real k;          // 1/kg or 1/(kg m^2), u per p
   Real p, u;
   Real start_p, next_p;  // p as the substep began; as the next one begins

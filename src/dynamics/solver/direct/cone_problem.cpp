@@ -68,22 +68,20 @@ bool is_little(const ConeProblem& problem, Real offence) {
 /// Rounds at one slip until the offence with that slip is small.
 class FrozenSlip {
  public:
-  FrozenSlip(ConeProblem& problem, ConeAnswer& answer, std::uint32_t most_steps)
-      : problem_(problem),
-        answer_(answer),
-        most_steps_(most_steps),
-        softness_(first_softness()) {}
+  FrozenSlip(ConeProblem& problem, ConeSolution& solution, std::uint32_t most_steps)
+      : problem_(problem), solution_(solution), most_steps_(most_steps), softness_(first_softness()) {}
 
   /// @return whether it has come nearer
   bool solve(Real target) {
     const Real first = offence_now();
     Real left = first;
-    for (int i = 0, idle = 0; i < kRounds && idle < kIdleRounds && left > target && answer_.factorisations < most_steps_; ++i) {
+    for (int i = 0, idle = 0;
+         i < kRounds && idle < kIdleRounds && left > target && solution_.factorisations < most_steps_; ++i) {
       Round round(problem_, softness_);
-      const std::uint32_t most = std::min(kRoundSteps, most_steps_ - answer_.factorisations);
+      const std::uint32_t most = std::min(kRoundSteps, most_steps_ - solution_.factorisations);
       const std::uint32_t steps = round.minimise(0.1 * target, most);
-      answer_.factorisations += steps;
-      ++answer_.rounds;
+      solution_.factorisations += steps;
+      ++solution_.rounds;
       const Real now = offence_now(), was = softness_;
       idle = now < left ? 0 : idle + 1;
       if (!(now < left)) round.take_back();
@@ -111,7 +109,7 @@ class FrozenSlip {
 
   Real first_softness() const {
     if (problem_.contacts.empty()) return kFirstOfLinks;
-    const bool is_close = most_steps_ >= kStepsToSpare && is_little(problem_, answer_.residual);
+    const bool is_close = most_steps_ >= kStepsToSpare && is_little(problem_, solution_.residual);
     return is_close || is_borne(problem_) ? kFirstOfBorne : kFirst;
   }
   Real offence_now() const {
@@ -119,7 +117,7 @@ class FrozenSlip {
   }
 
   ConeProblem& problem_;
-  ConeAnswer& answer_;
+  ConeSolution& solution_;
   std::uint32_t most_steps_;
   Real softness_;
 };
@@ -144,30 +142,30 @@ void update_slips(ConeProblem& problem, bool first, Real noise) {
 
 }  // namespace
 
-ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
+ConeSolution solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
   constexpr int kSlips = 60;
   constexpr Real kOfTolerance = 0.3, kOfSlip = 0.03;  // closer to a slip that will change is for nothing
   problem.factored = problem.locked_softness = 0;
-  ConeAnswer answer;
-  answer.residual = residual(problem);
-  answer.reached = answer.residual <= tolerance;
-  if (answer.reached) return answer;
+  ConeSolution solution;
+  solution.residual = residual(problem);
+  solution.reached = solution.residual <= tolerance;
+  if (solution.reached) return solution;
   save_impulses<&ConeContact::best, &ConeLink::best>(problem);
   for (ConeContact& c : problem.contacts) c.slip = 0;
-  FrozenSlip frozen(problem, answer, most_steps);
-  Real now = answer.residual;
+  FrozenSlip frozen(problem, solution, most_steps);
+  Real now = solution.residual;
   const bool has_slips = !problem.contacts.empty();  // joints have none: what did not help once never will
   bool goes_on = true;
-  for (int i = 0; i < kSlips && goes_on && answer.residual > tolerance && answer.factorisations < most_steps; ++i) {
+  for (int i = 0; i < kSlips && goes_on && solution.residual > tolerance && solution.factorisations < most_steps; ++i) {
     update_slips(problem, i == 0, tolerance);
     const Real target = kOfTolerance * tolerance;
     goes_on = frozen.solve(has_slips ? std::max(target, kOfSlip * now) : target) || has_slips;
     now = residual(problem);
-    if (now < answer.residual) answer.residual = now, save_impulses<&ConeContact::best, &ConeLink::best>(problem);
+    if (now < solution.residual) solution.residual = now, save_impulses<&ConeContact::best, &ConeLink::best>(problem);
   }
-  if (now > answer.residual) return_to_impulses<&ConeContact::best, &ConeLink::best>(problem);
-  answer.reached = answer.residual <= tolerance;
-  return answer;
+  if (now > solution.residual) return_to_impulses<&ConeContact::best, &ConeLink::best>(problem);
+  solution.reached = solution.residual <= tolerance;
+  return solution;
 }
 
 }  // namespace carom::dynamics

@@ -36,7 +36,7 @@ struct ConeContact {
   Vec3 r_a, r_b;        // m, world axes: where friction acts; zero where the body does not rotate
   Vec3 n_a, n_b;        // m, moment about there of a unit of normal impulse; set only where it is spread
   Real friction;
-  Vec3 carried;  // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
+  Vec3 surface;  // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
   Real want;     // m/s
   Vec3 start_p;  // N s, p as the substep began
   Vec3 next_p;   // N s, p as the next one begins
@@ -190,7 +190,7 @@ inline Real slip_of(const ConeContact& c) {
 
 // ---- what the solver does ----
 
-struct ConeAnswer {
+struct ConeSolution {
   Real residual = 0;                 // m/s, @see residual()
   bool reached = false;              // it is within the tolerance
   bool is_wedged = false;            // no velocity obeys the law: @see least_force.h
@@ -230,6 +230,6 @@ Real residual(const ConeProblem& problem);
 ///
 /// @param tolerance  m/s   @param most_steps  Newton steps in all; the answer of a capped solve is what it came to
 /// @source [DeSaxce1998], [Todorov2014] for the primal view; @oracle tests/oracle/test_direct
-ConeAnswer solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
+ConeSolution solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
 
 }  // namespace carom::dynamics

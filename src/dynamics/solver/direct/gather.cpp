@@ -17,7 +17,7 @@ void make_room(DirectGroups& d) {
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
   Elimination& e = d.elimination;
   reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
-          d.products, d.answer, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
+          d.products, d.solution, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch;
   reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.member);
   s.link.reserve(2 * kSome), s.begin.reserve(2 * kSome);
@@ -35,7 +35,7 @@ void gather(const World& world, DirectGroups& d) {
   // Contacts of the last step are written over: to make 400 bytes of zeros of each first costs more than to fill it.
   std::size_t points = 0;
   for (std::size_t g = 0; g < c.groups(); ++g)
-    if (c.answered_directly(g)) points += c.group_begin[g + 1] - c.group_begin[g];
+    if (c.solved_directly(g)) points += c.group_begin[g + 1] - c.group_begin[g];
   if (points > d.contacts.capacity()) d.contacts.clear(), d.contacts.reserve(points + points / 16);
   d.contacts.resize(points);
   if (d.bodies.capacity() < c.bodies.size()) d.bodies.reserve(c.bodies.size() + c.bodies.size() / 16);
@@ -45,7 +45,7 @@ void gather(const World& world, DirectGroups& d) {
     d.edge_begin.push_back(static_cast<std::uint32_t>(d.edges.size()));
   };
   for (std::size_t g = 0; g < c.groups(); ++g) {
-    if (!c.answered_directly(g)) continue;
+    if (!c.solved_directly(g)) continue;
     mark();
     d.rest.emplace_back().is_to_be_still = !c.direct.empty() && c.direct[g] == Contacts::kStill;
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
@@ -102,7 +102,7 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   grow_to(d.factor.diagonal, matrices * d.bodies.size()), grow_to(d.factor.below, matrices * d.elimination.rows.size());
   place_contacts(d);
   load_groups(world, memory, d);
-  d.answer.resize(d.groups());
+  d.solution.resize(d.groups());
   for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].is_too_large = d.newton_work(g) > most_factor;
   d.elimination.scratch.member.reserve(d.groups());  // @see share_out()
   for (const Resistance& r : world.contacts->resisting)

@@ -125,9 +125,10 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
       const BodyVelocity& v = velocity[solver_body];
       return d.dot(Vec3(v.v[0], v.v[1], v.v[2])) + turn.dot(Vec3(v.omega[0], v.omega[1], v.omega[2]));
     };
-    c.carried = 0;
+    c.surface = 0;
     if (phase != LinkPhase::part)
-      c.carried = (c.b == kInvalid ? of(joint.b[lane], c.d_b, w_b) : 0) - (c.a == kInvalid ? of(joint.a[lane], c.d_a, w_a) : 0);
+      c.surface =
+          (c.b == kInvalid ? of(joint.b[lane], c.d_b, w_b) : 0) - (c.a == kInvalid ? of(joint.a[lane], c.d_a, w_a) : 0);
     const auto response = [&](std::uint32_t body, const Vec3& d, const Vec3& turn) {
       if (body == kInvalid) return Real(0);
       const ConeBody& b = problem.bodies[body];
@@ -207,10 +208,10 @@ bool has_ring(const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
 }
 
 void measure_links(ConeProblem& problem) {
-  for (ConeLink& c : problem.links) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+  for (ConeLink& c : problem.links) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
 }
 
-void book_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
+void accumulate_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
   for (std::size_t i = 0; i < problem.links.size(); ++i) {
     const ConeLink& c = problem.links[i];

@@ -32,7 +32,7 @@ bool has_ring(const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// Velocities at rows, from the bodies'.
 void measure_links(ConeProblem& problem);
 /// Book the impulses under the step's.
-void book_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
+void accumulate_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// Keep what the next substep starts from.
 void keep_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// m or rad: the largest error of what is locked and limited.

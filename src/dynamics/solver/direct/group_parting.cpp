@@ -57,7 +57,7 @@ void ConeGroup::part(Poses& to, Real h) {
   if (rest_.lasts || rest_.is_too_large) return;
   Real tolerance = world_.scene.dials[Dial::position_tolerance];
   const Real most = world_.scene.dials[Dial::push_speed] * h;
-  answer_ = {};
+  solution_ = {};
   rest_.gap = is_joined() ? worst_error(world_, problem_, link_row_) : 0;
   const bool overlaps = measure() < -1;
   if (!overlaps && !(rest_.gap > kGap)) return;
@@ -73,10 +73,10 @@ void ConeGroup::part(Poses& to, Real h) {
   measure_links(problem_);
   const Real most_asked = asked();
   if (is_joined()) {
-    answer_ = solve_cones(problem_, is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap, kMostSteps);
+    solution_ = solve_cones(problem_, is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap, kMostSteps);
   } else {
-    answer_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
-    book_work();
+    solution_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
+    account_work();
   }
   const Real share = displacement_share(most_asked, h);
   for (const ConeBody& b : bodies_of(problem_)) {
@@ -96,14 +96,14 @@ void ConeGroup::settle(Velocities& to, Real h) {
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);
   measure_links(problem_);
-  const ConeAnswer answer = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
-  answer_.factorisations += answer.factorisations;
-  book_links(world_, problem_, link_row_);
+  const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
+  solution_.factorisations += solution.factorisations;
+  accumulate_links(world_, problem_, link_row_);
   for (const ConeBody& b : bodies_of(problem_)) store(to, b);
 }
 
 void ConeGroup::end() {
-  book_repeats();
+  accumulate_repeats();
   measure();
 }
 

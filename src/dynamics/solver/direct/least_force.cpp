@@ -51,15 +51,15 @@ struct Responses {
 
 /// Velocities at contacts and joints, from the bodies'.
 void measure(ConeProblem& problem) {
-  for (ConeContact& c : problem.contacts) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
-  for (ConeLink& c : problem.links) c.u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+  for (ConeContact& c : problem.contacts) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
+  for (ConeLink& c : problem.links) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
 }
 
 void visit(ConeProblem& problem, ConeContact& c) {
   const Responses response(problem, c);
   if (!(response.normal > 0)) return;
   const Real give = kGiveOfSweeps * response.normal;
-  const auto velocity = [&] { return Vec3(c.carried + relative<&ConeBody::v>(problem.bodies, c)); };
+  const auto velocity = [&] { return Vec3(c.surface + relative<&ConeBody::v>(problem.bodies, c)); };
   const Real p_n = c.p.dot(c.n);
   const Real next_n = std::max(Real(0), p_n - (velocity().dot(c.n) - c.want + give * p_n) / (response.normal + give));
   push(problem, c, (next_n - p_n) * c.n);
@@ -73,7 +73,7 @@ void visit(ConeProblem& problem, ConeContact& c) {
 
 void visit(ConeProblem& problem, ConeLink& c) {
   if (!(c.k > 0)) return;
-  const Real u = c.carried + relative<&ConeBody::v>(problem.bodies, c);
+  const Real u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
   const Real next = c.pulled(u, c.k, c.p);
   push(problem, c, next - c.p);
   c.p = next;
@@ -82,7 +82,7 @@ void visit(ConeProblem& problem, ConeLink& c) {
 /// J, at most: what its target asks a lock for, what a drive does.
 Real given_by_drive(const ConeProblem& problem, const ConeLink& c) {
   if (c.is_lock()) return std::fabs(c.p * c.low);
-  const Real before = c.carried + relative<&ConeBody::before>(problem.bodies, c);
+  const Real before = c.surface + relative<&ConeBody::before>(problem.bodies, c);
   return std::max(Real(0), c.p * (before + c.u) / 2);
 }
 
@@ -99,37 +99,37 @@ bool is_wedged(const ConeProblem& problem) {
   return needed < kWedged * bears;
 }
 
-ConeAnswer solve_yielding(ConeProblem& problem, Real share, Real tolerance, std::uint32_t most_steps) {
+ConeSolution solve_yielding(ConeProblem& problem, Real share, Real tolerance, std::uint32_t most_steps) {
   give_way(problem, share);
-  const ConeAnswer answer = solve_cones(problem, tolerance, most_steps);
+  const ConeSolution solution = solve_cones(problem, tolerance, most_steps);
   give_way(problem, 0);
-  return answer;
+  return solution;
 }
 
-ConeAnswer solve_with_least_force(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
-  ConeAnswer answer;
+ConeSolution solve_with_least_force(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
+  ConeSolution solution;
   if (residual(problem) > tolerance) {
-    answer = solve_yielding(problem, kGiveOfContacts, tolerance, most_steps);
+    solution = solve_yielding(problem, kGiveOfContacts, tolerance, most_steps);
     save_impulses<&ConeContact::least_p, &ConeLink::least_p>(problem);
   }
   const Real bears = borne(problem);
-  const std::uint32_t taken = answer.factorisations, rounds = answer.rounds;
-  answer = solve_cones(problem, tolerance, most_steps > taken ? most_steps - taken : 0);
-  answer.factorisations += taken, answer.rounds += rounds;
-  if (taken > 0 && !answer.reached && borne(problem) > kFarMore * bears) {
+  const std::uint32_t taken = solution.factorisations, rounds = solution.rounds;
+  solution = solve_cones(problem, tolerance, most_steps > taken ? most_steps - taken : 0);
+  solution.factorisations += taken, solution.rounds += rounds;
+  if (taken > 0 && !solution.reached && borne(problem) > kFarMore * bears) {
     return_to_impulses<&ConeContact::least_p, &ConeLink::least_p>(problem);
-    answer.is_wedged = true;
-    answer.residual = residual(problem);
-    answer.reached = answer.residual <= tolerance;
+    solution.is_wedged = true;
+    solution.residual = residual(problem);
+    solution.reached = solution.residual <= tolerance;
   }
-  return answer;
+  return solution;
 }
 
 bool throws(const ConeProblem& problem) {
   if (problem.contacts.empty()) return false;
   Real surface2 = 0;
-  for (const ConeContact& c : problem.contacts) surface2 = std::max(surface2, c.carried.squared_norm());
-  for (const ConeLink& c : problem.links) surface2 = std::max(surface2, c.carried * c.carried);
+  for (const ConeContact& c : problem.contacts) surface2 = std::max(surface2, c.surface.squared_norm());
+  for (const ConeLink& c : problem.links) surface2 = std::max(surface2, c.surface * c.surface);
   if (!(surface2 > 0)) return false;
   Real before = 0, after = 0, mass = 0;
   for (const ConeBody& b : bodies_of(problem)) {
@@ -150,8 +150,8 @@ Real share_that_helps(const ConeProblem& problem) {
     along += b.gradient.dot(b.before);
     size2 += b.gradient.dot(velocity_of(b, b.gradient));
   }
-  for (const ConeContact& c : problem.contacts) along += c.p.dot(c.carried);
-  for (const ConeLink& c : problem.links) along += c.p * c.carried;
+  for (const ConeContact& c : problem.contacts) along += c.p.dot(c.surface);
+  for (const ConeLink& c : problem.links) along += c.p * c.surface;
   const Real best = size2 > 0 ? -along / size2 : 1;
   return best < 0.5 ? std::max(best, Real(0)) : 1;
 }
@@ -169,11 +169,11 @@ bool gives_energy(ConeProblem& problem, Real residual) {
   }
   Real allowed = 1e3 * kEpsilon * rounding;
   for (const ConeContact& c : problem.contacts) {
-    gained += c.p.dot(c.carried);
+    gained += c.p.dot(c.surface);
     allowed += c.p.norm() * residual;
   }
   for (const ConeLink& c : problem.links) {
-    gained += c.p * c.carried;
+    gained += c.p * c.surface;
     allowed += std::fabs(c.p) * residual + given_by_drive(problem, c);
   }
   return gained > allowed;
@@ -202,7 +202,7 @@ void hold_joints(ConeProblem& problem) {
   measure(problem);
 }
 
-void answer_by_sweeps(ConeProblem& problem) {
+void solve_by_sweeps(ConeProblem& problem) {
   drop_impulses(problem);
   hold_joints(problem);
   for (int left = kLastSweeps; left > 0; left -= kSweepsBetweenJoints) {

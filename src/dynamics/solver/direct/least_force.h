@@ -17,13 +17,13 @@ namespace carom::dynamics {
 
 /// As solve_cones(), by the rule of least force: with contacts that yield, then without. Where the exact law has no
 /// solution within reach, what contacts that yield bear stands, and is_wedged says so.
-ConeAnswer solve_with_least_force(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
+ConeSolution solve_with_least_force(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
 
 /// Whether impulses are far larger than what they do to the bodies asks for.
 bool is_wedged(const ConeProblem& problem);
 
 /// As solve_cones(), with contacts that yield by a share of their response.
-ConeAnswer solve_yielding(ConeProblem& problem, Real share, Real tolerance, std::uint32_t most_steps);
+ConeSolution solve_yielding(ConeProblem& problem, Real share, Real tolerance, std::uint32_t most_steps);
 
 /// Whether bodies leave faster than surfaces that meet them could throw them (kThrow).
 bool throws(const ConeProblem& problem);
@@ -45,7 +45,7 @@ void hold_joints(ConeProblem& problem);
 
 /// An answer that cannot: from no impulses on, contact by contact, each of which takes energy or leaves it, with
 /// contacts as soft as those of solver soft_step. As good as some sweeps are, and bounded.
-void answer_by_sweeps(ConeProblem& problem);
+void solve_by_sweeps(ConeProblem& problem);
 
 /// Sweeps of that kind, from the impulses that act already.
 void sweep(ConeProblem& problem, int times);

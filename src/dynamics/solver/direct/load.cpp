@@ -78,7 +78,7 @@ void spread(const Contacts& c, const PairRows& pair, const Carried& a, const Car
     if (b.turns) contact.r_b -= apart;
     contact.n_a = a.turns ? moment : Vec3::zero();
     contact.n_b = b.turns ? moment : Vec3::zero();
-    contact.carried -= turned - turned.dot(contact.n) * contact.n;
+    contact.surface -= turned - turned.dot(contact.n) * contact.n;
     contact.is_spread = true;
   }
 }
@@ -130,8 +130,8 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
       contact.r_b = carried_b.turns ? r_b : Vec3::zero();
       contact.k = places.response[k];
       contact.give = 0;
-      contact.carried = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::zero();
-      if (!c.surface.empty()) contact.carried += c.surface[pair.row + k];
+      contact.surface = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::zero();
+      if (!c.surface.empty()) contact.surface += c.surface[pair.row + k];
     }
     if (!first.slides) return;
     Vec3 at[kPairPoints];

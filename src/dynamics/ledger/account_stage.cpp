@@ -3,10 +3,10 @@
 #include "dynamics/contact/impact.h"
 #include "dynamics/contact/resistance.h"
 #include "dynamics/events/events.h"
+#include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/joint/wide_joints.h"
-#include "dynamics/force/force.h"
-#include "dynamics/ledger/books.h"
+#include "dynamics/ledger/accounts.h"
 #include "dynamics/observe.h"
 #include "dynamics/particles/flight.h"
 #include "dynamics/query/index.h"
@@ -41,12 +41,12 @@ void lay_columns(const World& world) {
 }
 
 /// What a host did since the last step.
-void book_host(const World& world) {
+void account_host(const World& world) {
   Ledger& l = ledger_of(world);
   const auto look = [&](std::uint32_t i) {
     if (is_dynamic(world, i) && is_lost(world, i)) return;
     const Amount a = is_dynamic(world, i) ? amount_now(world, i) : Amount();
-    l.book(Cause::host, a - l.body_amount[i]);
+    l.account(Cause::host, a - l.body_amount[i]);
     l.body_amount[i] = a;
     open_phase(world, i);
   };
@@ -58,7 +58,7 @@ void book_host(const World& world) {
   for (std::uint32_t s = 0; s < l.set_amount.size(); ++s) take_set(world, s, true);
 }
 
-void open_books(const World& world) {
+void open_accounts(const World& world) {
   Ledger& l = ledger_of(world);
   const std::size_t slots = world.scene.bodies.slots(), sets = world.particles.set.size();
   l.body.resize(slots), l.body_amount.resize(slots), l.probe.resize(slots);
@@ -71,15 +71,15 @@ void open_books(const World& world) {
     l.before = l.now;
   }
   l.is_open = true;
-  book_host(world);
+  account_host(world);
   count_participants(world, EffectId::ledger, world.plan->linear.count + world.plan->rotating.count);
 }
 
-void book_kicks(const World& world, const StepTime&) {
+void account_kicks(const World& world, const StepTime&) {
   each_awake(world, [&](std::uint32_t i) {
     if (!was_lost(world, i)) see_kick(world, i, Ledger::kLock);
   });
-  note_impacts(world);
+  save_impacts(world);
 }
 
 /// A body that was hit within the substep, at moment t (of several: on average): the velocities that are stored are
@@ -98,33 +98,33 @@ void share_hit(const World& world, std::uint32_t i, Real h) {
     const Real work = m * kicks[c].v.dot(late);
     const std::size_t cause = l.cause_of[c] == l.gravity ? index_of(Cause::integrator) : l.cause_of[c];
     l.step[cause].add({work, 0, Vec3::zero(), Vec3::zero()});
-    l.book(Cause::restitution, {-work, 0, Vec3::zero(), Vec3::zero()});
+    l.account(Cause::restitution, {-work, 0, Vec3::zero(), Vec3::zero()});
   }
   const Real fallen = m * pull_on(world, i).dot(shift);
   l.step[l.gravity].add({fallen, -fallen, Vec3::zero(), Vec3::zero()});
-  l.book(Cause::restitution, {0, fallen, Vec3::zero(), Vec3::zero()});
-  l.book(Cause::integrator, {-fallen, 0, Vec3::zero(), Vec3::zero()});
+  l.account(Cause::restitution, {0, fallen, Vec3::zero(), Vec3::zero()});
+  l.account(Cause::integrator, {-fallen, 0, Vec3::zero(), Vec3::zero()});
 }
 
-void book_impacts(const World& world, const StepTime& time) {
+void account_impacts(const World& world, const StepTime& time) {
   if (world.contacts->impacts.empty()) return;
   share_impacts(world);
-  each_booked(world, [&](std::uint32_t i) {
+  each_accounted(world, [&](std::uint32_t i) {
     if (is_as_seen(world, i)) return;
     close_phase(world, i);
     share_hit(world, i, time.h);
-    forget_kicks(ledger_of(world), i);
-    book_change(world, i, Cause::restitution);
+    clear_kicks(ledger_of(world), i);
+    account_change(world, i, Cause::restitution);
   });
 }
 
-void book_moments(const World& world, const StepTime&) {
+void account_moments(const World& world, const StepTime&) {
   if (world.contacts->resisting.empty()) return;
   each_awake(world, [&](std::uint32_t i) { see_kick(world, i, Ledger::kResist); });
 }
 
 /// Half of the kicks, which take_half_kicks() took off and give_half_kicks() gives back after the move.
-void book_solved(const World& world, const StepTime&) {
+void account_solved(const World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   const WideJoints& w = *world.wide_joints;
   for (const WideJoints::Kicked& k : w.kicked) {
@@ -134,10 +134,10 @@ void book_solved(const World& world, const StepTime&) {
   }
   each_awake(world, [&](std::uint32_t i) { see_kick(world, i, Ledger::kSolve); });
   share_solved(world);
-  note_impulses(world);
+  save_impulses(world);
 }
 
-void book_move(const World& world, std::uint32_t i) {
+void account_move(const World& world, std::uint32_t i) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   const Ledger::Body& b = l.body[i];
@@ -147,7 +147,8 @@ void book_move(const World& world, std::uint32_t i) {
   l.step[l.gravity].add({work, -work, Vec3::zero(), Vec3::zero()});
   Amount moved{-work, 0, Vec3::zero(), way.cross(m * s.v[i])};
   if (rotates(world.scene, i) && s.q[i] != b.q) {
-    const Vec3 omega = s.omega[i], gained = inertia_at(world.scene, i, s.q[i]) * omega - inertia_at(world.scene, i, b.q) * omega;
+    const Vec3 omega = s.omega[i],
+               gained = inertia_at(world.scene, i, s.q[i]) * omega - inertia_at(world.scene, i, b.q) * omega;
     moved.kinetic += 0.5 * omega.dot(gained);
     moved.angular += gained;
   }
@@ -159,83 +160,84 @@ void book_move(const World& world, std::uint32_t i) {
       moved.angular -= moment;
     }
   }
-  l.book(Cause::integrator, moved);
+  l.account(Cause::integrator, moved);
 }
 
-void book_moves(const World& world, const StepTime&) {
+void account_moves(const World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   each_awake(world, [&](std::uint32_t i) {
     if (was_lost(world, i) || is_lost(world, i)) return;
     close_phase(world, i);
-    book_move(world, i);
+    account_move(world, i);
     Ledger::Body& b = l.body[i];
     if (b.kicked)
       for (Ledger::Kick& kick : l.kicks_of(i)) kick.omega.set_zero();
     else
-      forget_kicks(l, i);
+      clear_kicks(l, i);
     if (b.kicked) l.kicks_of(i)[Ledger::kSolve].v.set_zero();
     open_phase(world, i);
   });
 }
 
 /// Who has turned keeps the momentum, and not the omega.
-void book_spun(const World& world, const WideJoints::Kicked& k) {
+void account_spun(const World& world, const WideJoints::Kicked& k) {
   Ledger::Body& b = ledger_of(world).body[k.body];
   if (k.spun == Vec3::zero()) return;
   const Vec3 omega = b.seen_omega + k.spun;
-  ledger_of(world).book(Cause::integrator, amount_of(world, k.body, b.x, b.q, b.seen_v, omega) -
-                                               amount_of(world, k.body, b.x, b.q, b.seen_v, b.seen_omega));
+  ledger_of(world).account(Cause::integrator, amount_of(world, k.body, b.x, b.q, b.seen_v, omega) -
+                                                  amount_of(world, k.body, b.x, b.q, b.seen_v, b.seen_omega));
   may_round(world, k.body, b.seen_v.norm(), omega.norm());
   b.omega = b.seen_omega = omega;
 }
 
 /// Poses first, where a solver parts what overlaps; then velocities, where bodies stand now.
-void book_relaxed(const World& world, const StepTime&) {
+void account_relaxed(const World& world, const StepTime&) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   const WideJoints& w = *world.wide_joints;
-  for (const WideJoints::Kicked& k : w.kicked) book_spun(world, k);
-  each_booked(world, [&](std::uint32_t i) {
+  for (const WideJoints::Kicked& k : w.kicked) account_spun(world, k);
+  each_accounted(world, [&](std::uint32_t i) {
     Ledger::Body& b = l.body[i];
     if (s.x[i] == b.x && s.q[i] == b.q) return;
-    l.book(Cause::correction, amount_of(world, i, s.x[i], s.q[i], b.seen_v, b.seen_omega) -
-                                  amount_of(world, i, b.x, b.q, b.seen_v, b.seen_omega));
+    l.account(Cause::correction, amount_of(world, i, s.x[i], s.q[i], b.seen_v, b.seen_omega) -
+                                     amount_of(world, i, b.x, b.q, b.seen_v, b.seen_omega));
     may_round(world, i, b.seen_v.norm(), b.seen_omega.norm());
     b.x = s.x[i], b.q = s.q[i];
   });
   for (const WideJoints::Kicked& k : w.kicked) l.body[k.body].seen_v += k.half;
-  each_booked(world, [&](std::uint32_t i) { see_kick(world, i, Ledger::kSolve); });
+  each_accounted(world, [&](std::uint32_t i) { see_kick(world, i, Ledger::kSolve); });
   share_relaxed(world);
-  each_booked(world, [&](std::uint32_t i) {
+  each_accounted(world, [&](std::uint32_t i) {
     close_phase(world, i);
-    forget_kicks(l, i);
+    clear_kicks(l, i);
   });
 }
 
 template <Cause cause>
-void book_changed(const World& world, const StepTime&) {
-  each_booked(world, [&](std::uint32_t i) {
-    if (!is_as_seen(world, i)) book_change(world, i, cause);
+void account_changed(const World& world, const StepTime&) {
+  each_accounted(world, [&](std::uint32_t i) {
+    if (!is_as_seen(world, i)) account_change(world, i, cause);
   });
 }
 
-void book_resisted(const World& world, const StepTime& time) {
-  if (!world.contacts->resisting.empty()) book_changed<Cause::resistance>(world, time);
+void account_resisted(const World& world, const StepTime& time) {
+  if (!world.contacts->resisting.empty()) account_changed<Cause::resistance>(world, time);
 }
 
 /// Also sleepers that were hit.
-void book_swept(const World& world, const StepTime&) {
+void account_swept(const World& world, const StepTime&) {
   if (world.continuous->bodies.empty()) return;
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i)
-    if (is_dynamic(world, i) && !is_lost(world, i) && !is_as_seen(world, i)) book_change(world, i, Cause::continuous);
+    if (is_dynamic(world, i) && !is_lost(world, i) && !is_as_seen(world, i))
+      account_change(world, i, Cause::continuous);
 }
 
-void book_lost(const World& world, const StepTime&) {
+void account_lost(const World& world, const StepTime&) {
   each_awake(world, [&](std::uint32_t i) { was_lost(world, i); });
 }
 
-void book_sleep(const World& world, const StepTime& time) {
-  if (world.plan->effects[+EffectId::sleep].participants.count > 0) book_changed<Cause::sleep>(world, time);
+void account_sleep(const World& world, const StepTime& time) {
+  if (world.plan->effects[+EffectId::sleep].participants.count > 0) account_changed<Cause::sleep>(world, time);
 }
 
 /// The state itself, apart from all bookings.
@@ -262,7 +264,7 @@ void sum_state(const World& world, Amount& to) {
   to = account.value();
 }
 
-void close_books(const World& world) {
+void close_accounts(const World& world) {
   Ledger& l = ledger_of(world);
   sum_state(world, l.now);
   for (std::size_t c = 0; c < kCauses; ++c) l.since[c].add(l.step[c].value());
@@ -277,26 +279,42 @@ void close_books(const World& world) {
 
 }  // namespace
 
-void book_stage(const World& world, Booking booking, const StepTime& time) {
-  switch (booking) {
-    case Booking::none:
-    case Booking::with_host:
-    case Booking::by_itself: return;
-    case Booking::opens: return open_books(world);
-    case Booking::makes_room: return make_room_for_shares(world);
-    case Booking::forces: return book_kicks(world, time);
-    case Booking::impacts: return book_impacts(world, time);
-    case Booking::moments: return book_moments(world, time);
-    case Booking::solver: return book_solved(world, time);
-    case Booking::moves: return book_moves(world, time);
-    case Booking::relaxation: return book_relaxed(world, time);
-    case Booking::resistance: return book_resisted(world, time);
-    case Booking::sweeps: return book_swept(world, time);
-    case Booking::particles: return book_flight(world, time);
-    case Booking::corrections: return book_changed<Cause::correction>(world, time);
-    case Booking::lost_bodies: return book_lost(world, time);
-    case Booking::sleepers: return book_sleep(world, time);
-    case Booking::closes: return close_books(world);
+void account_stage(const World& world, LedgerAccount account, const StepTime& time) {
+  switch (account) {
+    case LedgerAccount::none:
+    case LedgerAccount::with_host:
+    case LedgerAccount::by_itself:
+      return;
+    case LedgerAccount::opens:
+      return open_accounts(world);
+    case LedgerAccount::makes_room:
+      return make_room_for_shares(world);
+    case LedgerAccount::forces:
+      return account_kicks(world, time);
+    case LedgerAccount::impacts:
+      return account_impacts(world, time);
+    case LedgerAccount::moments:
+      return account_moments(world, time);
+    case LedgerAccount::solver:
+      return account_solved(world, time);
+    case LedgerAccount::moves:
+      return account_moves(world, time);
+    case LedgerAccount::relaxation:
+      return account_relaxed(world, time);
+    case LedgerAccount::resistance:
+      return account_resisted(world, time);
+    case LedgerAccount::sweeps:
+      return account_swept(world, time);
+    case LedgerAccount::particles:
+      return account_flight(world, time);
+    case LedgerAccount::corrections:
+      return account_changed<Cause::correction>(world, time);
+    case LedgerAccount::lost_bodies:
+      return account_lost(world, time);
+    case LedgerAccount::sleepers:
+      return account_sleep(world, time);
+    case LedgerAccount::closes:
+      return close_accounts(world);
   }
 }
 

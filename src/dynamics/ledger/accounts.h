@@ -6,7 +6,7 @@
 
 namespace carom::dynamics {
 
-/// Roundings that a booking may add up, of the magnitude of its terms: some ten columns, each a difference of
+/// Roundings that a account may add up, of the magnitude of its terms: some ten columns, each a difference of
 /// velocities that is multiplied and added a few times.
 inline constexpr Real kRoundings = 64 * kUnitRoundoff;
 
@@ -25,7 +25,7 @@ Amount amount_now(const World& world, std::uint32_t i);
 bool is_lost(const World& world, std::uint32_t i);
 /// Those of each_awake() whose numbers make sense.
 template <class F>
-void each_booked(const World& world, F&& f) {
+void each_accounted(const World& world, F&& f) {
   each_awake(world, [&](std::uint32_t i) {
     if (!is_lost(world, i)) f(i);
   });
@@ -33,19 +33,19 @@ void each_booked(const World& world, F&& f) {
 
 /// A body's phase begins with the state as it is.
 void open_phase(const World& world, std::uint32_t i);
-/// What velocities changed since the last booking, into a column.
+/// What velocities changed since the last account, into a column.
 void see_kick(const World& world, std::uint32_t i, std::size_t column);
 /// The phase of a body ends with the velocities that were seen last: book its kicks. They stay.
 void close_phase(const World& world, std::uint32_t i);
-void forget_kicks(Ledger& l, std::uint32_t i);
+void clear_kicks(Ledger& l, std::uint32_t i);
 
 bool is_as_seen(const World& world, std::uint32_t i);
-/// All that changed since the last booking, poses with it, under one cause; a new phase begins.
-void book_change(const World& world, std::uint32_t i, Cause cause);
+/// All that changed since the last account, poses with it, under one cause; a new phase begins.
+void account_change(const World& world, std::uint32_t i, Cause cause);
 /// Whose state left the finite world in this room: what its phase had booked so far makes no sense. It is booked.
 bool was_lost(const World& world, std::uint32_t i);
 
-/// Terms of a booking, for the bound of its rounding.
+/// Terms of a account, for the bound of its rounding.
 /// @param speed, spin  m/s, rad/s: sums of magnitudes
 void may_round(const World& world, std::uint32_t i, Real speed, Real spin);
 
@@ -53,6 +53,6 @@ void may_round(const World& world, std::uint32_t i, Real speed, Real spin);
 /// Take a set as it is.   @param host  what changed since the last time is a host's
 void take_set(const World& world, std::uint32_t set, bool host);
 /// What a step did to particles.
-void book_flight(const World& world, const StepTime& time);
+void account_flight(const World& world, const StepTime& time);
 
 }  // namespace carom::dynamics

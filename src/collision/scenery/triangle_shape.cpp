@@ -1,4 +1,4 @@
-#include "collision/scenery/piece_shape.h"
+#include "collision/scenery/triangle_shape.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +19,7 @@ std::int32_t farthest_corner(void*, const double* xyz, std::uint64_t, const doub
 
 }  // namespace
 
-PieceShape::PieceShape(Memory* memory) : shape_(memory) {
+TriangleShape::TriangleShape(Memory* memory) : shape_(memory) {
   shape_.support = farthest_corner;
   shape_.params.assign(9, 0.0);
   shape_.vertices = shape_.params;
@@ -28,13 +28,13 @@ PieceShape::PieceShape(Memory* memory) : shape_(memory) {
   shape_.faces.loop = {0, 1, 2, 0, 2, 1};  // front, back
 }
 
-void PieceShape::set(const Piece& piece) {
-  origin_ = (piece.corner[0] + piece.corner[1] + piece.corner[2]) / 3;
-  reshape(piece.corner);
-  shape_.faces.normal[0] = piece.normal, shape_.faces.normal[1] = -piece.normal;
+void TriangleShape::set(const Triangle& triangle) {
+  origin_ = (triangle.corner[0] + triangle.corner[1] + triangle.corner[2]) / 3;
+  reshape(triangle.corner);
+  shape_.faces.normal[0] = triangle.normal, shape_.faces.normal[1] = -triangle.normal;
 }
 
-void PieceShape::reshape(const std::array<Vec3, 3>& corner) {
+void TriangleShape::reshape(const std::array<Vec3, 3>& corner) {
   shape_.bounds = Aabb();
   Real radius2 = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -54,14 +54,14 @@ void make_scenery(std::shared_ptr<const Scenery> scenery, Shape& shape) {
   shape.scenery = std::move(scenery);
 }
 
-bool face(const Scenery& scenery, const Vec3& point, Piece& piece) {
-  if ((point - piece.corner[0]).dot(piece.normal) >= 0) return true;
+bool face(const Scenery& scenery, const Vec3& point, Triangle& triangle) {
+  if ((point - triangle.corner[0]).dot(triangle.normal) >= 0) return true;
   if (!scenery.two_sided) return false;
-  std::swap(piece.corner[1], piece.corner[2]);
-  std::swap(piece.far[0], piece.far[2]);
-  std::swap(piece.rim[0], piece.rim[2]);
-  piece.normal = -piece.normal;
-  piece.turned = !piece.turned;
+  std::swap(triangle.corner[1], triangle.corner[2]);
+  std::swap(triangle.far[0], triangle.far[2]);
+  std::swap(triangle.boundary[0], triangle.boundary[2]);
+  triangle.normal = -triangle.normal;
+  triangle.turned = !triangle.turned;
   return true;
 }
 

@@ -1,5 +1,5 @@
 // The book of one body: its phases.
-#include "dynamics/ledger/books.h"
+#include "dynamics/ledger/accounts.h"
 
 #include "dynamics/quarantine.h"
 
@@ -46,8 +46,8 @@ void close_phase(const World& world, std::uint32_t i) {
     if (kick.v == Vec3::zero() && kick.omega == Vec3::zero()) continue;
     const Vec3 p = m * kick.v, spun = inertia * kick.omega;
     Amount a{p.dot(v) + spun.dot(omega), 0, p, b.x.cross(p) + spun};
-    if (l.cause_of[c] == l.gravity) {  // it gives what the way is worth, @see book_move()
-      l.book(Cause::integrator, {a.kinetic, 0, Vec3::zero(), Vec3::zero()});
+    if (l.cause_of[c] == l.gravity) {  // it gives what the way is worth, @see account_move()
+      l.account(Cause::integrator, {a.kinetic, 0, Vec3::zero(), Vec3::zero()});
       a.kinetic = 0;
     }
     l.step[l.cause_of[c]].add(a);
@@ -57,14 +57,14 @@ void close_phase(const World& world, std::uint32_t i) {
   b.v = b.seen_v, b.omega = b.seen_omega;
 }
 
-void forget_kicks(Ledger& l, std::uint32_t i) {
+void clear_kicks(Ledger& l, std::uint32_t i) {
   for (Ledger::Kick& kick : l.kicks_of(i)) kick = {Vec3::zero(), Vec3::zero()};
 }
 
-void book_change(const World& world, std::uint32_t i, Cause cause) {
+void account_change(const World& world, std::uint32_t i, Cause cause) {
   Ledger& l = ledger_of(world);
   const Ledger::Body b = l.body[i];
-  l.book(cause, amount_now(world, i) - amount_of(world, i, b.x, b.q, b.seen_v, b.seen_omega));
+  l.account(cause, amount_now(world, i) - amount_of(world, i, b.x, b.q, b.seen_v, b.seen_omega));
   const State& s = world.state;
   may_round(world, i, b.seen_v.norm() + s.v[i].norm(), b.seen_omega.norm() + s.omega[i].norm());
   open_phase(world, i);
@@ -80,9 +80,9 @@ bool was_lost(const World& world, std::uint32_t i) {
   Ledger& l = ledger_of(world);
   Ledger::Body& b = l.body[i];
   if (!world.state.held_out[i] || b.held) return false;
-  forget_kicks(l, i);
+  clear_kicks(l, i);
   b.seen_v = b.v, b.seen_omega = b.omega;
-  book_change(world, i, Cause::quarantine);
+  account_change(world, i, Cause::quarantine);
   return true;
 }
 

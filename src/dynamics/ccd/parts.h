@@ -1,5 +1,5 @@
-// What a collider is swept as: its shape. Scenery is swept against as a whole, and finds the triangles on the way by itself
-// (collision/scenery/ask.h).
+// What a collider is swept as: its shape. Scenery is swept against as a whole, and finds the triangles on the way by
+// itself (collision/scenery/ask.h).
 #pragma once
 
 #include "dynamics/world.h"
@@ -7,7 +7,7 @@
 namespace carom::dynamics {
 
 /// A shape of a collider.
-struct SweptPiece {
+struct SweptPart {
   const Shape* shape = nullptr;
   Pose local;  // shape -> body axes, about the centre of mass
 };
@@ -15,11 +15,11 @@ struct SweptPiece {
 /// Call f(piece) for the shapes of a collider that may lie within a box.
 /// @param box  m, world, where the collider's body stands; what lies outside it may be left out
 template <class F>
-void each_swept_piece(const World& world, std::uint32_t collider, const Aabb& box, F&& f) {
+void each_swept_part(const World& world, std::uint32_t collider, const Aabb& box, F&& f) {
   const Colliders& c = world.scene.colliders;
   static_cast<void>(box);  // a collider is one shape
   const Pose& local = c.local[collider];
-  f(SweptPiece{c.shape[collider], {local.q, local.p - world.scene.center[c.body[collider]]}});
+  f(SweptPart{c.shape[collider], {local.q, local.p - world.scene.center[c.body[collider]]}});
 }
 
 }  // namespace carom::dynamics

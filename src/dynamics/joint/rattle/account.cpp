@@ -1,12 +1,12 @@
 // Books of islands that joints alone hold, a step at once.
 #include "dynamics/joint/rattle/rattle.h"
-#include "dynamics/ledger/books.h"
+#include "dynamics/ledger/accounts.h"
 
 namespace carom::dynamics::rattle {
 
 /// Forces give what their kicks do at the mean of the velocities and poses of both ends of the step, gravity the work
 /// along the way; the rest of the change is the joints': what they do to a body, and by how much a step errs.
-void book(const World& world, const Rattle& r) {
+void account(const World& world, const Rattle& r) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
   each_held(r, [&](const RattleIsland& island) {
@@ -32,9 +32,9 @@ void book(const World& world, const Rattle& r) {
       }
       const Real work = m * pull_on(world, slot).dot(s.x[slot] - b.x);
       give(l.gravity, {work, -work, Vec3::zero(), Vec3::zero()});
-      l.book(Cause::joints, rest);
+      l.account(Cause::joints, rest);
       may_round(world, slot, speed, spin);
-      forget_kicks(l, slot);
+      clear_kicks(l, slot);
       open_phase(world, slot);
     }
   });
