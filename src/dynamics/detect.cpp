@@ -70,13 +70,14 @@ void find_pairs(const World& world, BroadPhases& broad, ClearingSleepers to, Eve
   Sleep& sleep = to;
   BroadSettings settings;
   settings.grid_cell = world.scene.dials[Dial::grid_cell];
+  settings.jobs = world.jobs;
   try {
     Plan& plan = *world.plan;
     broad_phase(world, broad).find_pairs(world.scene.colliders, world.scene.collider_revision, settings, plan.pairs);
     add_near(world.sleep->near, plan.pairs);
     drop_filtered(world, plan.pairs);
     set_sensors_aside(world, events, plan.pairs);
-    pairs.update(plan.pairs);
+    pairs.update(plan.pairs, world.jobs);
     for (const std::uint32_t collider : sleep.rejoined) pairs.release(collider);
     sleep.rejoined.clear();
   } catch (...) {

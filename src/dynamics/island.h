@@ -22,6 +22,6 @@ std::uint32_t root_of(Array<std::uint32_t>& parent, std::uint32_t body);
 
 /// The partition alone, from contact pairs and links.   @oracle tests/unit/dynamics/test_island (breadth-first
 /// twin)
-void partition_rows(Contacts& contacts, std::size_t body_slots, bool grouped);
+void partition_rows(Contacts& contacts, std::size_t body_slots, bool grouped, Jobs* jobs = nullptr);
 
 }  // namespace carom::dynamics

@@ -1,5 +1,6 @@
 // The plan of a step, made from the table: who are the participants of what, and what serves them.
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 
 #include "collision/volume.h"
@@ -221,24 +222,26 @@ void plan_stages(const World& world, Plan& plan) {
       joints || (pairs && (!plan.solver->counts_positions || world.scene.dials.whole(Dial::position_iterations) > 0));
 }
 
+namespace {
+
+/// m, that a collider crosses within a step.
+Real motion_of(const World& world, const Colliders& c, const Plan& plan, std::uint32_t slot, Real dt) {
+  const std::uint32_t body = c.body[slot];
+  const Real arm = c.shape[slot]->bounding_radius + plan.local[slot].p.norm();
+  return dt * (world.state.v[body].norm() + arm * world.state.omega[body].norm());
+}
+
 /// World frame and bounds of a collider. Bounds are grown by half the contact distance, and where a body crosses more
 /// than that within the step by its motion too, so that it meets what it is about to hit. That reach ends at the size
-/// of the shape: beyond, a contact would stop bodies that merely pass by.
-void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan, std::uint32_t slot, Real dt) {
+/// of the shape: beyond, a contact would stop bodies that merely pass by. Writes what is the collider's alone.
+SupportFault find_bounds(const World& world, Colliders& c, const Plan& plan, std::uint32_t slot, Real dt) {
   const std::uint32_t body = c.body[slot];
   const Shape& shape = *c.shape[slot];
   c.place(slot, Frame(plan.rotation[body], world.state.x[body]) * plan.local[slot]);
-  placed.placed_x[body] = world.state.x[body], placed.placed_q[body] = world.state.q[body];
   const Real half_gap = world.scene.dials[Dial::contact_distance] / 2;
   c.reach[slot] = 0;
-  if (c.movable[slot]) {
-    const Real arm = shape.bounding_radius + plan.local[slot].p.norm();
-    const Real motion = dt * (world.state.v[body].norm() + arm * world.state.omega[body].norm());
-    if (motion > half_gap) {
-      c.reach[slot] = std::min(motion, shape.bounding_radius);
-      if (plan.watches_speed && 4 * motion > shape.bounding_radius) world.continuous->see(body);
-    }
-  }
+  if (const Real motion = c.movable[slot] ? motion_of(world, c, plan, slot, dt) : 0; motion > half_gap)
+    c.reach[slot] = std::min(motion, shape.bounding_radius);
   SupportFault fault;
   const FloatGuard guard;
   if ((c.disabled[slot] & Colliders::kFaulty) && finite(shape.bounding_radius)) {  // who is disabled is asked nothing
@@ -250,7 +253,27 @@ void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan&
   const Vec3 grow = Vec3::constant(half_gap + c.reach[slot]);
   c.bounds[slot].lo -= grow;
   c.bounds[slot].hi += grow;
+  return fault;
+}
+
+/// What a world has to know of a collider that was placed.
+void save_placed(const World& world, const Colliders& c, PlacedPoses& placed, const Plan& plan, std::uint32_t slot,
+                 Real dt) {
+  const std::uint32_t body = c.body[slot];
+  placed.placed_x[body] = world.state.x[body], placed.placed_q[body] = world.state.q[body];
+  if (!plan.watches_speed || !c.movable[slot]) return;
+  const Real radius = c.shape[slot]->bounding_radius;
+  const bool is_fast = radius > 0 ? 4 * c.reach[slot] > radius
+                                  : motion_of(world, c, plan, slot, dt) > world.scene.dials[Dial::contact_distance] / 2;
+  if (is_fast) world.continuous->see(body);
+}
+
+}  // namespace
+
+void place_collider(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan, std::uint32_t slot, Real dt) {
+  const SupportFault fault = find_bounds(world, c, plan, slot, dt);
   if (fault.kind != SupportFault::none) plan.faults.push_back(fault);
+  save_placed(world, c, placed, plan, slot, dt);
 }
 
 Real radius_of_body(const World& world, std::uint32_t body) {
@@ -262,6 +285,21 @@ Real radius_of_body(const World& world, std::uint32_t body) {
 }
 
 namespace {
+
+/// Likewise of many, by all threads. Faults, which are rare, are asked for again, so that they come in the order of slots.
+void place_colliders(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan,
+                     const Array<std::uint32_t>& slots, Real dt) {
+  constexpr std::size_t kCollidersAPart = 64;
+  std::atomic<bool> any_fault{false};
+  in_parallel(world.jobs, slots.size(), kCollidersAPart, [&](std::uint32_t i) {
+    if (find_bounds(world, c, plan, slots[i], dt).kind != SupportFault::none) any_fault.store(true, std::memory_order_relaxed);
+  });
+  for (const std::uint32_t slot : slots) save_placed(world, c, placed, plan, slot, dt);
+  if (!any_fault.load(std::memory_order_relaxed)) return;
+  for (const std::uint32_t slot : slots)
+    if (const SupportFault fault = find_bounds(world, c, plan, slot, dt); fault.kind != SupportFault::none)
+      plan.faults.push_back(fault);
+}
 
 /// An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before, decay
 /// is exact. Each body's own rate decides: who else is in the row changes nothing.
@@ -375,13 +413,11 @@ void refresh(const World& world, Settling to, SpringLoads& springs, Floats& floa
     const auto orient = [&](std::uint32_t i) { plan.rotation[i] = s.q[i].matrix(); };
     if (changed)
       for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i) orient(i);
-    plan.oriented.each(orient);
+    plan.oriented.each(world.jobs, orient);
     plan.kinematic.each(orient);
     for (const std::uint32_t i : s.written) orient(i);  // also those that turn by a host's hand alone
     Colliders& table = to;
-    PlacedPoses& placed = to;
-    for (const std::uint32_t slot : changed ? table.active : plan.colliders)
-      place_collider(world, table, placed, plan, slot, time.dt);
+    place_colliders(world, table, to, plan, changed ? table.active : plan.colliders, time.dt);
   }
   find_swept(world, to, time.dt);
 }

@@ -44,6 +44,16 @@ class BoxTree {
   /// @return     boxes compared
   template <class Found>
   std::uint64_t query(const Aabb& box, Found&& found);
+  /// The same of any number of threads at a time; count() is to be told what each has compared, in an order that repeats.
+  template <class Found>
+  std::uint64_t search(const Aabb& box, Found&& found) const;
+  void count(std::uint64_t tests) {
+    if (root_ == kInvalid) return;
+    if (sampled_ < kSample)
+      ++sampled_, sample_ += static_cast<Real>(tests) / kSample;
+    else
+      waste_ = std::max(Real(0), waste_ + static_cast<Real>(tests) - sample_);
+  }
 
   /// Whether queries have cost so much more than the first after build() did that to build afresh had been cheaper.
   bool worn() const;
@@ -57,6 +67,7 @@ class BoxTree {
  private:
   static constexpr std::uint32_t kWidth = 4;
   static constexpr int kSample = 64;
+  static constexpr std::uint32_t kMostHeight = 127;
 
   struct alignas(64) Node {
     Real lo[3][kWidth], hi[3][kWidth];  // m; NaN beyond `count`, which overlaps nothing, not even all of space
@@ -127,25 +138,30 @@ class BoxTree {
 };
 
 template <class Found>
-std::uint64_t BoxTree::query(const Aabb& box, Found&& found) {
+std::uint64_t BoxTree::search(const Aabb& box, Found&& found) const {
   if (root_ == kInvalid) return 0;
   const Held held(box);
   const Node* const nodes = nodes_.data();
-  std::uint32_t *here = reached_[0].data(), *below = reached_[1].data();
-  here[0] = root_;
-  std::size_t n = 1, tests = 0;
-  for (std::uint32_t level = 0; level <= nodes[root_].height; ++level) {
-    tests += kWidth * n;
-    std::uint32_t* out = below;
-    for (std::size_t i = 0; i < n; ++i) out = take(nodes[here[i]], held.hits(nodes[here[i]]), out);
-    n = static_cast<std::size_t>(out - below);
-    std::swap(here, below);
+  std::array<std::uint32_t, kWidth * (kMostHeight + 1)> stack;  // of each height, what is left of one node's children
+  std::uint32_t* top = stack.data();
+  *top++ = root_;
+  std::uint64_t tests = 0;
+  while (top > stack.data()) {
+    const Node& n = nodes[*--top];
+    tests += kWidth;
+    std::uint32_t* const end = take(n, held.hits(n), top);
+    if (n.height > 0)
+      top = end;
+    else
+      for (const std::uint32_t* leaf = top; leaf < end; ++leaf) found(*leaf);
   }
-  for (std::size_t i = 0; i < n; ++i) found(here[i]);
-  if (sampled_ < kSample)
-    ++sampled_, sample_ += static_cast<Real>(tests) / kSample;
-  else
-    waste_ = std::max(Real(0), waste_ + static_cast<Real>(tests) - sample_);
+  return tests;
+}
+
+template <class Found>
+std::uint64_t BoxTree::query(const Aabb& box, Found&& found) {
+  const std::uint64_t tests = search(box, found);
+  count(tests);
   return tests;
 }
 
@@ -160,7 +176,7 @@ std::uint64_t BoxTree::each_pair(Found&& found) {
   for (std::uint32_t leaf = 0; leaf < place_.size(); ++leaf) {
     if (place_[leaf] == kInvalid || place_[leaf] % kWidth != 0) continue;  // once for each lowest node
     const std::uint32_t own = place_[leaf] / kWidth;
-    std::array<std::uint32_t, 128> way;  // by height: the place of what it is below
+    std::array<std::uint32_t, kMostHeight + 1> way;  // by height: the place of what it is below
     for (std::uint32_t p = nodes[own].parent; p != kInvalid; p = nodes[p / kWidth].parent)
       way[nodes[p / kWidth].height] = p;
     const Held all(nodes[own].all());

@@ -3,11 +3,13 @@
 
 #include "collision/broad/bounds.h"
 #include "collision/colliders.h"
+#include "core/jobs.h"
 
 namespace carom::collision {
 
 struct BroadSettings {
-  Real grid_cell = 0;  // m; 0: chosen from the scene
+  Real grid_cell = 0;    // m; 0: chosen from the scene
+  Jobs* jobs = nullptr;  // share loops, of strategies that have some to share (tree)
 };
 
 /// What the last call of a strategy did, in its own units of work: for benchmarks, and for tests that hold it to its

@@ -11,6 +11,8 @@
 // when a leaf ended too deep, or queries cost more than those after the last time by what building costs. A step costs
 // at most O(n log n), the queries apart, however boxes lie.
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <bit>
 
 #include "collision/broad/box_tree.h"
@@ -39,13 +41,17 @@ class Tree final : public BroadPhase {
         shrunk_(m),
         wide_(m),
         leaves_(m),
+        tests_(m),
         known_(m),
         fresh_(m),
         spare_(m),
+        found_(m),
+        blocks_(m),
         order_(m) {}
 
-  void find_pairs(const Colliders& table, std::uint64_t, const BroadSettings&, Array<Pair>& pairs) override {
+  void find_pairs(const Colliders& table, std::uint64_t, const BroadSettings& settings, Array<Pair>& pairs) override {
     work_ = {};
+    jobs_ = settings.jobs;
     if (!whole_) clear();
     whole_ = false;  // stays so if an allocation fails half-way: the next call starts afresh
     grow(table.slots());
@@ -85,6 +91,11 @@ class Tree final : public BroadPhase {
   enum Change : std::uint8_t { kStays = 0, kShrunk = 1, kVoid = 2 };
   static bool moves(Kind k) { return k == moving || k == wide; }
   static bool in_tree(Kind k) { return k >= fixed; }
+  /// Boxes that one compared in both trees.
+  struct Tests {
+    std::uint32_t moving, fixed;
+  };
+  static constexpr std::size_t kAskedAPart = 32, kPairsAPart = 2048;  // some microseconds of a loop
   BoxTree& tree(Kind k) { return k == fixed ? fixed_ : moving_; }
 
   void clear() {
@@ -213,31 +224,80 @@ class Tree final : public BroadPhase {
     constexpr std::size_t kFew = 16;  // so that a small world has done so after its first step
     const std::size_t room = std::max({kFew, known_.capacity(), spare_.capacity(), fresh_.capacity()});
     for (Array<Pair>* list : {&known_, &spare_, &fresh_, &pairs}) list->reserve(room);
+    blocks_.reserve(room / kPairsAPart + 1), tests_.reserve(kind_.size());
+    if (found_.size() < room) found_.resize(room);
     order_.reserve(room);
   }
 
+  /// Whether two may be a pair.
+  bool meet(std::uint32_t a, std::uint32_t b) const {
+    return owner_[a] >> 2 != owner_[b] >> 2 && ((owner_[a] | owner_[b]) & 2);
+  }
   void add(std::uint32_t a, std::uint32_t b) {
-    if (owner_[a] >> 2 != owner_[b] >> 2 && ((owner_[a] | owner_[b]) & 2)) fresh_.push_back({std::min(a, b), std::max(a, b)});
+    if (meet(a, b)) fresh_.push_back({std::min(a, b), std::max(a, b)});
   }
 
   /// Whether what does not move can be met by one that moves.
   bool meets_fixed(std::uint32_t slot) const { return noticed(slot) || senses_; }
 
+  /// Pairs that a thread has found, brought to found_ some at a time. Which comes where is left to chance.
+  class Basket {
+   public:
+    Basket(Array<Pair>& found, std::atomic<std::size_t>& count) : found_(found), count_(count) {}
+    ~Basket() { empty(); }
+    void put(std::uint32_t a, std::uint32_t b) {
+      pair_[held_++] = {std::min(a, b), std::max(a, b)};
+      if (held_ == pair_.size()) empty();
+    }
+
+   private:
+    void empty() {
+      const std::size_t at = count_.fetch_add(held_, std::memory_order_relaxed);
+      if (at + held_ <= found_.size()) std::copy_n(pair_.data(), held_, found_.data() + at);
+      held_ = 0;
+    }
+    Array<Pair>& found_;
+    std::atomic<std::size_t>& count_;
+    std::array<Pair, 64> pair_;
+    std::size_t held_ = 0;
+  };
+
+  /// Call found(other) for all that the fat box of one overlaps.   @return boxes compared
+  template <class Found>
+  Tests search(std::uint32_t slot, const Found& found) const {
+    const Aabb& box = fat_.of[slot];
+    Tests tests{static_cast<std::uint32_t>(moving_.search(box, found)), 0};
+    if (moves(kind_[slot]) && meets_fixed(slot)) tests.fixed = static_cast<std::uint32_t>(fixed_.search(box, found));
+    for (const std::uint32_t other : wide_)
+      if ((moves(kind_[slot]) || moves(kind_[other])) && box.overlaps(fat_.of[other])) found(other);
+    return tests;
+  }
+
   /// All candidates of who changed; those of all others stay.
   void look_around() {
-    fresh_.clear();
-    for (const std::uint32_t slot : asked_) {
-      const Aabb& box = fat_.of[slot];
-      const auto found = [&](std::uint32_t other) {
-        // Of two that are both asked for, the one with the smaller number finds the other.
-        if (other != slot && !(changed_[other] == kVoid && other < slot)) add(slot, other);
-      };
-      const bool free = moves(kind_[slot]) && meets_fixed(slot);
-      work_.tests += moving_.query(box, found) + wide_.size();
-      if (free) work_.tests += fixed_.query(box, found);
-      for (const std::uint32_t other : wide_)
-        if ((moves(kind_[slot]) || moves(kind_[other])) && box.overlaps(fat_.of[other])) found(other);
+    tests_.resize(asked_.size());
+    std::atomic<std::size_t> count{0};
+    while (true) {
+      count.store(0, std::memory_order_relaxed);
+      in_parts(jobs_, asked_.size(), kAskedAPart, [&](std::uint32_t begin, std::uint32_t end) {
+        Basket basket(found_, count);
+        for (std::uint32_t i = begin; i < end; ++i) {
+          const std::uint32_t slot = asked_[i];
+          tests_[i] = search(slot, [&](std::uint32_t other) {
+            // Of two that are both asked for, the one with the smaller number finds the other.
+            if (other != slot && !(changed_[other] == kVoid && other < slot) && meet(slot, other)) basket.put(slot, other);
+          });
+        }
+      });
+      if (count.load(std::memory_order_relaxed) <= found_.size()) break;
+      core::grow_to(found_, count.load(std::memory_order_relaxed));  // and once more: all there is room for now
     }
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      moving_.count(tests_[i].moving);
+      if (tests_[i].fixed > 0) fixed_.count(tests_[i].fixed);
+      work_.tests += tests_[i].moving + tests_[i].fixed + wide_.size();
+    }
+    fresh_.assign(found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(count.load(std::memory_order_relaxed)));
     order_.sort(fresh_, kind_.size());
   }
 
@@ -251,7 +311,8 @@ class Tree final : public BroadPhase {
     BoxTree& other = tree(asking == fixed ? moving : fixed);
     if (fixed_.size() > 0)
       for (const std::uint32_t slot : live_)
-        if (kind_[slot] == asking && (asking == fixed || meets_fixed(slot))) work_.tests += other.query(fat_.of[slot], [&](std::uint32_t b) { add(slot, b); });
+        if (kind_[slot] == asking && (asking == fixed || meets_fixed(slot)))
+          work_.tests += other.query(fat_.of[slot], [&](std::uint32_t b) { add(slot, b); });
     for (std::size_t i = 0; i < wide_.size(); ++i) {
       const std::uint32_t slot = wide_[i];
       const bool free = moves(kind_[slot]);
@@ -265,27 +326,71 @@ class Tree final : public BroadPhase {
     known_.swap(fresh_);
   }
 
+  /// A block of candidates, which one thread has to itself, and what it writes from where it begins: what stays and what
+  /// overlaps.
+  struct Block {
+    std::size_t first, last, fresh, fresh_end;  // of known_, of fresh_
+    Pair *kept, *out;                           // one past what is written
+    std::size_t begin() const { return first + fresh; }
+  };
+
+  /// Candidates and fresh ones in blocks; all in one where no threads share them.
+  void cut_into_blocks(const Array<Pair>& fresh) {
+    const std::size_t n = known_.size(), part = jobs_ ? kPairsAPart : std::max<std::size_t>(n, 1);
+    blocks_.resize(std::max<std::size_t>((n + part - 1) / part, 1));
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      const std::size_t first = i * part, last = std::min(first + part, n);
+      const auto end = last < n ? std::lower_bound(fresh.begin(), fresh.end(), known_[last]) : fresh.end();
+      blocks_[i] = {first, last, from, static_cast<std::size_t>(end - fresh.begin()), nullptr, nullptr};
+      from = blocks_[i].fresh_end;
+    }
+  }
+
+  /// What blocks wrote, one after the other.
+  template <Pair* Block::*kEnd>
+  void close_ranks(Array<Pair>& pairs) const {
+    Pair* to = pairs.data();
+    for (const Block& b : blocks_) {
+      const Pair* const from = pairs.data() + b.begin();
+      to = from == to ? b.*kEnd : std::copy(from, static_cast<const Pair*>(b.*kEnd), to);
+    }
+    pairs.resize(static_cast<std::size_t>(to - pairs.data()));
+  }
+
   /// Candidates whose bounds overlap. Whether two boxes do is a coin toss, so it moves a pointer instead of branching;
   /// and runs of the same first slot are too short to hold its box for them: where they end is another toss.
   void filter(const Colliders& table, Array<Pair>& pairs) {
     pairs.resize(known_.size());
     work_.tests += known_.size();
-    const Aabb* const bounds = table.bounds.data();
-    Pair* out = pairs.data();
-    for (const Pair& p : known_) {
-      *out = p;
-      out += HeldBox(bounds[p.a]).overlaps(bounds[p.b]);
-    }
-    pairs.resize(static_cast<std::size_t>(out - pairs.data()));
+    cut_into_blocks({});
+    in_parallel(jobs_, blocks_.size(), 1, [&](std::uint32_t i) {
+      Block& block = blocks_[i];
+      const Aabb* const bounds = table.bounds.data();
+      Pair* out = pairs.data() + block.begin();
+      for (const Pair *p = known_.data() + block.first, *const end = known_.data() + block.last; p < end; ++p) {
+        *out = *p;
+        out += HeldBox(bounds[p->a]).overlaps(bounds[p->b]);
+      }
+      block.out = out;
+    });
+    close_ranks<&Block::out>(pairs);
   }
 
   /// Candidates of those who did not change, and what is fresh, become what is known, and are filtered on the way.
   void merge(const Colliders& table, Array<Pair>& pairs) {
     spare_.resize(known_.size() + fresh_.size());
     pairs.resize(spare_.size());
+    cut_into_blocks(fresh_);
+    in_parallel(jobs_, blocks_.size(), 1, [&](std::uint32_t i) { merge(table, blocks_[i], pairs); });
+    close_ranks<&Block::kept>(spare_), close_ranks<&Block::out>(pairs);
+    work_.tests += spare_.size();
+    known_.swap(spare_);
+  }
+  void merge(const Colliders& table, Block& block, Array<Pair>& pairs) {
     const Aabb* const bounds = table.bounds.data();
     const std::uint8_t* const changed = changed_.data();
-    Pair *kept = spare_.data(), *out = pairs.data();
+    Pair *kept = spare_.data() + block.begin(), *out = pairs.data() + block.begin();
     const auto take = [&](const Pair& p, bool stays) {
       *kept = *out = p;
       kept += stays;
@@ -295,17 +400,14 @@ class Tree final : public BroadPhase {
       const int change = changed[p.a] | changed[p.b];
       take(p, change == kStays || (change == kShrunk && fat_.of[p.a].overlaps(fat_.of[p.b])));
     };
-    const Pair* p = known_.data();
-    const Pair* const end = p + known_.size();
-    for (const Pair& q : fresh_) {
-      for (; p < end && *p < q; ++p) pass(*p);
-      take(q, true);
+    const Pair* p = known_.data() + block.first;
+    const Pair* const end = known_.data() + block.last;
+    for (const Pair *q = fresh_.data() + block.fresh, *const last = fresh_.data() + block.fresh_end; q < last; ++q) {
+      for (; p < end && *p < *q; ++p) pass(*p);
+      take(*q, true);
     }
     for (; p < end; ++p) pass(*p);
-    spare_.resize(static_cast<std::size_t>(kept - spare_.data()));
-    pairs.resize(static_cast<std::size_t>(out - pairs.data()));
-    work_.tests += spare_.size();
-    known_.swap(spare_);
+    block.kept = kept, block.out = out;
   }
 
   BoxTree moving_, fixed_;
@@ -317,9 +419,13 @@ class Tree final : public BroadPhase {
   Array<std::uint32_t> asked_, gone_, shrunk_;  // of this call
   Array<std::uint32_t> wide_;                   // slots with an unbounded box
   Array<std::uint32_t> leaves_;                 // of a tree to be built
+  Array<Tests> tests_;                          // by asked_
   Array<Pair> known_;                           // candidates, ascending
   Array<Pair> fresh_, spare_;
+  Array<Pair> found_;     // of threads, as they come; all of it there, the first of it in use
+  Array<Block> blocks_;   // of known_
   PairOrder order_;
+  Jobs* jobs_ = nullptr;
   bool senses_ = false;  // there are sensors, which may be fixed
   bool whole_ = false;  // all of the above are those of the last call
 };

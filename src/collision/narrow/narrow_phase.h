@@ -42,12 +42,14 @@ class PairTable {
         records_(memory),
         certificates_(memory),
         free_(memory),
+        blocks_(memory),
+        dropped_(memory),
         inactive_(memory),
         head_(memory) {}
 
   /// Keep records of pairs still there, take back inactive ones, start new ones, drop the rest. `pairs` ascending.
   /// Linear: both lists are sorted.
-  void update(const Array<Pair>& pairs);
+  void update(const Array<Pair>& pairs, Jobs* jobs = nullptr);
   /// A run of records of one pair, which is to have as many as wanted (at least one).
   struct Run {
     std::uint32_t first, count, wanted;
@@ -131,6 +133,14 @@ class PairTable {
   void unpark(std::uint32_t record);
   bool take_back(const Pair& pair);
   std::uint32_t fresh_record();
+  /// Pairs of this step, and old places beside them, that one thread has to itself.
+  struct Block {
+    std::size_t first, last, old, old_end;  // of pairs, of order_
+    std::size_t dropped;                    // of those old places, how many go
+    bool has_new, has_run;                  // pairs without an old place; with several
+  };
+  void update_runs(const Array<Pair>& pairs);
+  void update_block(const Array<Pair>& pairs, Block& block);
   Certificate* certificate_of(std::uint32_t record) {
     return record < certificates_.size() ? &certificates_[record] : nullptr;
   }
@@ -142,6 +152,9 @@ class PairTable {
   Array<PairRecord> records_;
   Array<Certificate> certificates_;  // by record; empty until answers are carried over
   Array<std::uint32_t> free_;
+  Array<Block> blocks_;
+  Array<std::uint32_t> dropped_;  // records, by block from its first old place on: scratch
+  bool has_runs_ = false;         // some pair had several records, when all were last gone through
   Array<Inactive> inactive_;   // by record; empty until the first is inactive
   Array<std::uint32_t> head_;  // by collider: the first record that it deactivates, or kNew
   std::size_t inactive_count_ = 0;

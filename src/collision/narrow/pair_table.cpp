@@ -6,10 +6,51 @@
 
 namespace carom::collision {
 
-void PairTable::update(const Array<Pair>& pairs) {
+void PairTable::update(const Array<Pair>& pairs, Jobs* jobs) {
+  constexpr std::size_t kPairsAPart = 2048;
+  if (!jobs || pairs.size() <= kPairsAPart || has_runs_ || inactive_count_ > 0) return update_runs(pairs);
+  const std::size_t n = pairs.size();
+  next_.resize(n), free_.reserve(records_.size() + n), dropped_.resize(order_.size());
+  blocks_.resize((n + kPairsAPart - 1) / kPairsAPart);
+  std::size_t old = 0;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const std::size_t first = i * kPairsAPart, last = std::min(first + kPairsAPart, n);
+    const auto before = [](const Place& place, const Pair& p) { return place.pair < p; };
+    const auto end = last < n ? std::lower_bound(order_.begin(), order_.end(), pairs[last], before) : order_.end();
+    blocks_[i] = {first, last, old, static_cast<std::size_t>(end - order_.begin()), 0, false, false};
+    old = blocks_[i].old_end;
+  }
+  core::in_parallel(jobs, blocks_.size(), 1, [&](std::uint32_t i) { update_block(pairs, blocks_[i]); });
+  if (std::ranges::any_of(blocks_, &Block::has_run)) return update_runs(pairs);
+  for (const Block& b : blocks_)
+    free_.insert(free_.end(), dropped_.begin() + static_cast<std::ptrdiff_t>(b.old),
+                 dropped_.begin() + static_cast<std::ptrdiff_t>(b.old + b.dropped));
+  for (const Block& b : blocks_)
+    for (std::size_t i = b.first; b.has_new && i < b.last; ++i)
+      if (next_[i].record == kNew) next_[i].record = fresh_record();
+  order_.swap(next_);
+}
+
+void PairTable::update_block(const Array<Pair>& pairs, Block& block) {
+  std::size_t old = block.old;
+  std::uint32_t* dropped = dropped_.data() + block.old;
+  for (std::size_t i = block.first; i < block.last; ++i) {
+    while (old < block.old_end && order_[old].pair < pairs[i]) *dropped++ = order_[old++].record;
+    const bool is_new = old == block.old_end || !(order_[old].pair == pairs[i]);
+    next_[i] = is_new ? Place{pairs[i], kNew} : order_[old++];
+    block.has_new |= is_new;
+    block.has_run |= !is_new && old < block.old_end && order_[old].pair == pairs[i];
+  }
+  while (old < block.old_end) *dropped++ = order_[old++].record;
+  block.dropped = static_cast<std::size_t>(dropped - (dropped_.data() + block.old));
+}
+
+/// Likewise where a pair may have several records, or inactive ones that are taken back.
+void PairTable::update_runs(const Array<Pair>& pairs) {
   next_.clear();
   next_.reserve(pairs.size());
   free_.reserve(records_.size() + pairs.size());
+  has_runs_ = false;
   std::size_t old = 0;
   for (const Pair& p : pairs) {
     while (old < order_.size() && order_[old].pair < p) free_.push_back(order_[old++].record);
@@ -21,6 +62,7 @@ void PairTable::update(const Array<Pair>& pairs) {
     while (old < order_.size() && order_[old].pair == p);
   }
   while (old < order_.size()) free_.push_back(order_[old++].record);
+  has_runs_ = next_.size() > pairs.size();
   for (Place& place : next_)
     if (place.record == kNew) place.record = fresh_record();
   order_.swap(next_);

@@ -193,7 +193,7 @@ void put_back_contacts(const World& world, Passes& p, const StepTime& time) {
   if (p.packed_active != p.all_active) world.wide_joints->is_packed = false, p.packed_active.clear();
   link_joints(world, time);
   c.direct.clear();
-  partition_rows(c, world.scene.bodies.slots(), world.scene.dials.choice(Dial::groups) != 0);
+  partition_rows(c, world.scene.bodies.slots(), world.scene.dials.choice(Dial::groups) != 0, world.jobs);
   for (const std::uint32_t i : c.bodies) c.is_bound[i] = 0;
   c.bodies.clear();
   for (const std::uint32_t i : p.movers) {

@@ -21,9 +21,9 @@ void velocity_by_verlet(const World& world, Velocities& end, Real h) {
   evaluate_forces(world, {s.x.data(), s.q.data(), s.v.data(), s.omega.data()}, kick);
 
   const auto move = [&](std::uint32_t i) { to.x[i] = s.x[i] + h * s.v[i]; };
-  plan.linear.each(move);
+  plan.linear.each(world.jobs, move);
   const bool carries = plan.rotation_method != nullptr;
-  plan.rotating.each([&](std::uint32_t i) {
+  plan.rotating.each(world.jobs, [&](std::uint32_t i) {
     move(i);
     if (!carries || !plan.turns_by_method[i]) to.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
   });

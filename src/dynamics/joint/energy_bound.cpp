@@ -102,9 +102,10 @@ bool find_unresolved(const World& world, WideJoints& w, Real h) {
     if (group.is_driven || group.is_unresolved) continue;
     any |= group.is_unresolved = gapes(w, w.place[i], slack);
   }
+  if (w.linked.empty()) return any;
   for (const Bounded& b : w.bounded) {
     GroupBound& group = w.bounds[b.group];
-    if (group.is_driven || group.is_unresolved || w.linked.empty() || !w.linked[b.body]) continue;
+    if (group.is_driven || group.is_unresolved || !w.linked[b.body]) continue;
     if (!turns_by_method(*world.plan, b.body)) continue;
     any |= group.is_unresolved = h * h * world.state.omega[b.body].squared_norm() > kUnresolvedTurn * kUnresolvedTurn;
   }
@@ -114,11 +115,16 @@ bool find_unresolved(const World& world, WideJoints& w, Real h) {
 void sum_up(const World& world, WideJoints& w) {
   const State& s = world.state;
   for (GroupBound& group : w.bounds) group.before = group.after = group.mass = 0, group.momentum.set_zero();
+  in_parallel(world.jobs, w.bounded.size(), kBodiesAPart, [&](std::uint32_t i) {
+    Bounded& b = w.bounded[i];
+    if (!w.bounds[b.group].may_gain_nothing()) return;
+    b.before = energy(world, b.body, b.v, b.omega, b.q);
+    b.after = energy(world, b.body, s.v[b.body], s.omega[b.body], s.q[b.body]);
+  });
   for (const Bounded& b : w.bounded) {
     GroupBound& group = w.bounds[b.group];
     if (!group.may_gain_nothing()) continue;
-    group.before += energy(world, b.body, b.v, b.omega, b.q);
-    group.after += energy(world, b.body, s.v[b.body], s.omega[b.body], s.q[b.body]);
+    group.before += b.before, group.after += b.after;
     group.mass += world.scene.mass[b.body];
     group.momentum += world.scene.mass[b.body] * s.v[b.body];
   }
@@ -169,9 +175,12 @@ void find_bounded(const World& world, Real h) {
 void save_energies(const World& world) {
   const State& s = world.state;
   const Plan& plan = *world.plan;
-  for (Bounded& b : world.wide_joints->bounded)
-    b.v = s.v[b.body], b.omega = s.omega[b.body],
+  Array<Bounded>& bounded = world.wide_joints->bounded;
+  in_parallel(world.jobs, bounded.size(), kBodiesAPart, [&](std::uint32_t i) {
+    Bounded& b = bounded[i];
+    b.v = s.v[b.body], b.omega = s.omega[b.body];
     b.q = turns_by_method(plan, b.body) ? plan.predicted.q[b.body] : s.q[b.body];
+  });
 }
 
 void refuse_start(const World& world) {
@@ -202,15 +211,16 @@ void bound_energies(const World& world, Velocities& to, Real h) {
   if (w.bounded.empty() || !find_unresolved(world, w, h)) return;
   const State& s = world.state;
   sum_up(world, w);
-  for (const Bounded& b : w.bounded) {
+  in_parallel(world.jobs, w.bounded.size(), kBodiesAPart, [&](std::uint32_t i) {
+    const Bounded& b = w.bounded[i];
     const GroupBound& group = w.bounds[b.group];
-    if (!group.may_gain_nothing() || !(group.after > group.before) || s.held_out[b.body]) continue;
+    if (!group.may_gain_nothing() || !(group.after > group.before) || s.held_out[b.body]) return;
     const Vec3 common = group.is_held ? Vec3(Vec3::zero()) : Vec3(group.momentum / group.mass);
     const Real kept = group.mass * common.squared_norm() / 2, own = group.after - kept;
     const Real share = own > 0 ? std::sqrt(std::clamp((group.before - kept) / own, Real(0), Real(1))) : 0;
     to.v[b.body] = common + share * (s.v[b.body] - common);
     to.omega[b.body] = share * s.omega[b.body];
-  }
+  });
 }
 
 }  // namespace carom::dynamics

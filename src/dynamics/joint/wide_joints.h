@@ -76,6 +76,7 @@ struct WideJoints {
     std::uint32_t body, group;
     Vec3 v, omega;  // m/s, rad/s: before the solver
     Quat q;         // to which that omega belongs
+    Real before, after;  // J, with those velocities and with what the solver made of them: scratch
   };
   struct GroupBound {
     bool is_driven = false, is_held = false, is_deep = false, is_unresolved = false, gains = false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/ledger/ledger.h"
@@ -148,6 +149,14 @@ class Renewal {
   Real h_;
 };
 
+/// f(i) for all solver bodies that impulses move, by all threads.
+template <class F>
+void each_moved(const World& world, const WideContacts& wide, const F& f) {
+  if (wide.slot.size() <= wide.first_moved) return;
+  in_parallel(world.jobs, wide.slot.size() - wide.first_moved, kBodiesAPart,
+              [&](std::uint32_t i) { f(wide.first_moved + i); });
+}
+
 /// By what share of its energy a body's inertia is off that has turned since: it errs by t (I_i - I_j) between two
 /// principal axes if it has turned by t about the third.   @param turn  rad, body axes
 Real misfit(const Plan& plan, std::uint32_t slot, const Vec3& turn) {
@@ -160,19 +169,19 @@ Real misfit(const Plan& plan, std::uint32_t slot, const Vec3& turn) {
 /// Who has turned too far since its rows were made; always who is marked `again`. Their masses are made anew.
 bool mark(const World& world, WideContacts& wide) {
   const State& s = world.state;
-  bool any = false;
-  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+  std::atomic<bool> any{false};
+  each_moved(world, wide, [&](std::uint32_t i) {
     FarTurn& f = wide.far_turn[i];
     f.marked = false;
-    if (!f.may) continue;
+    if (!f.may) return;
     const std::uint32_t slot = wide.slot[i];
     const Vec3 turn = 2 * (wide.start_q[i].conjugate() * s.q[slot]).vec();
-    if (!f.again && !(misfit(*world.plan, slot, turn) > kFarTurn)) continue;
-    f.marked = any = true;
+    if (!f.again && !(misfit(*world.plan, slot, turn) > kFarTurn)) return;
+    f.marked = true, any.store(true, std::memory_order_relaxed);
     const Mat3 r = s.q[slot].matrix();
     world.contacts->inv_inertia_w[slot] = r * world.scene.inv_inertia[slot] * r.transpose();
-  }
-  return any;
+  });
+  return any.load(std::memory_order_relaxed);
 }
 
 /// Rows of marked bodies anew.   @param h  as Renewal has it
@@ -235,10 +244,8 @@ void find_far_turners(const World& world, WideContacts& wide) {
   wide.far_turn.assign(wide.slot.size(), {});
   wide.far_turners = false;
   if (!plan.rotation_method || (wide.manifolds.empty() && world.contacts->links.empty())) return;
-  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
-    if (!plan.effects[+EffectId::gyroscopic].candidates.has(wide.slot[i])) continue;
-    wide.far_turn[i].may = true;
-  }
+  const Participants& turn_freely = plan.effects[+EffectId::gyroscopic].candidates;
+  each_moved(world, wide, [&](std::uint32_t i) { wide.far_turn[i].may = turn_freely.has(wide.slot[i]); });
   wide.far_turners = std::ranges::any_of(wide.far_turn, &FarTurn::may);
   if (wide.far_turners && wide.one_turner.runs.empty()) wide.one_turner.add(0);
 }
@@ -247,7 +254,7 @@ void begin_far_turns(const World& world, Velocities& to, WideContacts& wide, Rea
   if (!wide.far_turners) return;
   const State& s = world.state;
   renew(world, wide, 0);
-  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+  each_moved(world, wide, [&](std::uint32_t i) {
     FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
     f.led_on = false;
@@ -255,19 +262,22 @@ void begin_far_turns(const World& world, Velocities& to, WideContacts& wide, Rea
         f.may && turns_by_method(*world.plan, slot) && turns_far_for_its_shape(world, slot, h) && !s.held_out[slot];
     f.end = s.omega[slot];
     if (f.led_back) f.begun = to.omega[slot] = led_back(world, slot, f.end);
-  }
+  });
 }
 
 void end_far_turns(const World& world, Velocities& to, WideContacts& wide, Real h) {
   if (!wide.far_turners) return;
   const State& s = world.state;
-  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+  each_moved(world, wide, [&](std::uint32_t i) {
     FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
-    if (!f.led_back && !(f.may && turns_by_method(*world.plan, slot) && world.plan->touched[slot] &&
-                         turns_far_for_its_shape(world, slot, h)))
-      continue;
-    f.led_on = true;
+    f.led_on = f.led_back || (f.may && turns_by_method(*world.plan, slot) && world.plan->touched[slot] &&
+                              turns_far_for_its_shape(world, slot, h));
+  });
+  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
+    const FarTurn& f = wide.far_turn[i];
+    if (!f.led_on) continue;
+    const std::uint32_t slot = wide.slot[i];
     if (f.led_back && s.omega[slot] == f.begun) {
       to.omega[slot] = f.end;
     } else {
