@@ -9,7 +9,7 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr std::size_t kPairsAPart = 512;
+constexpr std::size_t kContactPairsAPart = 512;
 
 /// Counting sort: groups begin as their ends, and members are put in from the last to the first.
 void sort_by_label(const Array<std::uint32_t>& label, std::uint32_t groups, Array<std::uint32_t>& begin,
@@ -53,7 +53,7 @@ std::uint32_t find_islands(Contacts& c, std::size_t body_slots, Jobs* jobs) {
   const std::size_t pairs = c.contact_pairs.size();
   c.parent.resize(body_slots), c.cursor.resize(body_slots);
   SharedTrees trees(c.parent);
-  in_parallel(jobs, pairs, kPairsAPart, [&](std::uint32_t i) {  // bodies without rows stay out of it, sleepers among them
+  in_parallel(jobs, pairs, kContactPairsAPart, [&](std::uint32_t i) {  // bodies without rows stay out of it, sleepers among them
     trees.plant(c.contact_pairs[i].a), trees.plant(c.contact_pairs[i].b);
   });
   for (const Link& l : c.links) {
@@ -64,9 +64,9 @@ std::uint32_t find_islands(Contacts& c, std::size_t body_slots, Jobs* jobs) {
     if (both.moves_a && both.moves_b) trees.join(both.a, both.b);
   };
   const auto root = [&](const auto& both) { return trees.root(both.moves_a ? both.a : both.b); };
-  in_parallel(jobs, pairs, kPairsAPart, [&](std::uint32_t i) { join(c.contact_pairs[i]); });
+  in_parallel(jobs, pairs, kContactPairsAPart, [&](std::uint32_t i) { join(c.contact_pairs[i]); });
   for (const Link& l : c.links) join(l);
-  in_parallel(jobs, pairs, kPairsAPart, [&](std::uint32_t i) { c.pair_group[i] = root(c.contact_pairs[i]); });
+  in_parallel(jobs, pairs, kContactPairsAPart, [&](std::uint32_t i) { c.pair_group[i] = root(c.contact_pairs[i]); });
 
   // Numbers by the first pair, in the cursor of a root.
   for (const std::uint32_t r : c.pair_group) c.cursor[r] = kInvalid;
@@ -93,7 +93,7 @@ void list_rows(Contacts& c, std::uint32_t groups, Jobs* jobs) {
   for (std::size_t i = pairs; i-- > 0;) c.pair_begin[i] = c.group_begin[c.pair_group[i]] -= c.contact_pairs[i].count;
   grow_to(c.group_rows, c.group_begin.back());
   if (c.group_rows.size() < c.rows.size()) std::ranges::fill(c.label, groups);  // of those that are out of this pass
-  in_parallel(jobs, pairs, kPairsAPart, [&](std::uint32_t i) {
+  in_parallel(jobs, pairs, kContactPairsAPart, [&](std::uint32_t i) {
     const ContactPair& m = c.contact_pairs[i];
     for (std::uint32_t k = 0; k < m.count; ++k) {
       c.label[m.row + k] = c.pair_group[i];
