@@ -28,6 +28,13 @@ void grow_to(A& array, std::size_t n, const Value&... value) {
   array.resize(n, value...);
 }
 
+/// Likewise of one that is written anew: where it grows its elements are not kept.
+template <class A>
+void remake(A& array, std::size_t n) {
+  if (n > array.capacity()) array.clear(), array.reserve(with_slack(n));
+  array.resize(n);
+}
+
 /// Room for one more element at `slot`, so that the resize after it cannot fail.
 template <class... A>
 void make_room(std::size_t slot, A&... arrays) {

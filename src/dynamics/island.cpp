@@ -91,7 +91,7 @@ void list_rows(Contacts& c, std::uint32_t groups, Jobs* jobs) {
   for (std::uint32_t g = 0; g < groups; ++g) c.group_begin[g + 1] += c.group_begin[g];
   c.pair_begin.resize(pairs);
   for (std::size_t i = pairs; i-- > 0;) c.pair_begin[i] = c.group_begin[c.pair_group[i]] -= c.contact_pairs[i].count;
-  grow_to(c.group_rows, c.group_begin.back());
+  remake(c.group_rows, c.group_begin.back());
   if (c.group_rows.size() < c.rows.size()) std::ranges::fill(c.label, groups);  // of those that are out of this pass
   in_parallel(jobs, pairs, kContactPairsAPart, [&](std::uint32_t i) {
     const ContactPair& m = c.contact_pairs[i];
@@ -114,7 +114,7 @@ std::uint32_t group_of(Contacts& c, std::uint32_t body) { return c.is_grouped ? 
 std::uint32_t island_of(Contacts& c, std::uint32_t body) { return root_of(c.parent, body); }
 
 void partition_rows(Contacts& c, std::size_t body_slots, bool grouped, Jobs* jobs) {
-  grow_to(c.label, c.rows.size()), c.link_label.resize(c.links.size()), c.pair_group.resize(c.contact_pairs.size());
+  remake(c.label, c.rows.size()), c.link_label.resize(c.links.size()), c.pair_group.resize(c.contact_pairs.size());
   c.is_grouped = grouped;
   std::uint32_t groups;
   if (grouped) {

@@ -6,6 +6,7 @@
 #include "collision/colliders.h"
 #include "collision/manifold/patch.h"
 #include "collision/narrow/query.h"
+#include "core/block_array.h"
 #include "core/jobs.h"
 
 namespace carom::dynamics::snapshot {
@@ -25,9 +26,12 @@ struct NarrowSettings {
 /// first,
 /// @see PairTable::fetch
 struct alignas(64) PairRecord {
+  QueryMemory memory;
   PatchMemory patch;
   Manifold manifold;
-  QueryMemory memory;
+
+  /// As of a pair that nothing is known of. What says so is all that is written: nobody reads the rest.
+  void clear() { memory = {}, patch.firm = false, manifold.count = 0, manifold.has_more_corners = false; }
 };
 static_assert(sizeof(PairRecord) == 512, "eight cache lines");
 
@@ -149,7 +153,7 @@ class PairTable {
   }
 
   Array<Place> order_, next_;  // by ascending pair
-  Array<PairRecord> records_;
+  core::BlockArray<PairRecord, 4> records_;
   Array<Certificate> certificates_;  // by record; empty until answers are carried over
   Array<std::uint32_t> free_;
   Array<Block> blocks_;

@@ -85,11 +85,11 @@ std::uint32_t PairTable::fresh_record() {
   std::uint32_t r;
   if (free_.empty()) {
     r = static_cast<std::uint32_t>(records_.size());
-    core::grow_to(records_, r + std::size_t(1));
+    records_.resize(r + std::size_t(1));
   } else {
     r = free_.back();
     free_.pop_back();
-    records_[r] = PairRecord{};
+    records_[r].clear();
     if (Certificate* const old = certificate_of(r)) *old = Certificate{};
   }
   return r;
@@ -101,7 +101,7 @@ void PairTable::resize_runs(const Array<Run>& runs) {
   for (const Run& run : runs) come += run.wanted;
   next_.reserve(order_.size() + come);
   free_.reserve(records_.size() + come);
-  if (records_.capacity() < records_.size() + come) records_.reserve(core::with_slack(records_.size() + come));
+  records_.reserve(records_.size() + come);
   const auto copy_up_to = [&](std::size_t end) {
     next_.insert(next_.end(), order_.begin() + static_cast<std::ptrdiff_t>(from),
                  order_.begin() + static_cast<std::ptrdiff_t>(end));

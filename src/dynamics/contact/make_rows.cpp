@@ -1,6 +1,7 @@
 // Rows from manifolds, with the impulses that the last step left; and what is left for the next one.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <utility>
 
 #include "dynamics/body_state.h"
@@ -150,12 +151,15 @@ void fill_all_rows(const World& world, StepReport& report, Real scale) {
   in_parallel(world.jobs, pairs, 2 * kPairsAPart,
               [&](std::uint32_t i) { c.first_row[i] = count_rows(world, world.pairs.place(i)); });
   std::uint32_t n = 0;
+  c.contact_pairs.clear(), c.contact_pairs.reserve(pairs);
   for (std::size_t i = 0; i < pairs; ++i) {
-    report.contact_pairs += c.first_row[i] > 0;
-    n += std::exchange(c.first_row[i], n);
+    const std::uint32_t count = std::exchange(c.first_row[i], n);
+    if (count > 0) c.contact_pairs.push_back({n, count, 0, 0, false, false, false});
+    n += count;
   }
   c.first_row[pairs] = n;
-  grow_to(c.rows, n), grow_to(c.geometry, n);
+  report.contact_pairs = c.contact_pairs.size();
+  remake(c.rows, n), remake(c.geometry, n);
   in_parts(world.jobs, pairs, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
     const auto before = [](const OldImpulse& old, const Pair& pair) { return old.pair < pair; };
     auto cursor = static_cast<std::size_t>(
@@ -167,7 +171,7 @@ void fill_all_rows(const World& world, StepReport& report, Real scale) {
   });
 }
 
-/// Runs of rows of one pair, and which of them bounce or rub.
+/// Runs of rows of one pair, and which of them bounce or have friction.
 /// For who bounces and has unlike moments.
 void make_room_for_spins(const World& world) {
   Contacts& c = *world.contacts;
@@ -179,22 +183,30 @@ void make_room_for_spins(const World& world) {
 
 void list_contact_pairs(const World& world) {
   Contacts& c = *world.contacts;
-  c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear();
-  c.contact_pairs.reserve(world.pairs.size());
-  std::uint64_t rub = 0;
-  for (std::size_t i = 0; i < world.pairs.size(); ++i) {
-    const std::uint32_t first = c.first_row[i], count = c.first_row[i + 1] - first;
-    if (count == 0) continue;
-    const Row& row = c.rows[first];
-    c.contact_pairs.push_back({first, count, row.a, row.b, row.moves_a, row.moves_b, row.one_normal});
-    if (row.friction > 0) rub += count;
-    for (std::uint32_t k = first; row.restitution > 0 && k < first + count; ++k) {
-      c.geometry[k].impact = static_cast<std::uint32_t>(c.impacts.size());
-      c.bouncing.push_back(k);
-      c.impacts.emplace_back().row = k;
+  c.bouncing.clear(), c.impacts.clear();
+  std::atomic<std::uint64_t> with_friction{0};
+  std::atomic<bool> any_bounces{false};
+  in_parts(world.jobs, c.contact_pairs.size(), kRowsAPart, [&](std::uint32_t begin, std::uint32_t end) {
+    std::uint64_t of_part = 0;
+    bool bounces = false;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      ContactPair& m = c.contact_pairs[i];
+      const Row& row = c.rows[m.row];
+      m.a = row.a, m.b = row.b, m.moves_a = row.moves_a, m.moves_b = row.moves_b, m.one_normal = row.one_normal;
+      if (row.friction > 0) of_part += m.count;
+      bounces |= row.restitution > 0;
     }
-  }
-  count_participants(world, EffectId::friction, rub);
+    with_friction.fetch_add(of_part, std::memory_order_relaxed);
+    if (bounces) any_bounces.store(true, std::memory_order_relaxed);
+  });
+  if (any_bounces.load(std::memory_order_relaxed))
+    for (const ContactPair& m : c.contact_pairs)
+      for (std::uint32_t k = m.row; c.rows[m.row].restitution > 0 && k < m.row + m.count; ++k) {
+        c.geometry[k].impact = static_cast<std::uint32_t>(c.impacts.size());
+        c.bouncing.push_back(k);
+        c.impacts.emplace_back().row = k;
+      }
+  count_participants(world, EffectId::friction, with_friction.load(std::memory_order_relaxed));
   count_participants(world, EffectId::restitution, c.bouncing.size());
   count_participants(world, EffectId::response, c.contact_pairs.size());
 }
@@ -209,19 +221,25 @@ void list_bodies(const World& world) {
   c.bodies.reserve(std::min(movers, 2 * (c.contact_pairs.size() + c.links.size())));
   for (const std::uint32_t i : c.bodies) c.is_bound[i] = 0;
   c.bodies.clear();
-  const auto see = [&](bool moves, std::uint32_t i) {
-    if (!moves || c.is_bound[i] || world.state.sleeps(i)) return;
-    c.is_bound[i] = 1;
-    c.bodies.push_back(i);
+  constexpr std::size_t kFew = 32;  // of so many that move one may be listed: sorting them is cheaper than a look at all
+  const auto each_end = [&](const auto& both, const auto& see) {
+    if (both.moves_a && !world.state.sleeps(both.a)) see(both.a);
+    if (both.moves_b && !world.state.sleeps(both.b)) see(both.b);
   };
-  for (const auto& both : c.contact_pairs) see(both.moves_a, both.a), see(both.moves_b, both.b);
-  for (const auto& both : c.links) see(both.moves_a, both.a), see(both.moves_b, both.b);
-  constexpr std::size_t kFew = 16;  // of so many that move one is listed: sorting them is cheaper than a look at all
-  if (kFew * c.bodies.size() < movers) {
+  if (kFew * (c.contact_pairs.size() + c.links.size()) < movers) {
+    const auto see = [&](std::uint32_t i) {
+      if (!std::exchange(c.is_bound[i], 1)) c.bodies.push_back(i);
+    };
+    for (const ContactPair& m : c.contact_pairs) each_end(m, see);
+    for (const Link& l : c.links) each_end(l, see);
     std::sort(c.bodies.begin(), c.bodies.end());
     return;
   }
-  c.bodies.clear();
+  const auto mark = [&](std::uint32_t i) {
+    std::atomic_ref<std::uint8_t>(c.is_bound[i]).store(1, std::memory_order_relaxed);
+  };
+  in_parallel(world.jobs, c.contact_pairs.size(), kRowsAPart, [&](std::uint32_t i) { each_end(c.contact_pairs[i], mark); });
+  for (const Link& l : c.links) each_end(l, mark);
   each_of_both(plan.linear, plan.rotating, [&](std::uint32_t i) {
     if (c.is_bound[i]) c.bodies.push_back(i);
   });

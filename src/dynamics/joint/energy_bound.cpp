@@ -2,6 +2,7 @@
 #include "dynamics/joint/energy_bound.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/force/force.h"
@@ -22,19 +23,29 @@ Real speed_of(const State& s, std::uint32_t body, Real arm) {
 }
 
 /// Which groups that sweeps answer have bodies that are deep in each other; answers of the direct solver are judged by
-/// itself.   @return how many rows
-std::uint32_t find_deep(const World& world, WideJoints& w) {
+/// itself.   @return whether there are any
+bool find_deep(const World& world, WideJoints& w) {
   const Contacts& c = *world.contacts;
   const Real deep = kDeepGain * world.scene.dials[Dial::position_tolerance];
-  std::uint32_t found = 0;
-  for (const ContactPair& m : c.contact_pairs)
-    for (std::uint32_t i = m.row; i < m.row + m.count; ++i) {
-      if (!(c.geometry[i].separation < -deep) || !c.solved_in_lanes(i)) continue;
-      if (found++ == 0) w.bounds.resize(c.groups());
-      w.bounds[c.label[i]].is_deep = true;
+  const auto is_deep = [&](std::uint32_t i) { return c.geometry[i].separation < -deep && c.solved_in_lanes(i); };
+  std::atomic<bool> any{false};
+  in_parts(world.jobs, c.contact_pairs.size(), kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t k = begin; k < end && !any.load(std::memory_order_relaxed); ++k) {
+      const ContactPair& m = c.contact_pairs[k];
+      for (std::uint32_t i = m.row; i < m.row + m.count; ++i)
+        if (is_deep(i)) any.store(true, std::memory_order_relaxed);
     }
-  if (w.any()) w.bounds.resize(c.groups());
-  return found;
+  });
+  const bool found = any.load(std::memory_order_relaxed);
+  if (found || w.any()) w.bounds.resize(c.groups());
+  if (!found) return false;
+  in_parallel(world.jobs, c.contact_pairs.size(), kPairsAPart, [&](std::uint32_t k) {
+    const ContactPair& m = c.contact_pairs[k];
+    bool deep_here = false;
+    for (std::uint32_t i = m.row; i < m.row + m.count; ++i) deep_here |= is_deep(i);
+    if (deep_here) std::atomic_ref<bool>(w.bounds[c.pair_group[k]].is_deep).store(true, std::memory_order_relaxed);
+  });
+  return true;
 }
 
 void find_drives(const World& world, WideJoints& w) {
@@ -160,8 +171,8 @@ void find_bounded(const World& world, Real h) {
   Contacts& c = *world.contacts;
   w.bounded.clear(), w.bounds.clear();
   if (!c.is_grouped || !c.surface.empty()) return;
-  const std::uint32_t deep = find_deep(world, w);
-  if (!w.any() && deep == 0) return;
+  const bool any_deep = find_deep(world, w);
+  if (!w.any() && !any_deep) return;
   find_drives(world, w);
   for (const std::uint32_t body : c.bodies) {
     const std::uint32_t group = group_of(c, body);

@@ -268,24 +268,23 @@ void begin_far_turns(const World& world, Velocities& to, WideContacts& wide, Rea
 void end_far_turns(const World& world, Velocities& to, WideContacts& wide, Real h) {
   if (!wide.far_turners) return;
   const State& s = world.state;
+  const auto end = [&](std::uint32_t i) {
+    BodyVelocity& b = wide.velocity[i];
+    for (int k = 0; k < 3; ++k) b.omega[k] = s.omega[wide.slot[i]][k];
+  };
+  std::atomic<bool> any{false};
   each_moved(world, wide, [&](std::uint32_t i) {
     FarTurn& f = wide.far_turn[i];
     const std::uint32_t slot = wide.slot[i];
     f.led_on = f.led_back || (f.may && turns_by_method(*world.plan, slot) && world.plan->touched[slot] &&
                               turns_far_for_its_shape(world, slot, h));
+    f.waits = f.led_on && !(f.led_back && s.omega[slot] == f.begun);
+    if (f.waits) any.store(true, std::memory_order_relaxed);
+    if (f.led_on && !f.waits) to.omega[slot] = f.end, end(i);
   });
-  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i) {
-    const FarTurn& f = wide.far_turn[i];
-    if (!f.led_on) continue;
-    const std::uint32_t slot = wide.slot[i];
-    if (f.led_back && s.omega[slot] == f.begun) {
-      to.omega[slot] = f.end;
-    } else {
-      lead_on(world, to, slot, h, wide.one_turner);
-    }
-    BodyVelocity& b = wide.velocity[i];
-    for (int k = 0; k < 3; ++k) b.omega[k] = s.omega[slot][k];
-  }
+  if (!any.load(std::memory_order_relaxed)) return;
+  for (std::uint32_t i = wide.first_moved; i < wide.slot.size(); ++i)
+    if (wide.far_turn[i].waits) lead_on(world, to, wide.slot[i], h, wide.one_turner), end(i);
 }
 
 void heed_far_turns(const World& world, WideContacts& wide, Real h) {

@@ -115,30 +115,29 @@ void save_poses(const World& world, WideContacts& wide) {
 }
 
 /// Manifolds from contact pairs, and who is of which region.
-void list_manifolds(WideContacts& wide) {
+void list_manifolds(const World& world, WideContacts& wide) {
   Placing& p = *wide.placing;
   const std::uint32_t regions = p.regions.end();
-  wide.manifolds.clear(), p.in_region.clear();
+  const std::size_t n = p.met.size();
+  wide.manifolds.resize(n), p.in_region.resize(n), p.at.resize(n), p.members.resize(n), p.by_colour.resize(n);
   wide.parts.assign(regions + 1, {});
   const std::uint32_t* const leaf = p.regions.leaf.data();
   const auto solver_body = [&](bool moves, std::uint32_t body) { return moves ? wide.body[body] : 0; };
-  for (const ContactPair& m : p.met) {
+  in_parallel(world.jobs, n, kPairsAPart, [&](std::uint32_t i) {
+    const ContactPair& m = p.met[i];
     const std::uint32_t a = solver_body(m.moves_a, m.a), b = solver_body(m.moves_b, m.b);
-    const std::uint32_t region =
-        Regions::of(leaf[(a ? a : b) - wide.first_moved], leaf[(b ? b : a) - wide.first_moved]);
-    wide.manifolds.push_back({m.row, m.count, 0, 0, 0});
-    p.in_region.push_back(region);
-    ++wide.parts[region].member;
-  }
+    p.in_region[i] = Regions::of(leaf[(a ? a : b) - wide.first_moved], leaf[(b ? b : a) - wide.first_moved]);
+    wide.manifolds[i] = {m.row, m.count, 0, 0, 0};
+  });
+  for (const std::uint32_t region : p.in_region) ++wide.parts[region].member;
   // How many become where they end; where they end, filled from the last, where they begin.
   for (std::uint32_t r = 1; r <= regions; ++r) wide.parts[r].member += wide.parts[r - 1].member;
-  p.members.resize(p.met.size()), p.by_colour.resize(p.met.size());
-  for (auto i = static_cast<std::uint32_t>(p.met.size()); i-- > 0;) {
+  for (std::size_t i = n; i-- > 0;) p.at[i] = --wide.parts[p.in_region[i]].member;
+  in_parallel(world.jobs, n, kPairsAPart, [&](std::uint32_t i) {
     const ContactPair& m = p.met[i];
-    p.members[--wide.parts[p.in_region[i]].member] = {
-        i, solver_body(m.moves_a, m.a), solver_body(m.moves_b, m.b),
-        (m.one_normal ? 0u : static_cast<std::uint32_t>(kPairPoints)) + m.count - 1};
-  }
+    p.members[p.at[i]] = {i, solver_body(m.moves_a, m.a), solver_body(m.moves_b, m.b),
+                          (m.one_normal ? 0u : static_cast<std::uint32_t>(kPairPoints)) + m.count - 1};
+  });
 }
 
 /// f(member) for all of a region.
@@ -342,7 +341,7 @@ void place_pairs(const World& world, WideContacts& wide) {
   same &= halve(world.state.x, size_of_cell(world, p), world.jobs, p.movers, p.regions);
   if (!same) {
     number_bodies(wide);
-    list_manifolds(wide);
+    list_manifolds(world, wide);
     place_all(world, wide);
   }
   save_poses(world, wide);

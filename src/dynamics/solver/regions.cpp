@@ -2,12 +2,14 @@
 #include "dynamics/solver/regions.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace carom::dynamics {
 namespace {
 
 constexpr std::uint32_t kMostLevels = 16;
+constexpr std::size_t kPlacedAPart = 512;
 constexpr Real kOffset = 0.377;  // cells: what a scene lines up, at round numbers, is not on the edge of a cell
 
 // Three numbers of 21 bits in one.
@@ -81,17 +83,17 @@ std::uint32_t levels_for(std::size_t bodies) {
 
 bool halve(const Array<Vec3>& x, Real cell, Jobs* jobs, const Array<std::uint32_t>& bodies, Regions& regions) {
   const std::size_t n = bodies.size();
-  bool same = bodies == regions.given;
+  std::atomic<bool> same{bodies == regions.given};
   regions.levels = levels_for(n);
   regions.cell.resize(regions.levels > 1 ? n : 0);
-  for (std::size_t i = 0; i < regions.cell.size(); ++i) {
+  in_parallel(jobs, regions.cell.size(), kPlacedAPart, [&](std::uint32_t i) {
     const Vec3& at = x[bodies[i]];
     const std::uint64_t now =
         cell_of(at.z(), cell) << 2 * kBits | cell_of(at.y(), cell) << kBits | cell_of(at.x(), cell);
-    same &= regions.cell[i] == now;
+    if (regions.cell[i] != now) same.store(false, std::memory_order_relaxed);
     regions.cell[i] = now;
-  }
-  if (same) return true;
+  });
+  if (same.load(std::memory_order_relaxed)) return true;
   regions.given.clear(), regions.given.reserve(n);  // until all is done: an allocation may fail
   regions.order = bodies;
   regions.leaf.assign(n, 1);

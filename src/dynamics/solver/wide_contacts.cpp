@@ -156,7 +156,7 @@ void each_four(const World& world, const WideContacts& wide, const Find& find, c
 /// All rows into lanes, and their masses. False: floats can't bear them.
 template <class Number>
 bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, const ContactSweeps<Number>& sweeps) {
-  grow_to(rows.pairs, wide.first_point.size()), grow_to(rows.points, wide.parts.back().point);
+  remake(rows.pairs, wide.first_point.size()), remake(rows.points, wide.parts.back().point);
   const LaneRunOf<Number> run = everything(wide, rows, wide.velocity.data());
   each_four<LaneSources>(
       world, wide,

@@ -35,7 +35,7 @@ struct ContactLanes {
 /// What place_pairs() works with. While nobody comes or goes pairs keep their places from step to step.
 struct Placing {
   explicit Placing(Memory* m)
-      : met(m), kinematic(m), movers(m), regions(m), members(m), by_colour(m), in_region(m), taken(m) {}
+      : met(m), kinematic(m), movers(m), regions(m), members(m), by_colour(m), in_region(m), at(m), taken(m) {}
 
   bool stands = false;             // places are those of `met` and `regions`
   Array<ContactPair> met;          // who is answered in lanes
@@ -52,6 +52,7 @@ struct Placing {
   Array<Member> members;           // by region, ascending by manifold
   Array<Member> by_colour;         // by region
   Array<std::uint32_t> in_region;  // by manifold
+  Array<std::uint32_t> at;         // likewise: its place in members
   Array<std::uint64_t> taken;      // [levels][solver bodies], @see BothColours, then AsTheyCome
 };
 
@@ -62,6 +63,7 @@ struct FarTurn {
   bool again = false;     // and are to be once more
   bool led_back = false;  // its velocity is that of the substep's beginning
   bool led_on = false;    // and was led on from there, over this substep
+  bool waits = false;     // for that: scratch
   Vec3 begun, end;        // rad/s, world: that, and the one which a rotation method led it to
 };
 

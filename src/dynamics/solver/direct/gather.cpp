@@ -99,7 +99,7 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   gather(world, d);
   order(d, most_factor);
   const std::size_t matrices = d.links.empty() ? 1 : 2;
-  grow_to(d.factor.diagonal, matrices * d.bodies.size()), grow_to(d.factor.below, matrices * d.elimination.rows.size());
+  remake(d.factor.diagonal, matrices * d.bodies.size()), remake(d.factor.below, matrices * d.elimination.rows.size());
   place_contacts(d);
   load_groups(world, memory, d);
   d.solution.resize(d.groups());
