@@ -11,6 +11,7 @@
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/least_force_constants.h"
+#include "dynamics/give_back.h"
 #include "dynamics/joint/energy_bound.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/solver/far_turns.h"
@@ -34,7 +35,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
                  kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants,
-                 kRattleConstants, kAccuracyConstants, kFloatConstants);
+                 kRattleConstants, kAccuracyConstants, kFloatConstants, kGiveBackConstants);
 
 }  // namespace
 

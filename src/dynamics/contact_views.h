@@ -25,6 +25,8 @@ class ContactViews {
   // ---- by a writer, alone ----
   /// There will be so many at most. Allocates.
   void reserve(std::size_t count) { list_.reserve(count); }
+  /// Of a list that is clear.
+  void give_back() { list_.shrink_to_fit(); }
   /// A step has ended, and its rows tell of its contacts. They are made of those and of the poses: who moves a body or
   /// takes a collider away asks for them first.
   void expect() { state_.store(kDue, std::memory_order_relaxed); }

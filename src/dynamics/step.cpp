@@ -6,6 +6,7 @@
 #include <span>
 
 #include "dynamics/accuracy/accuracy.h"
+#include "dynamics/give_back.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/observe.h"
 #include "dynamics/stages.h"
@@ -104,6 +105,7 @@ void World::step(Real dt) {
   if (!rattle && rattle::is_asked(*this)) rattle = make_owned<Rattle>(memory, memory);
   const Runner run(*this, dt);
   begin_report(*this, report, group_views, *events);
+  give_back(*this);
   const std::span<const StageEntry> table = stage_table();
   for (auto first = table.begin(); first != table.end();) {
     auto last = first;

@@ -63,6 +63,8 @@ class PairTable {
   /// Forget everything that involves a collider (it was destroyed or its shape changed).
   void remove(std::uint32_t collider);
   void clear();
+  /// Memory of lists that are longer than they need be. What is known of pairs stays.
+  void give_back();
 
   enum Holder : std::uint8_t { none = 0, by_a = 1, by_b = 2 };
   /// Deactivate records of the current step until update() is asked for their pair again, or all their holders let go.

@@ -210,4 +210,9 @@ void PairTable::clear() {
   inactive_count_ = 0;
 }
 
+void PairTable::give_back() {
+  next_.clear(), dropped_.clear(), blocks_.clear();
+  order_.shrink_to_fit(), next_.shrink_to_fit(), dropped_.shrink_to_fit(), blocks_.shrink_to_fit();
+}
+
 }  // namespace carom::collision

@@ -249,6 +249,7 @@ struct Contacts {
   Array<std::uint32_t> group_begin;   // [groups + 1]
   Array<std::uint32_t> group_bodies;  // by group: how many contacts and joints move
   bool is_grouped = true;             // the dial
+  std::uint32_t steps_with_room = 0;  // @see give_back()
   enum Choice : std::uint8_t { kSoftly, kDirectly, kStill };
   Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver
                                // answers; else empty

@@ -1,0 +1,39 @@
+#include "dynamics/give_back.h"
+
+#include "dynamics/contact/mean_motion.h"
+#include "dynamics/contact_views.h"
+#include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/direct.h"
+#include "dynamics/solver/wide_contacts.h"
+
+namespace carom::dynamics {
+namespace {
+
+constexpr std::size_t kFew = 4;  // of so many that there is room for, one is in use
+
+/// Whether the last step had few contacts beside what there is room for, and no joints: those know who is where in lanes.
+bool has_room_to_spare(const World& world) {
+  const Contacts& c = *world.contacts;
+  if (world.plan->runs[static_cast<std::size_t>(Stage::group)] && !c.links.empty()) return false;
+  const std::size_t rows = world.plan->runs[static_cast<std::size_t>(Stage::group)] ? c.rows.size() : 0;
+  return c.rows.capacity() > kFew * rows + kRowsKept;
+}
+
+}  // namespace
+
+void give_back(World& world) {
+  Contacts& c = *world.contacts;
+  c.steps_with_room = has_room_to_spare(world) ? c.steps_with_room + 1 : 0;
+  if (c.steps_with_room < kStepsBeforeGivingBack) return;
+  for (const std::uint32_t body : c.bodies) world.plan->touched[body] = 0;
+  *world.contacts = Contacts(world.memory);
+  *world.direct = DirectGroups(world.memory);
+  *world.wide = WideContacts(world.memory);
+  world.mean_motion.reset();
+  world.impulses.old.shrink_to_fit();
+  world.views->give_back();
+  world.pairs.give_back();
+  world.plan->pairs = Array<Pair>(world.memory);
+}
+
+}  // namespace carom::dynamics
