@@ -16,11 +16,11 @@ class BlockArray {
   static constexpr std::size_t kBlock = std::size_t(1) << kShift;
 
  public:
-  explicit BlockArray(Memory* memory) : memory_(memory), blocks_(memory) {}
+  explicit BlockArray(Memory* memory) : blocks_(memory) {}
   BlockArray(const BlockArray&) = delete;
   BlockArray& operator=(const BlockArray&) = delete;
   ~BlockArray() {
-    for (T* const block : blocks_) memory_->deallocate(block, kBlock * sizeof(T), alignof(T));
+    for (T* const block : blocks_) memory()->deallocate(block, kBlock * sizeof(T), alignof(T));
   }
 
   std::size_t size() const { return size_; }
@@ -31,7 +31,7 @@ class BlockArray {
   void reserve(std::size_t n) {
     while (capacity() < n) {
       make_room(blocks_.size(), blocks_);
-      blocks_.push_back(static_cast<T*>(memory_->allocate(kBlock * sizeof(T), alignof(T))));
+      blocks_.push_back(static_cast<T*>(memory()->allocate(kBlock * sizeof(T), alignof(T))));
     }
   }
   /// Those that are new are T().
@@ -44,7 +44,8 @@ class BlockArray {
   void clear() { size_ = 0; }
 
  private:
-  Memory* memory_;
+  Memory* memory() const { return blocks_.get_allocator().resource(); }
+
   Array<T*> blocks_;
   std::size_t size_ = 0;
 };

@@ -50,7 +50,7 @@ void direct_end(const World& world, Poses&, const StepTime&) {
 static void share_out(DirectGroups& d, std::uint64_t work) {
   const auto is_joined = [&](std::uint32_t g) { return d.begin[g].link < d.begin[g + 1].link; };
   const auto shares = [&](std::uint32_t g) { return d.rest[g].asks && d.rest[g].is_bounded && !is_joined(g); };
-  Array<std::uint32_t>& urgent = d.elimination.scratch.member;
+  Array<std::uint32_t>& urgent = d.elimination.scratch().member;
   urgent.clear();
   std::uint64_t expected = 0;
   for (std::uint32_t g = 0; g < d.groups(); ++g) {

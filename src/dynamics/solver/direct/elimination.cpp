@@ -108,7 +108,7 @@ static void give_up(std::uint32_t first, std::uint32_t count, std::size_t rows, 
 
 std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges, std::uint64_t most,
                         Elimination& out) {
-  QuotientGraph graph(count, out.scratch);
+  QuotientGraph graph(count, out.scratch());
   graph.start(first, edges);
   out.place.resize(first + count);
   std::uint64_t products = 0;

@@ -16,7 +16,7 @@ struct Edge {
 /// Orders of elimination and columns of the Cholesky factors of several systems, one after the other. A system owns a
 /// run of nodes; its places are the same run.
 struct Elimination {
-  explicit Elimination(Memory* m) : place(m), column(m), rows(m), scratch(m) {}
+  explicit Elimination(Memory* m) : place(m), column(m), rows(m), memory_(m) {}
 
   Array<std::uint32_t> place;   // by node: when it is eliminated
   Array<std::uint32_t> column;  // [places + 1] by place: where its column begins in rows
@@ -26,9 +26,18 @@ struct Elimination {
     explicit Scratch(Memory* m)
         : neighbour_begin(m), neighbour(m), degree(m), mark(m), first(m), link(m), begin(m), member(m) {}
     Array<std::uint32_t> neighbour_begin, neighbour, degree, mark, first, link, begin, member;
-  } scratch;
+  };
+  /// Made when first asked for: most worlds eliminate nothing.
+  Scratch& scratch() {
+    if (!scratch_) scratch_ = make_owned<Scratch>(memory_, memory_);
+    return *scratch_;
+  }
 
   void clear() { place.clear(), column.assign(1, 0), rows.clear(); }
+
+ private:
+  Memory* memory_;
+  Owned<Scratch> scratch_;
 };
 
 /// Add a system: minimum degree on the quotient graph, ties to the lowest node.

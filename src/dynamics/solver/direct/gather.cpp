@@ -18,7 +18,7 @@ void make_room(DirectGroups& d) {
   Elimination& e = d.elimination;
   reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
           d.products, d.solution, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
-  Elimination::Scratch& s = e.scratch;
+  Elimination::Scratch& s = e.scratch();
   reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.member);
   s.link.reserve(2 * kSome), s.begin.reserve(2 * kSome);
 }
@@ -104,7 +104,7 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   load_groups(world, memory, d);
   d.solution.resize(d.groups());
   for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].is_too_large = d.newton_work(g) > most_factor;
-  d.elimination.scratch.member.reserve(d.groups());  // @see share_out()
+  d.elimination.scratch().member.reserve(d.groups());  // @see share_out()
   for (const Resistance& r : world.contacts->resisting)
     if (GroupRest* const rest = d.rest_of(world.contacts->rows[r.row])) rest->resists = true;
 }
