@@ -1,5 +1,5 @@
-// An array that grows by blocks: what is in it stays where it is, so that growing copies nothing and leaves no more than
-// a block idle.
+// An array that grows by blocks: what is in it stays where it is, so that growing copies nothing and leaves no more
+// than a block idle.
 #pragma once
 
 #include <memory>

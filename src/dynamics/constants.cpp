@@ -3,17 +3,17 @@
 
 #include <array>
 
-#include "dynamics/accuracy/control.h"
 #include "collision/manifold/patch_constants.h"
+#include "dynamics/accuracy/control.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
 #include "dynamics/contact/slide.h"
-#include "dynamics/solver/auto_constants.h"
-#include "dynamics/solver/direct/cone_group_constants.h"
-#include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/give_back.h"
 #include "dynamics/joint/energy_bound.h"
 #include "dynamics/joint/rattle/rattle.h"
+#include "dynamics/solver/auto_constants.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/float_range.h"
 #include "dynamics/solver/sweep_constants.h"

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kFew = 4;  // of so many that there is room for, one is in use
 
-/// Whether the last step had few contacts beside what there is room for, and no joints: those know who is where in lanes.
+/// Whether the last step had few contacts beside what there is room for, and no joints: those know who is where in
+/// lanes.
 bool has_room_to_spare(const World& world) {
   const Contacts& c = *world.contacts;
   if (world.plan->runs[static_cast<std::size_t>(Stage::group)] && !c.links.empty()) return false;

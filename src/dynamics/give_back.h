@@ -10,10 +10,10 @@ class World;
 inline constexpr Constant<std::uint32_t> kStepsBeforeGivingBack{
     "steps_before_giving_back", 120, "steps",
     "with few contacts before memory that was laid out for many is given back to the host",
-    "more: a scene that fell asleep keeps its memory longer; fewer: one that wakes now and then allocates in its steps"};
+    "more: a scene that fell asleep keeps its memory longer; fewer: one that wakes now and then allocates in its "
+    "steps"};
 inline constexpr Constant<std::uint32_t> kRowsKept{
-    "rows_kept", 1024, "contact points",
-    "for which memory is kept in any case",
+    "rows_kept", 1024, "contact points", "for which memory is kept in any case",
     "more: small worlds never allocate again; fewer: they may when they wake"};
 
 inline constexpr ConstantRow kGiveBackConstants[] = {kStepsBeforeGivingBack, kRowsKept};

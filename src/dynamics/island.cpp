@@ -1,10 +1,10 @@
 // Contact groups by union-find.
 #include "dynamics/island.h"
 
-#include "dynamics/contact_views.h"
-
 #include <algorithm>
 #include <atomic>
+
+#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {
@@ -53,9 +53,10 @@ std::uint32_t find_islands(Contacts& c, std::size_t body_slots, Jobs* jobs) {
   const std::size_t pairs = c.contact_pairs.size();
   c.parent.resize(body_slots), c.cursor.resize(body_slots);
   SharedTrees trees(c.parent);
-  in_parallel(jobs, pairs, kContactPairsAPart, [&](std::uint32_t i) {  // bodies without rows stay out of it, sleepers among them
-    trees.plant(c.contact_pairs[i].a), trees.plant(c.contact_pairs[i].b);
-  });
+  in_parallel(jobs, pairs, kContactPairsAPart,
+              [&](std::uint32_t i) {  // bodies without rows stay out of it, sleepers among them
+                trees.plant(c.contact_pairs[i].a), trees.plant(c.contact_pairs[i].b);
+              });
   for (const Link& l : c.links) {
     if (l.moves_a) trees.plant(l.a);
     if (l.moves_b) trees.plant(l.b);

@@ -286,13 +286,15 @@ Real radius_of_body(const World& world, std::uint32_t body) {
 
 namespace {
 
-/// Likewise of many, by all threads. Faults, which are rare, are asked for again, so that they come in the order of slots.
+/// Likewise of many, by all threads. Faults, which are rare, are asked for again, so that they come in the order of
+/// slots.
 void place_colliders(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan,
                      const Array<std::uint32_t>& slots, Real dt) {
   constexpr std::size_t kCollidersAPart = 64;
   std::atomic<bool> any_fault{false};
   in_parallel(world.jobs, slots.size(), kCollidersAPart, [&](std::uint32_t i) {
-    if (find_bounds(world, c, plan, slots[i], dt).kind != SupportFault::none) any_fault.store(true, std::memory_order_relaxed);
+    if (find_bounds(world, c, plan, slots[i], dt).kind != SupportFault::none)
+      any_fault.store(true, std::memory_order_relaxed);
   });
   for (const std::uint32_t slot : slots) save_placed(world, c, placed, plan, slot, dt);
   if (!any_fault.load(std::memory_order_relaxed)) return;

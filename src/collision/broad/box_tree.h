@@ -44,7 +44,8 @@ class BoxTree {
   /// @return     boxes compared
   template <class Found>
   std::uint64_t query(const Aabb& box, Found&& found);
-  /// The same of any number of threads at a time; count() is to be told what each has compared, in an order that repeats.
+  /// The same of any number of threads at a time; count() is to be told what each has compared, in an order that
+  /// repeats.
   template <class Found>
   std::uint64_t search(const Aabb& box, Found&& found) const;
   void count(std::uint64_t tests) {

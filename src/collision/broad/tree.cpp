@@ -285,7 +285,8 @@ class Tree final : public BroadPhase {
           const std::uint32_t slot = asked_[i];
           tests_[i] = search(slot, [&](std::uint32_t other) {
             // Of two that are both asked for, the one with the smaller number finds the other.
-            if (other != slot && !(changed_[other] == kVoid && other < slot) && meet(slot, other)) basket.put(slot, other);
+            if (other != slot && !(changed_[other] == kVoid && other < slot) && meet(slot, other))
+              basket.put(slot, other);
           });
         }
       });
@@ -326,8 +327,8 @@ class Tree final : public BroadPhase {
     known_.swap(fresh_);
   }
 
-  /// A block of candidates, which one thread has to itself, and what it writes from where it begins: what stays and what
-  /// overlaps.
+  /// A block of candidates, which one thread has to itself, and what it writes from where it begins: what stays and
+  /// what overlaps.
   struct Block {
     std::size_t first, last, fresh, fresh_end;  // of known_, of fresh_
     Pair *kept, *out;                           // one past what is written
@@ -422,8 +423,8 @@ class Tree final : public BroadPhase {
   Array<Tests> tests_;                          // by asked_
   Array<Pair> known_;                           // candidates, ascending
   Array<Pair> fresh_, spare_;
-  Array<Pair> found_;     // of threads, as they come; all of it there, the first of it in use
-  Array<Block> blocks_;   // of known_
+  Array<Pair> found_;    // of threads, as they come; all of it there, the first of it in use
+  Array<Block> blocks_;  // of known_
   PairOrder order_;
   Jobs* jobs_ = nullptr;
   bool senses_ = false;  // there are sensors, which may be fixed

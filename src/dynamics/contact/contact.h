@@ -263,7 +263,7 @@ struct Contacts {
   Array<Block> blocks;
 
   // scratch: union-find, search (@see make_room_for_search())
-  Array<std::uint32_t> parent, label;            // by body slot; by row: its group
+  Array<std::uint32_t> parent, label;           // by body slot; by row: its group
   Array<std::uint32_t> pair_group, pair_begin;  // by contact pair: its group; where its rows begin in group_rows
   Array<Real> keys;
   Array<std::uint32_t> cursor;  // next free place of each body or group while a list is filled

@@ -221,7 +221,7 @@ void list_bodies(const World& world) {
   c.bodies.reserve(std::min(movers, 2 * (c.contact_pairs.size() + c.links.size())));
   for (const std::uint32_t i : c.bodies) c.is_bound[i] = 0;
   c.bodies.clear();
-  constexpr std::size_t kFew = 32;  // of so many that move one may be listed: sorting them is cheaper than a look at all
+  constexpr std::size_t kFew = 32;  // of so many movers one may be listed: sorting costs less than a look at all
   const auto each_end = [&](const auto& both, const auto& see) {
     if (both.moves_a && !world.state.sleeps(both.a)) see(both.a);
     if (both.moves_b && !world.state.sleeps(both.b)) see(both.b);
@@ -238,7 +238,8 @@ void list_bodies(const World& world) {
   const auto mark = [&](std::uint32_t i) {
     std::atomic_ref<std::uint8_t>(c.is_bound[i]).store(1, std::memory_order_relaxed);
   };
-  in_parallel(world.jobs, c.contact_pairs.size(), kRowsAPart, [&](std::uint32_t i) { each_end(c.contact_pairs[i], mark); });
+  in_parallel(world.jobs, c.contact_pairs.size(), kRowsAPart,
+              [&](std::uint32_t i) { each_end(c.contact_pairs[i], mark); });
   for (const Link& l : c.links) each_end(l, mark);
   each_of_both(plan.linear, plan.rotating, [&](std::uint32_t i) {
     if (c.is_bound[i]) c.bodies.push_back(i);
