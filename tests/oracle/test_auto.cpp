@@ -210,6 +210,38 @@ static void a_blow_goes_through_a_row_of_balls_without_loss(void**) {
   for (std::size_t i = 0; i < 5; ++i) assert_true(std::fabs(t.world.state.v[row[i]].x() - (i == 4 ? 1 : 0)) < 1e-12);
 }
 
+/// m, the deepest point of a pyramid over the last of two seconds.
+/// @param cools_down  a block of it was in a small group just now that the direct solver gave up
+static Real depth_of_pyramid(int base, bool cools_down) {
+  TestWorld t;
+  use(t, kAutoChoice);
+  t.ground();
+  const Shape* cube = t.keep(box(Vec3::constant(0.5)));
+  std::uint32_t block = 0;
+  for (int row = 0; row < base; ++row)
+    for (int i = 0; i < base - row; ++i) block = t.add(cube, Vec3((i + Real(row) / 2) * 1.05, row + 0.5, 0));
+  t.run(20, kStep);
+  assert_int_equal(t.world.group_views.size(), 1);
+  assert_true(t.world.group_views[0].bodies > 512 && !t.world.group_views[0].direct);
+  constexpr std::uint8_t kSteps = 119;  // left of 120
+  if (cools_down) t.world.state.cooldown_steps[block] = kSteps;
+  t.run(100, kStep);
+  if (cools_down) assert_int_equal(t.world.state.cooldown_steps[block], kSteps - 100);
+  Real deepest = 0;
+  for (int i = 0; i < 60; ++i) t.run(1, kStep), deepest = std::max<Real>(deepest, t.world.report.max_penetration);
+  assert_int_equal(t.world.state.cooldown_steps[block], 0);
+  return deepest;
+}
+
+/// Else the group would start from nothing in every step, and sink.
+static void what_cools_down_in_a_large_group_takes_nobodys_impulses(void**) {
+  for (const int base : {33, 36, 41}) {
+    const Real alone = depth_of_pyramid(base, false), cooled = depth_of_pyramid(base, true);
+    print_message("base %d: %.2f mm, %.2f mm\n", base, 1e3 * alone, 1e3 * cooled);
+    assert_true(cooled < 1.1 * alone);
+  }
+}
+
 /// Several groups at a time on several threads: the same bits.
 static void threads_do_not_change_a_bit(void**) {
   std::uint64_t hash[2];
@@ -237,6 +269,7 @@ int main() {
       cmocka_unit_test(who_gives_up_keeps_the_rest_of_its_work),
       cmocka_unit_test(a_wall_that_stands_is_solved_now_and_then),
       cmocka_unit_test(a_blow_goes_through_a_row_of_balls_without_loss),
+      cmocka_unit_test(what_cools_down_in_a_large_group_takes_nobodys_impulses),
       cmocka_unit_test(threads_do_not_change_a_bit),
       cmocka_unit_test(soft_contacts_take_the_blow_that_strikes_a_stack),
       cmocka_unit_test(a_group_beyond_its_work_is_left_to_soft_contacts_for_a_while),

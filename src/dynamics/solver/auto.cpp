@@ -17,6 +17,7 @@
 
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/island.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct.h"
@@ -251,6 +252,18 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
   return view;
 }
 
+/// Bodies of groups too large to be looked at: what they remember of a smaller one passes all the same.
+void forget_in_large_groups(const World& world, SolverMemory& of) {
+  Contacts& c = *world.contacts;
+  if (std::ranges::all_of(c.group_bodies, [](std::uint32_t bodies) { return bodies <= kMostDirectBodies; })) return;
+  for (const std::uint32_t body : c.bodies) {
+    std::uint8_t &steps = of.loaded_steps[body], &rest = of.cooldown_steps[body];
+    if ((steps | rest) == 0 || c.group_bodies[group_of(c, body)] <= kMostDirectBodies) continue;
+    if (steps > 0) --steps;
+    if (rest > 0) --rest;
+  }
+}
+
 void choose(const World& world, SolverMemory& memory, GroupViews& views, StepReport& report, Real h) {
   constexpr std::size_t kGroupsAPart = 4;
   Contacts& c = *world.contacts;
@@ -264,6 +277,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
     c.direct[g] = answer_to(view.reason);
     view.direct = c.solved_directly(g);
   });
+  forget_in_large_groups(world, memory);
   for (const GroupView& view : views) report.direct_groups += view.direct;
 }
 
@@ -278,40 +292,30 @@ void start_cooldowns(const World& world, SolverMemory& memory) {
   }
 }
 
-/// f(group) of those that the direct solver gave up in the last step, and that soft contacts take over.
-template <class F>
-void each_taken_over(const World& world, F&& f) {
-  const Contacts& c = *world.contacts;
-  const auto starts_cooldown = [&](bool moves, std::uint32_t body) {
-    return moves && world.state.cooldown_steps[body] == kCooldown - 1;
-  };
-  for (std::size_t g = 0; g < c.groups(); ++g) {
-    if (c.solved_directly(g)) continue;
-    bool is_new = false;
-    for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1] && !is_new; ++k) {
-      const Row& row = c.rows[c.group_rows[k]];
-      is_new = starts_cooldown(row.moves_a, row.a) || starts_cooldown(row.moves_b, row.b);
-    }
-    if (is_new) f(g);
-  }
+/// Whether the direct solver gave up this body's group in the last step, and soft contacts take it over.
+bool is_taken_over(const World& world, bool moves, std::uint32_t body) {
+  return moves && world.state.cooldown_steps[body] == kCooldown - 1;
 }
 
-/// Those start from nothing: impulses that all but cancel each other, as where surfaces close on a body, would throw it.
+/// Rows of those start from nothing: impulses that all but cancel each other, as where surfaces close on a body, would
+/// throw it. Others of a group that they have come to be in keep theirs.
 void drop_impulses_of_contacts(const World& world) {
   Contacts& c = *world.contacts;
-  each_taken_over(world, [&](std::size_t g) {
-    for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) c.rows[c.group_rows[k]].p.set_zero();
-  });
+  for (const ContactPair& m : c.contact_pairs) {
+    if (!is_taken_over(world, m.moves_a, m.a) && !is_taken_over(world, m.moves_b, m.b)) continue;
+    for (std::uint32_t i = m.row; i < m.row + m.count && c.solved_in_lanes(i); ++i) c.rows[i].p.set_zero();
+  }
 }
 
 /// Likewise of their joints, once those are in lanes.
 void drop_impulses_of_joints(const World& world) {
   const Contacts& c = *world.contacts;
-  if (c.group_link_begin.empty()) return;
-  each_taken_over(world, [&](std::size_t g) {
-    for (std::uint32_t k = c.group_link_begin[g]; k < c.group_link_begin[g + 1]; ++k)
-      drop_impulses(*world.wide_joints, c.group_links[k]);
-  });
+  for (std::uint32_t i = 0; i < c.links.size(); ++i) {
+    const Link& l = c.links[i];
+    if (c.solved_directly(c.link_label[i])) continue;
+    if (is_taken_over(world, l.moves_a, l.a) || is_taken_over(world, l.moves_b, l.b))
+      drop_impulses(*world.wide_joints, i);
+  }
 }
 
 void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
