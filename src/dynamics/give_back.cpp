@@ -22,7 +22,7 @@ bool has_room_to_spare(const World& world) {
 
 }  // namespace
 
-void give_back(World& world) {
+void give_back(const World& world, Impulses& impulses, PairTable& pairs, Owned<MeanMotion>& means) {
   Contacts& c = *world.contacts;
   c.steps_with_room = has_room_to_spare(world) ? c.steps_with_room + 1 : 0;
   if (c.steps_with_room < kStepsBeforeGivingBack) return;
@@ -30,10 +30,10 @@ void give_back(World& world) {
   *world.contacts = Contacts(world.memory);
   *world.direct = DirectGroups(world.memory);
   *world.wide = WideContacts(world.memory);
-  world.mean_motion.reset();
-  world.impulses.old.shrink_to_fit();
+  means.reset();
+  impulses.old.shrink_to_fit();
   world.views->give_back();
-  world.pairs.give_back();
+  pairs.give_back();
   world.plan->pairs = Array<Pair>(world.memory);
 }
 

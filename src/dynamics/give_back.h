@@ -2,10 +2,11 @@
 #pragma once
 
 #include "core/constant.h"
+#include "dynamics/world.h"
 
 namespace carom::dynamics {
 
-class World;
+struct MeanMotion;
 
 inline constexpr Constant<std::uint32_t> kStepsBeforeGivingBack{
     "steps_before_giving_back", 120, "steps",
@@ -19,6 +20,6 @@ inline constexpr Constant<std::uint32_t> kRowsKept{
 inline constexpr ConstantRow kGiveBackConstants[] = {kStepsBeforeGivingBack, kRowsKept};
 
 /// As a step begins: what follows makes it all anew. Does not throw, and no bit of a state depends on it.
-void give_back(World& world);
+void give_back(const World& world, Impulses& impulses, PairTable& pairs, Owned<MeanMotion>& means);
 
 }  // namespace carom::dynamics

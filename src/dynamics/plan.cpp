@@ -286,17 +286,26 @@ Real radius_of_body(const World& world, std::uint32_t body) {
 
 namespace {
 
-/// Likewise of many, by all threads. Faults, which are rare, are asked for again, so that they come in the order of
-/// slots.
+/// Likewise of many, by all threads; shapes that only the stepping one may ask, by that. Faults, which are rare, are asked
+/// for again, so that they come in the order of slots.
 void place_colliders(const World& world, Colliders& c, PlacedPoses& placed, Plan& plan,
                      const Array<std::uint32_t>& slots, Real dt) {
   constexpr std::size_t kCollidersAPart = 64;
-  std::atomic<bool> any_fault{false};
-  in_parallel(world.jobs, slots.size(), kCollidersAPart, [&](std::uint32_t i) {
-    if (find_bounds(world, c, plan, slots[i], dt).kind != SupportFault::none)
+  std::atomic<bool> any_fault{false}, any_waits{false};
+  const auto find = [&](std::uint32_t slot) {
+    if (find_bounds(world, c, plan, slot, dt).kind != SupportFault::none)
       any_fault.store(true, std::memory_order_relaxed);
+  };
+  const auto waits = [&](std::uint32_t slot) { return world.jobs && c.shape[slot]->host_thread; };
+  in_parallel(world.jobs, slots.size(), kCollidersAPart, [&](std::uint32_t i) {
+    if (!waits(slots[i])) return find(slots[i]);
+    any_waits.store(true, std::memory_order_relaxed);
   });
-  for (const std::uint32_t slot : slots) save_placed(world, c, placed, plan, slot, dt);
+  const bool some_wait = any_waits.load(std::memory_order_relaxed);
+  for (const std::uint32_t slot : slots) {
+    if (some_wait && waits(slot)) find(slot);
+    save_placed(world, c, placed, plan, slot, dt);
+  }
   if (!any_fault.load(std::memory_order_relaxed)) return;
   for (const std::uint32_t slot : slots)
     if (const SupportFault fault = find_bounds(world, c, plan, slot, dt); fault.kind != SupportFault::none)

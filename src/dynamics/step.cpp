@@ -105,7 +105,7 @@ void World::step(Real dt) {
   if (!rattle && rattle::is_asked(*this)) rattle = make_owned<Rattle>(memory, memory);
   const Runner run(*this, dt);
   begin_report(*this, report, group_views, *events);
-  give_back(*this);
+  give_back(*this, impulses, pairs, mean_motion);
   const std::span<const StageEntry> table = stage_table();
   for (auto first = table.begin(); first != table.end();) {
     auto last = first;

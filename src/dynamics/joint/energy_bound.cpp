@@ -118,7 +118,8 @@ bool find_unresolved(const World& world, WideJoints& w, Real h) {
     GroupBound& group = w.bounds[b.group];
     if (group.is_driven || group.is_unresolved || !w.linked[b.body]) continue;
     if (!turns_by_method(*world.plan, b.body)) continue;
-    any |= group.is_unresolved = h * h * world.state.omega[b.body].squared_norm() > kUnresolvedTurn * kUnresolvedTurn;
+    const Real omega2 = std::max(world.state.omega[b.body].squared_norm(), b.omega.squared_norm());  // and as it began
+    any |= group.is_unresolved = h * h * omega2 > kUnresolvedTurn * kUnresolvedTurn;
   }
   return any;
 }
@@ -177,8 +178,7 @@ void find_bounded(const World& world, Real h) {
   for (const std::uint32_t body : c.bodies) {
     const std::uint32_t group = group_of(c, body);
     if (w.bounds[group].is_driven || !(w.bounds[group].is_deep || c.has_joints(group))) continue;
-    w.bounded.emplace_back().body = body;
-    w.bounded.back().group = group;
+    w.bounded.push_back({body, group, Vec3::zero(), world.state.omega[body], Quat::identity(), 0, 0});
   }
   if (!w.bounded.empty()) find_unresolved(world, w, h);
 }
