@@ -15,11 +15,14 @@ constexpr Real kAuto = 4, kBySize = 1, kDouble = 2, kVerlet = 3, kSplitting = 5,
 constexpr PresetRow kPresetRows[] = {
     {Dial::integrator, kVerlet, kVerlet, kVerlet},
     {Dial::rotation, kSplitting, kSplitting4, kSplitting6},
+    {Dial::joint_order, 0, 4, 6},
     {Dial::substeps, 1, 16, 64},
     {Dial::solver, kAuto, kAuto, kAuto},
     {Dial::precision, kBySize, kDouble, kDouble},
     {Dial::velocity_tolerance, 1e-3, 1e-6, 1e-9},
     {Dial::restitution_speed, 0.25, 0.05, 0.01},
+    {Dial::contact_frequency, 30, 120, 480},
+    {Dial::direct_sink, 1e-3, 6.25e-5, 3.9e-6},
     {Dial::gjk_tolerance, 1e-4, 1e-8, 1e-12},
 };
 

@@ -331,8 +331,30 @@ static void the_list_is_the_suites(void**) {
   assert_true(refused);
 }
 
+/// Each preset errs no more than those that are cheaper, but for a quarter, and for what is far within the scene's bound: rounding that
+/// more substeps add up.
+static void no_preset_is_worse_than_a_cheaper_one(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
+  for (const char* name : {"drag", "heavytop", "pendulum", "bricard", "bounce05", "slide", "slip", "stack10", "massratio1e3",
+                           "governor", "cannon", "chain1e4", "stick", "massratio1e5"}) {
+    const Challenge& challenge = find_challenge(name);
+    const double of_no_account = 0.2 * challenge.metrics[0].bound;
+    double least = HUGE_VAL;
+    for (const char* preset : {"fast", "balanced", "accurate", "reference"}) {
+      Request request;
+      request.preset = preset;
+      const double error = run(engine, challenge, request, std::nullopt).errors[0];
+      if (!(error <= std::max(1.25 * least, of_no_account)))
+        print_message("%s: %s errs by %.2g, one before it by %.2g\n", name, preset, error, least);
+      assert_true(error <= std::max(1.25 * least, of_no_account));
+      least = std::min(least, error);
+    }
+  }
+}
+
 int main() {
   const CMUnitTest tests[] = {
+      cmocka_unit_test(no_preset_is_worse_than_a_cheaper_one),
       cmocka_unit_test(a_wrong_friction_makes_slide_and_skid_and_slip_and_stick_fail),
       cmocka_unit_test(a_lossy_or_weak_bounce_shows),
       cmocka_unit_test(what_overlaps_or_is_thrown_about_is_seen),

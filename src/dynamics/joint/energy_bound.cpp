@@ -8,6 +8,7 @@
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/island.h"
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/fill_lanes.h"
 
@@ -105,7 +106,7 @@ bool find_unresolved(const World& world, WideJoints& w, Real h) {
   const Real slack = 4 * world.scene.dials[Dial::position_tolerance];
   bool any = false;
   for (GroupBound& group : w.bounds) {
-    group.is_unresolved = false;
+    group.is_unresolved = group.turns_far = false;
     any |= group.is_deep && !group.is_driven;
   }
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
@@ -116,26 +117,33 @@ bool find_unresolved(const World& world, WideJoints& w, Real h) {
   if (w.linked.empty()) return any;
   for (const Bounded& b : w.bounded) {
     GroupBound& group = w.bounds[b.group];
-    if (group.is_driven || group.is_unresolved || !w.linked[b.body]) continue;
-    if (!turns_by_method(*world.plan, b.body)) continue;
-    const Real omega2 = std::max(world.state.omega[b.body].squared_norm(), b.omega.squared_norm());  // and as it began
-    any |= group.is_unresolved = h * h * omega2 > kUnresolvedTurn * kUnresolvedTurn;
+    if (group.is_driven || group.turns_far || !w.linked[b.body]) continue;
+    if (turns_by_method(*world.plan, b.body)) {
+      const Real omega2 = std::max(world.state.omega[b.body].squared_norm(), b.omega.squared_norm());  // and as it began
+      group.turns_far = h * h * omega2 > kUnresolvedTurn * kUnresolvedTurn;
+    }
+    if (world.rattle) group.turns_far |= rattle::is_given_up(world, b.body);
+    any |= group.turns_far, group.is_unresolved |= group.turns_far;
   }
   return any;
 }
 
-void sum_up(const World& world, WideJoints& w) {
+/// Energies of groups before the solver and now.
+/// @param bounds      (group) -> whether that matters
+/// @param facing      (bounded body) -> the pose to which its omega belongs now
+template <class Bounds, class Facing>
+void sum_up(const World& world, WideJoints& w, const Bounds& bounds, const Facing& facing) {
   const State& s = world.state;
   for (GroupBound& group : w.bounds) group.before = group.after = group.mass = 0, group.momentum.set_zero();
   in_parallel(world.jobs, w.bounded.size(), kBodiesAPart, [&](std::uint32_t i) {
     Bounded& b = w.bounded[i];
-    if (!w.bounds[b.group].may_gain_nothing()) return;
+    if (!bounds(w.bounds[b.group])) return;
     b.before = energy(world, b.body, b.v, b.omega, b.q);
-    b.after = energy(world, b.body, s.v[b.body], s.omega[b.body], s.q[b.body]);
+    b.after = energy(world, b.body, s.v[b.body], s.omega[b.body], facing(b));
   });
   for (const Bounded& b : w.bounded) {
     GroupBound& group = w.bounds[b.group];
-    if (!group.may_gain_nothing()) continue;
+    if (!bounds(group)) continue;
     group.before += b.before, group.after += b.after;
     group.mass += world.scene.mass[b.body];
     group.momentum += world.scene.mass[b.body] * s.v[b.body];
@@ -144,6 +152,22 @@ void sum_up(const World& world, WideJoints& w) {
     const Real thrown = kThrow * group.surface;
     group.before = std::max(group.before, group.mass * thrown * thrown / 2);
   }
+}
+
+/// What bodies of such groups do relative to each other, slowed to the energy that they had.
+template <class Bounds>
+void slow_down(const World& world, Velocities& to, const WideJoints& w, const Bounds& bounds) {
+  const State& s = world.state;
+  in_parallel(world.jobs, w.bounded.size(), kBodiesAPart, [&](std::uint32_t i) {
+    const Bounded& b = w.bounded[i];
+    const GroupBound& group = w.bounds[b.group];
+    if (!bounds(group) || !(group.after > group.before) || s.held_out[b.body]) return;
+    const Vec3 common = group.is_held ? Vec3(Vec3::zero()) : Vec3(group.momentum / group.mass);
+    const Real kept = group.mass * common.squared_norm() / 2, own = group.after - kept;
+    const Real share = own > 0 ? std::sqrt(std::clamp((group.before - kept) / own, Real(0), Real(1))) : 0;
+    to.v[b.body] = common + share * (s.v[b.body] - common);
+    to.omega[b.body] = share * s.omega[b.body];
+  });
 }
 
 /// Groups that the impulses of the last substep gave energy. Among those that are not resolved.
@@ -217,21 +241,23 @@ void refuse_start(const World& world) {
   });
 }
 
+void bound_moves(const World& world, Velocities& to) {
+  WideJoints& w = *world.wide_joints;
+  if (w.bounded.empty() || std::ranges::none_of(w.bounds, &GroupBound::turns_far)) return;
+  const auto turns_far = [](const GroupBound& group) { return group.turns_far; };
+  sum_up(world, w, turns_far, [](const Bounded& b) { return b.q; });
+  slow_down(world, to, w, turns_far);
+  for (const Bounded& b : w.bounded)  // or they would move as their integrator predicted
+    if (w.bounds[b.group].turns_far && w.bounds[b.group].after > w.bounds[b.group].before)
+      world.plan->touched[b.body] = true;
+}
+
 void bound_energies(const World& world, Velocities& to, Real h) {
   WideJoints& w = *world.wide_joints;
   if (w.bounded.empty() || !find_unresolved(world, w, h)) return;
-  const State& s = world.state;
-  sum_up(world, w);
-  in_parallel(world.jobs, w.bounded.size(), kBodiesAPart, [&](std::uint32_t i) {
-    const Bounded& b = w.bounded[i];
-    const GroupBound& group = w.bounds[b.group];
-    if (!group.may_gain_nothing() || !(group.after > group.before) || s.held_out[b.body]) return;
-    const Vec3 common = group.is_held ? Vec3(Vec3::zero()) : Vec3(group.momentum / group.mass);
-    const Real kept = group.mass * common.squared_norm() / 2, own = group.after - kept;
-    const Real share = own > 0 ? std::sqrt(std::clamp((group.before - kept) / own, Real(0), Real(1))) : 0;
-    to.v[b.body] = common + share * (s.v[b.body] - common);
-    to.omega[b.body] = share * s.omega[b.body];
-  });
+  const auto may_gain_nothing = [](const GroupBound& group) { return group.may_gain_nothing(); };
+  sum_up(world, w, may_gain_nothing, [&](const Bounded& b) { return world.state.q[b.body]; });
+  slow_down(world, to, w, may_gain_nothing);
 }
 
 }  // namespace carom::dynamics

@@ -3,8 +3,9 @@
 // Between two bodies a joint does no work. In a substep it does some all the same: half a substep's force is that of where
 // bodies were, an error is led back by a velocity, and sweeps end before all joints agree. Where bodies turn by small
 // angles and joints hold, that comes back. Where a body turns by more than a radian a substep, or a joint gapes, nothing
-// says that it does, and energy may grow without end. So there a contact group has at most the kinetic energy that it
-// had after the forces of the substep: else what its bodies do relative to each other is slowed to that. Linear momentum
+// says that it does, and energy may grow without end. Likewise where RATTLE gave its island up. So there a contact group
+// has at most the kinetic energy that it had after the forces of the substep: else what its bodies do relative to each
+// other is slowed to that. So it is before the move, which would lift a heavy body as well, and after. Linear momentum
 // stays where nothing fixed holds them. Others are not touched, to the bit. Its functions are in wide_joints.h.
 //
 // Likewise of groups that sweeps answer and that are deep in each other as a step begins. A velocity parts them, and

@@ -80,6 +80,7 @@ struct WideJoints {
   };
   struct GroupBound {
     bool is_driven = false, is_held = false, is_deep = false, is_unresolved = false, gains = false;
+    bool turns_far = false;  // that is why: what gapes may still be led back by the move
     bool may_gain_nothing() const { return is_unresolved || (is_deep && !is_driven); }
     Real surface = 0;            // m/s, of what it meets that impulses do not move
     Real before = 0, after = 0;  // J
@@ -196,7 +197,8 @@ void save_energies(const World& world);
 /// After the impulses that sweeps start from: groups whose joints are not resolved start from nothing where those give
 /// energy.
 void refuse_start(const World& world);
-/// After it: no more energy than that, where joints are not resolved.
+/// After it, before the move and after it: no more energy than that, where joints are not resolved.
+void bound_moves(const World& world, Velocities& to);
 void bound_energies(const World& world, Velocities& to, Real h);
 /// Half of the forces' kick off, before the solver; and back, after the move, with the omega that belongs to the
 /// facing of then.

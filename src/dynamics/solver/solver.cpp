@@ -29,6 +29,7 @@ void solve_velocities(const World& world, Solver::Solves to, const StepTime& tim
   save_energies(world);
   take_half_kicks(world, to);
   serve(world.plan->solver->velocities, world, to, time);
+  bound_moves(world, to);
   find_mean_motion(world, time);
 }
 void solve_positions(const World& world, Solver::Relaxes to, const StepTime& time) {

@@ -71,6 +71,7 @@ class Mover {
         take_kick(b, kick);
       else if (b.travels)
         travel(world_, b, t);
+    island_.energy = energy();
     each_row([&](RattleRow& row) { row.p = row.load * (h / 2); });
     Real before = kInfinity;
     for (int round = 0; round < kRattleRounds; ++round) {
@@ -81,6 +82,7 @@ class Mover {
         tell();
         for (RattleBody& b : bodies()) b.inv_mass > 0 ? arrive(b) : stay(b);
         place();
+        island_.gain = energy() - island_.energy;
         return true;
       }
       if (off > 0.3 * before && off > 64 * island_.rounding) aim();
@@ -96,7 +98,13 @@ class Mover {
   bool stop(Real h) const {
     for (RattleBody& b : bodies())
       if (b.inv_mass > 0) take_kick(b, h / 2);
+    const Real kicked = energy();
     settle(&h);
+    const Real gain = island_.gain + energy() - kicked;
+    if (gain > kRattleGain * (island_.energy + kicked) && std::ranges::none_of(bodies(), &RattleBody::travels)) {
+      ++island_.halvings;
+      return false;
+    }
     for (const RattleBody& b : movers())
       if (!(b.x.all_finite() && b.v.squared_norm() < 1e18 && b.omega.squared_norm() < 1e18)) return false;
     return within_limits() && is_resolved(h, kHoldsTo);
@@ -112,6 +120,14 @@ class Mover {
 
  private:
   static constexpr Real kHoldsTo = 1.8;  // rad a stage: short of 2, where what is explicit in directions holds no more
+
+  /// J, of motion.
+  Real energy() const {
+    Real twice = 0;
+    for (const RattleBody& b : movers())
+      twice += b.v.squared_norm() / b.inv_mass + (b.turns ? b.l.dot(b.inv_world * b.l) : 0);
+    return twice / 2;
+  }
 
   /// Whether stages of h can follow how joints swing bodies; else how many halvings can, or one more.
   bool is_resolved(Real h, Real most) const {

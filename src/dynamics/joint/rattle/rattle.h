@@ -39,11 +39,16 @@ inline constexpr Constant<Real> kRattleSwing{
     "by which the forces of joints may swing a body in a stage before its island takes twice as many: steps that are "
     "explicit in directions hold up to 2, and loads grow within a step",
     "larger: long chains gain energy; smaller: they take more stages than they need"};
+inline constexpr Constant<Real> kRattleGain{
+    "rattle_gain", 0.01, "1",
+    "share of an island's kinetic energy that impulses of its joints may add to it in a stage before it takes twice as many: "
+    "joints do no work, but turns of half a radian a stage err by as much, and so do false roots of Newton's method",
+    "larger: what spins fast gains energy; smaller: it takes more stages than it need"};
 inline constexpr Constant<int> kRattleHalvings{
     "rattle_halvings", 4, "1", "of a substep that an island may take before it is left to the solver",
     "larger: chains of thousands of links take 100 ms a step; smaller: they gape"};
 inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,       kRattleRest,  kRattleRounds,  kRattleWork,
-                                                   kRattleWorkOfFew, kRattleSwing, kRattleHalvings};
+                                                   kRattleWorkOfFew, kRattleSwing, kRattleGain,    kRattleHalvings};
 
 /// Two joints on one body: a block of the matrix beside its diagonal.
 struct RattlePair {
@@ -103,11 +108,13 @@ struct RattleIsland {
   std::size_t diagonal, beside;  // of the matrix, where it begins
   Real reach;                    // m: the longest arm
   Real rounding;                 // m or rad, of errors, in this step
+  Real energy, gain;             // J, of motion as a stage began; what impulses added to it until it arrived
   bool is_held;                  // its joints can be held so at all
   bool is_met;                   // something touches it in this step, or may
   int halvings;                  // of the substeps that it takes in this step
   bool was_tried, is_moving;     // in this try
   bool went_well;                // in this step
+  bool gave_up;                  // nothing but its motion keeps it from being moved so in this step
 };
 
 struct Rattle {
@@ -177,6 +184,8 @@ void move_islands(const World& world, Rattle& r, Real dt, int substeps, int orde
 void list_held(const World& world, Rattle& r);
 /// What is hidden is there again. As a step begins: of one that was not carried through.
 void come_back(const World& world);
+/// Whether a body is left to the solver in this step because its island moves too fast.
+bool is_given_up(const World& world, std::uint32_t body);
 /// Books of what went well.
 void account(const World& world, const Rattle& r);
 

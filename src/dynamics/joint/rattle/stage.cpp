@@ -95,6 +95,12 @@ bool rattle::is_asked(const World& world) {
                                                   static_cast<std::uint32_t>(dials.choice(Dial::integrator)) == kByRk4);
 }
 
+bool rattle::is_given_up(const World& world, std::uint32_t body) {
+  if (!world.rattle || body >= world.rattle->island_of.size()) return false;
+  const std::uint32_t island = world.rattle->island_of[body];
+  return island < world.rattle->islands.size() && world.rattle->islands[island].gave_up;
+}
+
 void rattle::come_back(const World& world) {
   if (!world.rattle) return;
   Rattle& r = *world.rattle;
@@ -106,7 +112,7 @@ void rattle::come_back(const World& world) {
 void try_rattle(const World& world, const StepTime& time) {
   if (!world.rattle) return;
   Rattle& r = *world.rattle;
-  for (RattleIsland& island : r.islands) island.went_well = false;
+  for (RattleIsland& island : r.islands) island.went_well = island.gave_up = false;
   const int order = order_of(world);
   if (order == 0) return;
   rattle::make_islands(world, r);
@@ -118,6 +124,7 @@ void try_rattle(const World& world, const StepTime& time) {
   else
     for (int halvings = 0; halvings <= kRattleHalvings; ++halvings)
       tries += try_all(world, r, time.dt, halvings, order);
+  for (RattleIsland& island : r.islands) island.gave_up = island.is_held && !island.is_met && !island.went_well;
   const std::uint64_t tried = r.held.count;
   list_bodies(r, &RattleIsland::went_well);
   if (r.held.count == 0) {
