@@ -30,6 +30,7 @@ void give_back(const World& world, Impulses& impulses, PairTable& pairs, Owned<M
   *world.contacts = Contacts(world.memory);
   *world.direct = DirectGroups(world.memory);
   *world.wide = WideContacts(world.memory);
+  world.wide_joints->is_packed = false;  // its lanes name bodies of those
   means.reset();
   impulses.old.shrink_to_fit();
   world.views->give_back();

@@ -253,7 +253,7 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
 }
 
 /// Bodies of groups too large to be looked at: what they remember of a smaller one passes all the same.
-void forget_in_large_groups(const World& world, SolverMemory& of) {
+void count_down_in_large_groups(const World& world, SolverMemory& of) {
   Contacts& c = *world.contacts;
   if (std::ranges::all_of(c.group_bodies, [](std::uint32_t bodies) { return bodies <= kMostDirectBodies; })) return;
   for (const std::uint32_t body : c.bodies) {
@@ -277,7 +277,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
     c.direct[g] = answer_to(view.reason);
     view.direct = c.solved_directly(g);
   });
-  forget_in_large_groups(world, memory);
+  count_down_in_large_groups(world, memory);
   for (const GroupView& view : views) report.direct_groups += view.direct;
 }
 

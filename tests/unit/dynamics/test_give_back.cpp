@@ -35,13 +35,20 @@ class CountedMemory final : public std::pmr::memory_resource {
 
 /// Towers of cubes far from each other, which come to rest; and, if asked for, a ball that slides on for ever.
 struct Towers {
-  Towers(int towers, int cubes, Real solver, bool with_ball) : world(1, Vec3(0, -9.81, 0), 0, &memory) {
+  Towers(int towers, int cubes, Real solver, bool with_ball, bool is_joined = false) : world(1, Vec3(0, -9.81, 0), 0, &memory) {
     world.set_dial(Dial::sleep, 1), world.set_dial(Dial::solver, solver), world.set_dial(Dial::substeps, 4);
     Material smooth;
     smooth.friction = 0;
     add(&ground.shapes.front(), Vec3::zero(), BodyType::fixed, handle_slot(world.add_material(Material())));
     for (int i = 0; i < towers; ++i)
       for (int k = 0; k < cubes; ++k) bodies.push_back(add(cube, Vec3(3 * (i % 40), k + 0.5, 3 * (i / 40))));
+    for (std::size_t i = 0; is_joined && i + 1 < bodies.size(); ++i)
+      if (static_cast<int>(i + 1) % cubes > 0) {
+        JointDef def;
+        def.kind = JointKind::ball, def.body_a = bodies[i], def.body_b = bodies[i + 1];
+        def.frame_a.p = Vec3(0, 0.5, 0), def.frame_b.p = Vec3(0, -0.5, 0);
+        world.add_joint(def);
+      }
     if (!with_ball) return;
     ball = add(globe, Vec3(-5, 0.5, 0), BodyType::dynamic, handle_slot(world.add_material(smooth)));
     world.set_velocity(ball, Vec3(-1, 0, 0), Vec3::zero());
@@ -78,8 +85,8 @@ void wake_up(Towers& t) {
 }
 
 /// Poses and velocities of those that slept are the same, whether they slept for a moment or until memory went back.
-void compare(int towers, int cubes, Real solver, bool with_ball) {
-  Towers moment(towers, cubes, solver, with_ball), long_since(towers, cubes, solver, with_ball);
+void compare(int towers, int cubes, Real solver, bool with_ball, bool is_joined = false) {
+  Towers moment(towers, cubes, solver, with_ball, is_joined), long_since(towers, cubes, solver, with_ball, is_joined);
   moment.fall_asleep(), long_since.fall_asleep();
   const std::size_t before = long_since.memory.bytes, room = long_since.world.contacts->rows.capacity();
   assert_true(room > kRowsKept + 4);
@@ -102,6 +109,11 @@ static void under_soft_contacts_too(void**) { compare(300, 2, 2, false); }
 static void under_the_direct_solver_too(void**) { compare(350, 1, 3, false); }
 static void while_somebody_is_awake(void**) { compare(400, 1, 4, true); }
 
+static void joints_wake_up_in_new_lanes(void**) {
+  compare(400, 2, 2, false, true);
+  compare(400, 2, 4, false, true);
+}
+
 static void a_small_world_keeps_its_memory(void**) {
   Towers t(20, 3, 4, false);
   t.fall_asleep();
@@ -115,7 +127,8 @@ int main() {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(memory_of_sleepers_goes_back), cmocka_unit_test(of_towers_too),
       cmocka_unit_test(under_soft_contacts_too),      cmocka_unit_test(under_the_direct_solver_too),
-      cmocka_unit_test(while_somebody_is_awake),      cmocka_unit_test(a_small_world_keeps_its_memory),
+      cmocka_unit_test(while_somebody_is_awake),      cmocka_unit_test(joints_wake_up_in_new_lanes),
+      cmocka_unit_test(a_small_world_keeps_its_memory),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -186,7 +186,7 @@ void list_held(const World& world, Rattle& r);
 void come_back(const World& world);
 /// Whether a body is left to the solver in this step because its island moves too fast.
 bool is_given_up(const World& world, std::uint32_t body);
-/// Books of what went well.
+/// The ledger of what went well.
 void account(const World& world, const Rattle& r);
 
 /// f(island) that went well and is not yet in its place, or is since this step.
