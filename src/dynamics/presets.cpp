@@ -15,7 +15,7 @@ constexpr Real kAuto = 4, kBySize = 1, kDouble = 2, kVerlet = 3, kSplitting = 5,
 constexpr PresetRow kPresetRows[] = {
     {Dial::integrator, kVerlet, kVerlet, kVerlet},
     {Dial::rotation, kSplitting, kSplitting4, kSplitting6},
-    {Dial::joint_order, 0, 4, 6},
+    {Dial::joint_order, 2, 4, 6},
     {Dial::substeps, 1, 16, 64},
     {Dial::solver, kAuto, kAuto, kAuto},
     {Dial::precision, kBySize, kDouble, kDouble},

@@ -209,7 +209,7 @@ static void a_bounce_loses_what_restitution_says(void**) {
 /// What joint, integrator and remainder did to a pendulum of a brick that swings for a second from the horizontal: J.
 static Amount swing(Real dt, int solver, Amount* rest) {
   TestWorld t(kDown);
-  choose(t, solver, 1);
+  choose(t, solver, 1), leave_joints_to_solver(t);
   t.world.set_dial(Dial::integrator, kVerletChoice);
   const std::uint32_t bob = add_body(t, Vec3(1, 0, 0), 2, Vec3(0.1, 0.2, 0.15));
   join(t, JointKind::ball, kInvalid, bob, Vec3::zero());

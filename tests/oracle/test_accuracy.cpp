@@ -272,7 +272,6 @@ static void nothing_is_there_where_nothing_is_asked(void**) {
     assert_true(never.world.hash() == once.world.hash());
   }
   for (const AccuracyMemory& note : never.world.state.accuracy) assert_true(note == AccuracyMemory());
-  assert_null(never.world.rattle.get());
   ask(once, 1e-4);
   once.world.step(1.0 / 60);
   assert_non_null(once.world.accuracy.get());

@@ -108,6 +108,22 @@ RattleBody body_at(const World& world, std::uint32_t slot) {
   return b;
 }
 
+/// Where a joint sits on its bodies: of what is locked, where the host has it locked now.
+void place_frames(const World& world, RattleJoint& j) {
+  const Joint& joint = world.joints.joint[j.slot];
+  const auto arm = [&](std::uint32_t body, const Pose& frame) {
+    return body == kInvalid ? frame.p : frame.p - world.scene.center[body];
+  };
+  j.arm_a = arm(joint.def.body_a, joint.def.frame_a), j.arm_b = arm(joint.def.body_b, joint.def.frame_b);
+  j.frame_a = joint.def.frame_a.q, j.frame_b = joint.def.frame_b.q;
+  if (joint.def.kind == JointKind::six_axis) {
+    const AxisOffsets off = offsets_of(world.joints.axes_of(joint));
+    j.arm_a += j.frame_a * off.place;
+    if (off.all_turns) j.frame_b = j.frame_b * off.orientation.conjugate();
+  }
+  j.axes_a = j.frame_a.matrix(), j.axes_b = j.frame_b.matrix();
+}
+
 RattleJoint joint_at(const World& world, std::uint32_t slot) {
   const Joint& joint = world.joints.joint[slot];
   const JointLayout layout = layout_of(world.joints, joint);
@@ -121,17 +137,7 @@ RattleJoint joint_at(const World& world, std::uint32_t slot) {
     else
       j.is_limited = true;
   j.length = joint.def.length;
-  const auto arm = [&](std::uint32_t body, const Pose& frame) {
-    return body == kInvalid ? frame.p : frame.p - world.scene.center[body];
-  };
-  j.arm_a = arm(joint.def.body_a, joint.def.frame_a), j.arm_b = arm(joint.def.body_b, joint.def.frame_b);
-  j.frame_a = joint.def.frame_a.q, j.frame_b = joint.def.frame_b.q;
-  if (joint.def.kind == JointKind::six_axis) {
-    const AxisOffsets off = offsets_of(world.joints.axes_of(joint));
-    j.arm_a += j.frame_a * off.place;
-    if (off.all_turns) j.frame_b = j.frame_b * off.orientation.conjugate();
-  }
-  j.axes_a = j.frame_a.matrix(), j.axes_b = j.frame_b.matrix();
+  place_frames(world, j);
   return j;
 }
 
@@ -195,6 +201,12 @@ void weigh_swings(Rattle& r, std::span<const Rattle::Seat> seats) {
   }
 }
 
+/// Block products that a factorisation of an island may take.
+std::uint64_t allowed_work(std::uint32_t joints, int order) {
+  if (order <= 2) return std::max(kRattleWorkAtOrder2 * joints, kRattleWorkOfFewAtOrder2.value);
+  return std::max(kRattleWork * joints, kRattleWorkOfFew.value);
+}
+
 /// Who sits on whom, and the order of elimination.
 void couple(Rattle& r) {
   Elimination& order = r.elimination;
@@ -222,7 +234,7 @@ void couple(Rattle& r) {
     for (std::size_t i = 0; !is_dense && i < r.seats.size(); ++i)
       for (std::size_t k = i + 1; k < r.seats.size() && r.seats[k].body == r.seats[i].body; ++k)
         if (r.seats[i].joint != r.seats[k].joint) r.edges.push_back({r.seats[i].joint, r.seats[k].joint});
-    const std::uint64_t allowed = std::max(kRattleWork * island.joints, kRattleWorkOfFew.value);
+    const std::uint64_t allowed = allowed_work(island.joints, r.order);
     const std::uint64_t work = eliminate(island.joint, island.joints, r.edges, allowed, order);
     if (is_dense || work > allowed) {
       island.is_held = false;
@@ -251,10 +263,14 @@ void couple(Rattle& r) {
 
 }  // namespace
 
-void make_islands(const World& world, Rattle& r) {
+void make_islands(const World& world, Rattle& r, int order) {
   const Array<std::uint32_t>& active = world.wide_joints->active;
-  if (r.revision == world.plan->revision && std::ranges::equal(r.all_active, active)) return;
-  r.revision = 0;
+  if (r.revision == world.plan->revision && r.order == order && std::ranges::equal(r.all_active, active)) {
+    for (RattleJoint& j : r.joints)  // a host moves locks without a change of the scene
+      if (world.joints.joint[j.slot].def.kind == JointKind::six_axis) place_frames(world, j);
+    return;
+  }
+  r.revision = 0, r.order = order;
   r.all_active = active;
   unite_bodies(world, r);
   number_islands(world, r);

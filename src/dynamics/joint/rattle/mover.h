@@ -56,7 +56,7 @@ class Mover {
         r_.rows[j.row + k].load = joint.p_h > 0 ? joint.p[k] / (joint.p_h / 2) : 0;
     }
     island_.rounding = 16 * kEpsilon * std::max(Real(1), far + island_.reach);
-    if (!within_limits() || !shut()) return false;
+    if (!within_limits() || !shut()) return bar();
     place();
     if (!is_resolved(h, kRattleSwing)) return false;
     settle(nullptr);
@@ -107,7 +107,8 @@ class Mover {
     }
     for (const RattleBody& b : movers())
       if (!(b.x.all_finite() && b.v.squared_norm() < 1e18 && b.omega.squared_norm() < 1e18)) return false;
-    return within_limits() && is_resolved(h, kHoldsTo);
+    if (!within_limits()) return bar();
+    return is_resolved(h, kHoldsTo);
   }
 
   /// Springs of joints, where bodies are: what they accelerate, added to what forces do.
@@ -397,6 +398,12 @@ class Mover {
         j.force += row.p * row.d;
         j.torque += row.p * (row.w_b - j.r_b.cross(row.d));
       }
+  }
+
+  /// The solver's in this step, however it moves.
+  bool bar() const {
+    island_.is_barred = true;
+    return false;
   }
 
   /// No limit acts.

@@ -28,12 +28,21 @@ inline constexpr Constant<int> kRattleRounds{
     "larger: steps too long are carried through; smaller: long chains are left to the solver"};
 inline constexpr Constant<std::uint64_t> kRattleWork{
     "rattle_work", 100, "block products a joint",
-    "that a factorisation may take before an island is left to the solver: chains and trees take 3",
+    "that a factorisation may take before an island is left to the solver, where order 4 or 6 or an accuracy is asked for: "
+    "chains and trees take 3",
     "larger: a net of 30 by 30 takes seconds in a step; smaller: loops that are small are left to the solver, too"};
 inline constexpr Constant<std::uint64_t> kRattleWorkOfFew{
     "rattle_work_of_few", 20000, "block products",
-    "that a factorisation may take in any case: a star of 30 joints on one body takes 5,000",
+    "that a factorisation may take in any case, where order 4 or 6 or an accuracy is asked for: a star of 30 joints on one "
+    "body takes 5,000",
     "larger: stars of hundreds of joints take milliseconds; smaller: they are left to the solver"};
+inline constexpr Constant<std::uint64_t> kRattleWorkAtOrder2{
+    "rattle_work_at_order_2", 12, "block products a joint",
+    "that a factorisation may take at order 2, which is to cost no more than the solver: chains and trees take 3",
+    "larger: nets take many times as long as by the solver; smaller: rings are left to it"};
+inline constexpr Constant<std::uint64_t> kRattleWorkOfFewAtOrder2{
+    "rattle_work_of_few_at_order_2", 2500, "block products", "that a factorisation may take in any case at order 2",
+    "larger: nets take many times as long as by the solver; smaller: stars of 20 joints are left to it"};
 inline constexpr Constant<Real> kRattleSwing{
     "rattle_swing", 1.2, "rad",
     "by which the forces of joints may swing a body in a stage before its island takes twice as many: steps that are "
@@ -47,8 +56,10 @@ inline constexpr Constant<Real> kRattleGain{
 inline constexpr Constant<int> kRattleHalvings{
     "rattle_halvings", 4, "1", "of a substep that an island may take before it is left to the solver",
     "larger: chains of thousands of links take 100 ms a step; smaller: they gape"};
-inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,       kRattleRest,  kRattleRounds,  kRattleWork,
-                                                   kRattleWorkOfFew, kRattleSwing, kRattleGain,    kRattleHalvings};
+inline constexpr ConstantRow kRattleConstants[] = {
+    kRattleGap,       kRattleRest,         kRattleRounds,            kRattleWork,
+    kRattleWorkOfFew, kRattleWorkAtOrder2, kRattleWorkOfFewAtOrder2, kRattleSwing,
+    kRattleGain,      kRattleHalvings};
 
 /// Two joints on one body: a block of the matrix beside its diagonal.
 struct RattlePair {
@@ -114,6 +125,7 @@ struct RattleIsland {
   int halvings;                  // of the substeps that it takes in this step
   bool was_tried, is_moving;     // in this try
   bool went_well;                // in this step
+  bool is_barred;                // a limit acts in this step, or a gap is too wide
   bool gave_up;                  // nothing but its motion keeps it from being moved so in this step
 };
 
@@ -122,6 +134,7 @@ struct Rattle {
 
   // of the scene: made where it, or who is awake, has changed
   std::uint64_t revision = 0;
+  int order = 0;                    // for which they were made
   Array<std::uint32_t> all_active;  // joints, as WideJoints::active then
   Array<std::uint32_t> island_of;   // by body slot; kInvalid: none
   Array<std::uint32_t> parent;      // scratch: union-find by slot
@@ -169,8 +182,8 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
 namespace rattle {
 /// Whether a world has joints and is to move them so: until then it has no Rattle.
 bool is_asked(const World& world);
-/// Islands, bodies, joints and orders of elimination, where the scene or who is awake has changed.
-void make_islands(const World& world, Rattle& r);
+/// Islands, bodies, joints and orders of elimination, where the scene, who is awake or the order of the error has changed.
+void make_islands(const World& world, Rattle& r, int order);
 /// Which of them something meets, or what they bear can't be told by forces.
 void find_met(const World& world, Rattle& r, const StepTime& time);
 /// The step of the islands that are tried, to the side, with their forces.

@@ -13,11 +13,10 @@ namespace carom::dynamics {
 namespace {
 
 /// The dial's; of odd ones the next. Under rk4, which knows nothing of joints and would leave them at first order, at
-/// least that integrator's; so where an accuracy is asked for and the dial says nothing.
+/// least that integrator's; so where an accuracy is asked for.
 int order_of(const World& world) {
   const int asked = (world.scene.dials.whole(Dial::joint_order) + 1) / 2 * 2;
-  if (asked == 0 && world.accuracy) return 4;
-  return world.plan->integrator == &kRungeKutta4 ? std::max(asked, 4) : asked;
+  return world.accuracy || world.plan->integrator == &kRungeKutta4 ? std::max(asked, 4) : asked;
 }
 
 void list_bodies(Rattle& r, bool RattleIsland::*flag) {
@@ -112,10 +111,10 @@ void rattle::come_back(const World& world) {
 void try_rattle(const World& world, const StepTime& time) {
   if (!world.rattle) return;
   Rattle& r = *world.rattle;
-  for (RattleIsland& island : r.islands) island.went_well = island.gave_up = false;
+  for (RattleIsland& island : r.islands) island.went_well = island.gave_up = island.is_barred = false;
   const int order = order_of(world);
   if (order == 0) return;
-  rattle::make_islands(world, r);
+  rattle::make_islands(world, r, order);
   rattle::find_met(world, r, time);
   for (RattleIsland& island : r.islands) island.halvings = island.is_held && !island.is_met ? 0 : kRattleHalvings + 1;
   int tries = 0;
@@ -124,7 +123,8 @@ void try_rattle(const World& world, const StepTime& time) {
   else
     for (int halvings = 0; halvings <= kRattleHalvings; ++halvings)
       tries += try_all(world, r, time.dt, halvings, order);
-  for (RattleIsland& island : r.islands) island.gave_up = island.is_held && !island.is_met && !island.went_well;
+  for (RattleIsland& island : r.islands)
+    island.gave_up = island.is_held && !island.is_met && !island.is_barred && !island.went_well;
   const std::uint64_t tried = r.held.count;
   list_bodies(r, &RattleIsland::went_well);
   if (r.held.count == 0) {
