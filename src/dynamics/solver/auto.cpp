@@ -200,7 +200,7 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   const bool few = joined && view.bodies <= kFewJoined;
   if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
   if (!unlike && !memory.bears && !still) return GroupReason::ordinary;
-  if (memory.cools_down && (!unlike || joined || view.bodies > kMostUnlike)) return GroupReason::too_much;
+  if (memory.cools_down && (!unlike || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (!memory.bears) return GroupReason::still;
   return motion.is_under_impact ? GroupReason::impact : GroupReason::sink;
@@ -286,7 +286,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
 void start_cooldowns(const World& world, SolverMemory& memory) {
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    if (d.rest[g].waits || d.rest[g].lies || !is_far_off(d.solution[g], world.scene.dials)) continue;
+    if (d.rest[g].waits || d.rest[g].lies || !d.rest[g].is_far_off) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
       memory.cooldown_steps[d.bodies[i].slot] = kCooldown;
   }

@@ -17,6 +17,7 @@ inline constexpr Real kDirectShare = 0.01;
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
   bool is_first = true;       // substep
+  std::uint32_t substeps = 0; // that were answered in this step
   bool is_to_be_still = false;  // a few bodies that lie still, which is to stay so
   bool is_too_large = false;  // to be factored
   bool asks = false;          // for an answer, in this substep
@@ -24,6 +25,7 @@ struct GroupRest {
   bool is_close = false;      // an answer of this step was, to what is right
   bool waits = false;         // for the next step with it
   bool stood = false;         // @see ConeProblem::stood
+  Real load = 0;              // m/s, the fastest that loads alone make a body in a substep
   bool lies = false;          // all its contacts move less than anybody sees
   Real gap = 0;               // m or rad, of joints, before they were parted
   bool parts = false;         // it is parted once more
@@ -36,13 +38,9 @@ struct GroupRest {
   bool is_bounded = false;    // in what it may take
   std::uint64_t share = 0;    // block products that it may take in this step, if so
   std::uint64_t work = 0;     // of them, those that it may still take
+  bool is_far_off = false;    // what was found last came nowhere near the law
   bool gave_up = false;       // that did not do for a substep: nor will it for the next
 };
-
-/// An answer that came nowhere near the law.
-inline bool is_far_off(const ConeSolution& solution, const Dials& dials) {
-  return !solution.reached && solution.residual > dials[Dial::velocity_tolerance];
-}
 
 /// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
 /// Allocates.   @param most_factor  block products of a factorisation; a group that takes more is answered by sweeps

@@ -131,11 +131,15 @@ void ConeGroup::follow_bodies() {
 /// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
 Real ConeGroup::start(Real h) {
   Real least = kInfinity;
-  problem_.stood = !is_joined();
+  problem_.stood = !is_joined(), rest_.load = 0;
+  was_held_ = problem_.stood;
   for (ConeBody& b : bodies_of(problem_)) {
+    was_held_ &= b.v.linear() == Vec3::zero() && b.v.angular() == Vec3::zero();
     b.gained = -b.v;
     load(b);
-    problem_.stood &= speed2(b, b.gained) <= speed2(b, b.gained + b.v);
+    const Real loaded2 = speed2(b, b.gained + b.v);
+    problem_.stood &= speed2(b, b.gained) <= loaded2;
+    rest_.load = std::max(rest_.load, std::sqrt(loaded2));
     b.gradient.set_zero();
   }
   if (!rest_.is_first) follow_bodies();
@@ -188,7 +192,7 @@ void ConeGroup::follow_impulses() {
 }
 
 void ConeGroup::keep(Velocities& to) {
-  if (solution_.factorisations > 0 && !is_joined() && !solution_.is_by_sweeps) follow_impulses();
+  if (solution_.factorisations > 0 && !is_joined() && !solution_.is_by_sweeps && !solution_.is_held) follow_impulses();
   each([&](const ConeContact& contact, std::uint32_t i) {
     c_.rows[i].p = contact.next_p;
     c_.rows[i].u = contact.u;
@@ -279,7 +283,7 @@ Real ConeGroup::goal(bool is_bounded) const {
 void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   const bool is_bounded = work > 0;
   if (rest_.is_first) rest_.work = rest_.share = own_work(work);
-  rest_.asks = false;
+  rest_.asks = rest_.is_far_off = false;
   if (rest_.lasts && repeat(to, tolerance())) return;
   accumulate_repeats();
   if (rest_.has_moved) turn_frames(), measure();  // should it not lie still any more
@@ -293,6 +297,7 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   solution_ = {};
   solution_.residual = residual(problem_);
   solution_.reached = solution_.residual <= rest_.goal;
+  if (was_held_ && !solution_.reached && may_be_held() && solution_.residual < kRest * tolerance()) hold();
   rest_.asks = is_joined() || !solution_.reached;
   if (!rest_.asks) finish(to);
 }
@@ -317,12 +322,30 @@ void ConeGroup::go_on_by_sweeps(Velocities& to) {
     sweep(problem_, 2);
   solution_ = {};
   solution_.residual = residual(problem_);
+  rest_.is_far_off = is_far_off();
   finish(to);
 }
 
+/// Whether its answer came nowhere near the law. Of what stood, or hangs on joints: if it leaves more of the loads than soft
+/// contacts and joints would, which are what would answer it then.
+bool ConeGroup::is_far_off() const {
+  const Real tolerable = world_.scene.dials[Dial::velocity_tolerance];
+  return !solution_.reached &&
+         solution_.residual > (problem_.stood || is_joined() ? std::max(tolerable, kUnborne * rest_.load) : tolerable);
+}
+
+/// Block products that this substep may take. With joints, where an answer that is cut short tears them: what there is
+/// for the step but for half of what each substep to come would have.
+std::uint64_t ConeGroup::work_of_substep(std::uint32_t substeps) const {
+  if (rest_.at_once) return rest_.work;
+  const std::uint64_t share = rest_.share / substeps;
+  if (!is_joined()) return share;
+  const std::uint64_t kept = (substeps - std::min(substeps, rest_.substeps + 1)) * share / 2;
+  return std::max(rest_.work, kept) - kept;
+}
+
 void ConeGroup::solve(Velocities& to, Real h, int substeps) {
-  const std::uint64_t work = rest_.at_once ? rest_.work : rest_.share / static_cast<std::uint64_t>(substeps);
-  if (!rest_.waits) find_solution(h, allowed_steps(work));
+  if (!rest_.waits) find_solution(h, allowed_steps(work_of_substep(static_cast<std::uint32_t>(substeps))));
   finish(to);
 }
 
@@ -333,6 +356,10 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
     return account_work();
   }
   find(goal, most_steps);
+  if (!solution_.reached && may_be_held()) {
+    hold();
+    return account_work();
+  }
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
     if (has_ring(problem_, link_row_)) {
       shed_self_stress(problem_);
@@ -347,17 +374,31 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
   refuse_gain(goal, most_steps);
   account_work();
   rest_.is_close = solution_.residual < world_.scene.dials[Dial::velocity_tolerance];
-  rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_joined() && is_far_off(solution_, world_.scene.dials);
+  rest_.is_far_off = is_far_off();
+  rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_joined() && rest_.is_far_off;
+}
+
+bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && problem_.stood; }
+
+/// What lies still and is not solved within its work, or what was held so before, stays as it lies: at rest, on the best
+/// impulses there are, which balance the loads but for next to nothing. Else velocities that nobody sees would add up,
+/// grow by as much again in each substep, and throw down what stood.
+void ConeGroup::hold() {
+  for (ConeBody& b : bodies_of(problem_)) b.v = Vec6::zero();
+  for (ConeContact& c : problem_.contacts) c.u.set_zero();
+  solution_.reached = solution_.is_held = true;
 }
 
 void ConeGroup::finish(Velocities& to) {
   if (solution_.is_wedged || solution_.is_by_sweeps)
     start_from_nothing(problem_);
+  else if (solution_.is_held)
+    for (ConeContact& c : problem_.contacts) c.next_p = c.p;
   else if (!comes_to_rest(rest_.goal))
     start_from_loads(problem_);
   keep(to);
-  rest_.is_first = false;
-  rest_.lasts = !is_joined() && solution_.factorisations == 0 && rest_.least >= -1 && !rest_.resists &&
+  rest_.is_first = false, ++rest_.substeps;
+  rest_.lasts = !is_joined() && !solution_.is_held && solution_.factorisations == 0 && rest_.least >= -1 && !rest_.resists &&
                 fastest_any_way(problem_) < kRest * tolerance();
   rest_.has_moved = rest_.lasts;  // or part() measures
 }

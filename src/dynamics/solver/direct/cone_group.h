@@ -42,11 +42,15 @@ class ConeGroup {
   Real tolerance() const;
   Real goal(bool is_bounded) const;
   std::uint64_t own_work(std::uint64_t most) const;
+  std::uint64_t work_of_substep(std::uint32_t substeps) const;
   bool takes_all_of(std::uint64_t work) const;
   void go_on_by_sweeps(Velocities& to);
   void find_solution(Real h, std::uint32_t most_steps);
   void finish(Velocities& to);
   bool lies_still() const;
+  bool is_far_off() const;
+  bool may_be_held() const;
+  void hold();
   bool is_still_at_rest(Real goal);
   bool comes_to_rest(Real goal);
   void refuse_throw(Real goal, std::uint32_t most_steps);
@@ -70,6 +74,7 @@ class ConeGroup {
   const DirectGroups::LinkRow* link_row_;
   std::uint64_t work_;
   bool still_;
+  bool was_held_ = false;  // all its bodies were at rest, to the bit, as the substep began
   bool lasts_ = false;  // contacts start the next substep from impulses that balance its loads
 };
 

@@ -78,10 +78,15 @@ inline constexpr Constant<std::uint32_t> kExpectedAtRest{
     "direct_expected_at_rest", 16, "steps of Newton",
     "that a group at rest is expected to take when it is solved anew: of many that ask at once the others wait",
     "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
+inline constexpr Constant<Real> kUnborne{
+    "direct_unborne", 0.1, "1",
+    "of what loads do to a body in a substep, that an answer may leave of what stood before it is given up: soft contacts, "
+    "which take over then, leave half of it in the first",
+    "larger: what an answer does not hold sinks on; smaller: towers at rest are thrown down for micrometres"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {kFineShare,   kConeShare, kRest,   kJerks,
                                                       kLongestTurn, kJointPush, kGap, kGapShare,       kAlways, kMostSteps,
                                                       kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving,
-                                                      kWorkOfJoined, kFromNothing, kExpectedAtRest};
+                                                      kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne};
 
 }  // namespace carom::dynamics

@@ -195,6 +195,7 @@ struct ConeSolution {
   bool reached = false;              // it is within the tolerance
   bool is_wedged = false;            // no velocity obeys the law: @see least_force.h
   bool is_by_sweeps = false;         // the solver's own would have given energy
+  bool is_held = false;              // all lies as it lay, for want of a solution
   std::uint32_t rounds = 0;          // proximal
   std::uint32_t factorisations = 0;  // Newton steps
 };
