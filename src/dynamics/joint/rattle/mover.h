@@ -145,7 +145,7 @@ class Mover {
     for (const RattleBody& b : movers()) swing = std::max(swing, b.swing);
     Real turn = h * h * swing;
     if (turn <= most * most) return true;
-    for (; turn > kRattleSwing * kRattleSwing && island_.halvings <= kRattleHalvings; turn /= 4) ++island_.halvings;
+    for (; turn > kRattleSwing * kRattleSwing && island_.halvings <= island_.most_halvings; turn /= 4) ++island_.halvings;
     return false;
   }
 

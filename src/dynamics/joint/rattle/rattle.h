@@ -54,12 +54,16 @@ inline constexpr Constant<Real> kRattleGain{
     "joints do no work, but turns of half a radian a stage err by as much, and so do false roots of Newton's method",
     "larger: what spins fast gains energy; smaller: it takes more stages than it need"};
 inline constexpr Constant<int> kRattleHalvings{
-    "rattle_halvings", 4, "1", "of a substep that an island may take before it is left to the solver",
+    "rattle_halvings", 4, "1", "of a substep that an island may take in any case before it is left to the solver",
     "larger: chains of thousands of links take 100 ms a step; smaller: they gape"};
+inline constexpr Constant<std::uint64_t> kRattleParts{
+    "rattle_parts", 10000, "1", "joints times parts of a step up to which an island may take further halvings: some 6 ms",
+    "larger: a step in which a whip cracks stalls; smaller: the solver takes it over, and takes its energy"};
+inline constexpr int kMostHalvings = 10;
 inline constexpr ConstantRow kRattleConstants[] = {
     kRattleGap,       kRattleRest,         kRattleRounds,            kRattleWork,
     kRattleWorkOfFew, kRattleWorkAtOrder2, kRattleWorkOfFewAtOrder2, kRattleSwing,
-    kRattleGain,      kRattleHalvings};
+    kRattleGain,      kRattleHalvings,     kRattleParts};
 
 /// Two joints on one body: a block of the matrix beside its diagonal.
 struct RattlePair {
@@ -122,7 +126,7 @@ struct RattleIsland {
   Real energy, gain;             // J, of motion as a stage began; what impulses added to it until it arrived
   bool is_held;                  // its joints can be held so at all
   bool is_met;                   // something touches it in this step, or may
-  int halvings;                  // of the substeps that it takes in this step
+  int halvings, most_halvings;   // of the substeps that it takes in this step; that it may
   bool was_tried, is_moving;     // in this try
   bool went_well;                // in this step
   bool is_barred;                // a limit acts in this step, or a gap is too wide

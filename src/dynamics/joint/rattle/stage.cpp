@@ -19,6 +19,14 @@ int order_of(const World& world) {
   return world.accuracy || world.plan->integrator == &kRungeKutta4 ? std::max(asked, 4) : asked;
 }
 
+constexpr int kNoTry = kMostHalvings + 1;  // of RattleIsland::halvings
+
+int most_halvings(std::uint64_t joints, std::uint64_t substeps) {
+  int most = kRattleHalvings;
+  while (most < kMostHalvings && joints * (substeps << (most + 1)) <= kRattleParts) ++most;
+  return most;
+}
+
 void list_bodies(Rattle& r, bool RattleIsland::*flag) {
   r.held.clear();
   for (const std::uint32_t i : r.by_slot)
@@ -66,7 +74,8 @@ bool try_all(const World& world, Rattle& r, Real dt, int halvings, int order) {
   rattle::move_tried(world, r, dt, world.plan->substeps << halvings, order);
   for (RattleIsland& island : r.islands) {
     if (!island.was_tried) continue;
-    if (island.is_moving || island.halvings == halvings) island.halvings = kRattleHalvings + 1;  // no more tries
+    if (island.is_moving || island.halvings == halvings || island.halvings > island.most_halvings)
+      island.halvings = kNoTry;
     island.went_well = island.is_moving;
     if (island.went_well || !keeps_ledger(world)) continue;
     for (std::uint32_t i = island.body; i < island.body + island.movers; ++i)
@@ -116,12 +125,15 @@ void try_rattle(const World& world, const StepTime& time) {
   if (order == 0) return;
   rattle::make_islands(world, r, order);
   rattle::find_met(world, r, time);
-  for (RattleIsland& island : r.islands) island.halvings = island.is_held && !island.is_met ? 0 : kRattleHalvings + 1;
+  for (RattleIsland& island : r.islands) {
+    island.halvings = island.is_held && !island.is_met ? 0 : kNoTry;
+    island.most_halvings = most_halvings(island.joints, static_cast<std::uint64_t>(world.plan->substeps));
+  }
   int tries = 0;
   if (world.accuracy)
     tries = 2, rattle::try_accurately(world, r, time.dt, order);
   else
-    for (int halvings = 0; halvings <= kRattleHalvings; ++halvings)
+    for (int halvings = 0; halvings <= kMostHalvings; ++halvings)
       tries += try_all(world, r, time.dt, halvings, order);
   for (RattleIsland& island : r.islands)
     island.gave_up = island.is_held && !island.is_met && !island.is_barred && !island.went_well;
