@@ -56,6 +56,7 @@ class Mover {
         r_.rows[j.row + k].load = joint.p_h > 0 ? joint.p[k] / (joint.p_h / 2) : 0;
     }
     island_.rounding = 16 * kEpsilon * std::max(Real(1), far + island_.reach);
+    island_.gain = 0;
     if (!within_limits() || !shut()) return bar();
     place();
     if (!is_resolved(h, kRattleSwing)) return false;
@@ -82,7 +83,7 @@ class Mover {
         tell();
         for (RattleBody& b : bodies()) b.inv_mass > 0 ? arrive(b) : stay(b);
         place();
-        island_.gain = energy() - island_.energy;
+        island_.gain += energy() - island_.energy;
         return true;
       }
       if (off > 0.3 * before && off > 64 * island_.rounding) aim();
@@ -100,8 +101,8 @@ class Mover {
       if (b.inv_mass > 0) take_kick(b, h / 2);
     const Real kicked = energy();
     settle(&h);
-    const Real gain = island_.gain + energy() - kicked;
-    if (gain > kRattleGain * (island_.energy + kicked) && std::ranges::none_of(bodies(), &RattleBody::travels)) {
+    island_.gain += energy() - kicked;
+    if (island_.gain > kRattleGain * (island_.energy + kicked) && std::ranges::none_of(bodies(), &RattleBody::travels)) {
       ++island_.halvings;
       return false;
     }

@@ -49,8 +49,8 @@ inline constexpr Constant<Real> kRattleSwing{
     "explicit in directions hold up to 2, and loads grow within a step",
     "larger: long chains gain energy; smaller: they take more stages than they need"};
 inline constexpr Constant<Real> kRattleGain{
-    "rattle_gain", 0.01, "1",
-    "share of an island's kinetic energy that impulses of its joints may add to it in a stage before it takes twice as many: "
+    "rattle_gain", 0.003, "1",
+    "share of an island's kinetic energy that impulses of its joints may add to it in a step before it takes twice as many: "
     "joints do no work, but turns of half a radian a stage err by as much, and so do false roots of Newton's method",
     "larger: what spins fast gains energy; smaller: it takes more stages than it need"};
 inline constexpr Constant<int> kRattleHalvings{
@@ -123,7 +123,7 @@ struct RattleIsland {
   std::size_t diagonal, beside;  // of the matrix, where it begins
   Real reach;                    // m: the longest arm
   Real rounding;                 // m or rad, of errors, in this step
-  Real energy, gain;             // J, of motion as a stage began; what impulses added to it until it arrived
+  Real energy, gain;             // J, of motion as a stage began; what impulses added to it since the step began
   bool is_held;                  // its joints can be held so at all
   bool is_met;                   // something touches it in this step, or may
   int halvings, most_halvings;   // of the substeps that it takes in this step; that it may
