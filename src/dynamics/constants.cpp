@@ -7,6 +7,7 @@
 #include "dynamics/accuracy/control.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
+#include "dynamics/contact/rolling.h"
 #include "dynamics/contact/slide.h"
 #include "dynamics/give_back.h"
 #include "dynamics/joint/energy_bound.h"
@@ -33,7 +34,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 }
 
 constexpr auto kConstantTable =
-    in_one_table(kPatchConstants, kImpactConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
+    in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
                  kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants,
                  kRattleConstants, kAccuracyConstants, kFloatConstants, kGiveBackConstants);
 

@@ -6,6 +6,7 @@
 
 #include "dynamics/body_state.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact/rolling.h"
 #include "dynamics/contact/slide.h"
 #include "dynamics/warm_scale.h"
 
@@ -88,6 +89,25 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
   return m.moves_a || m.moves_b ? place.points : 0;
 }
 
+/// m: radius of what a body of a pair is round by, at all points of it: its core's, or that of the ball it rolls on.
+/// @param sign  of the normal, outwards   @param point  of a point, on the body, in its shape's frame
+template <class PointOf>
+Real round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other, const Manifold& manifold,
+              Real sign, const PointOf& point) {
+  const Shape& shape = *world.scene.colliders.shape[collider];
+  const Vec3 omega = world.state.omega[body] - world.state.omega[other];
+  if (shape.core_radius > 0 || manifold.count > 2 || omega == Vec3::zero()) return shape.core_radius;
+  const Mat3 from_world = (world.plan->rotation[body] * world.plan->local[collider].r).transpose();
+  Real sum = 0;
+  for (int k = 0; k < manifold.count; ++k) {
+    const Real radius = rolling_radius(shape, point(manifold.point[k]), sign * (from_world * manifold.point[k].normal),
+                                       from_world * omega);
+    if (radius == 0) return 0;
+    sum += radius;
+  }
+  return sum / manifold.count;
+}
+
 /// The rows of a pair, from `at` on.
 /// @param cursor  in the old ones, not after the pair; moved on to it
 /// @param scale   substep now over substep then; 0: start cold
@@ -109,7 +129,8 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
   if (scale > 0 && last > cursor)
     match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
-  const Real radius_a = scene.colliders.shape[ca]->core_radius, radius_b = scene.colliders.shape[cb]->core_radius;
+  const Real radius_a = round_by(world, ca, m.a, m.b, manifold, 1, [](const ContactPoint& p) { return p.on_a; }),
+             radius_b = round_by(world, cb, m.b, m.a, manifold, -1, [](const ContactPoint& p) { return p.on_b; });
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
   const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
   std::size_t found = 0;

@@ -30,11 +30,12 @@ bool is_curved(const Shape& s) {
   return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && !is_scenery(s);
 }
 
-/// Whether one of two that touch is not known to be a polytope.
+/// Whether one of two that touch is not known to be a polytope, nor to roll on a ball (rolling.h).
 bool is_curved(const World& world, const RowGeometry& g) {
   const Pair& pair = world.pairs.place(g.pair).pair;
   const Array<const Shape*>& shape = world.scene.colliders.shape;
-  return is_curved(*shape[pair.a]) || is_curved(*shape[pair.b]);
+  const auto turns_away = [](const Shape& s, Real radius) { return is_curved(s) && radius == s.core_radius; };
+  return turns_away(*shape[pair.a], g.radius_a) || turns_away(*shape[pair.b], g.radius_b);
 }
 
 /// Whether all points of a pair are as near as the nearest, to kTouching of their distance. What has some in the air is
