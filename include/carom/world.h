@@ -149,6 +149,7 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 #define CAROM_REASON_IMPACT 5u     /* it would sink, but is under impact: soft contacts take that */
 #define CAROM_REASON_STILL 6u      /* a few bodies that lie still */
 #define CAROM_REASON_JOINED 7u     /* some bodies that joints hold together */
+#define CAROM_REASON_ROLLS 8u      /* a few bodies, of which a cylinder, a cone's rim or a spheroid rolls */
 
 /** A contact group of the last step, and how CAROM_SOLVER_AUTO answered it. */
 typedef struct carom_group {

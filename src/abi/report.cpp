@@ -21,7 +21,8 @@ static_assert(static_cast<std::uint32_t>(GroupReason::ordinary) == CAROM_REASON_
               static_cast<std::uint32_t>(GroupReason::bounce) == CAROM_REASON_BOUNCE &&
               static_cast<std::uint32_t>(GroupReason::impact) == CAROM_REASON_IMPACT &&
               static_cast<std::uint32_t>(GroupReason::still) == CAROM_REASON_STILL &&
-              static_cast<std::uint32_t>(GroupReason::joined) == CAROM_REASON_JOINED);
+              static_cast<std::uint32_t>(GroupReason::joined) == CAROM_REASON_JOINED &&
+              static_cast<std::uint32_t>(GroupReason::rolls) == CAROM_REASON_ROLLS);
 static_assert(SupportFault::returned == CAROM_FAULT_RETURNED && SupportFault::not_finite == CAROM_FAULT_NOT_FINITE &&
               SupportFault::outside == CAROM_FAULT_OUTSIDE && SupportFault::not_support == CAROM_FAULT_NOT_SUPPORT);
 

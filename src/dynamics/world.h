@@ -52,7 +52,7 @@ struct FaultView {
 };
 
 /// Why a solver that chooses answers a contact group as it does; as CAROM_REASON_*.
-enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much, bounce, impact, still, joined };
+enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much, bounce, impact, still, joined, rolls };
 
 /// A contact group of a step as a host reads it.
 struct GroupView {

@@ -588,6 +588,8 @@ export const CAROM_REASON_IMPACT: 5;
 export const CAROM_REASON_STILL: 6;
 /** some bodies that joints hold together */
 export const CAROM_REASON_JOINED: 7;
+/** a few bodies, of which a cylinder, a cone's rim or a spheroid rolls */
+export const CAROM_REASON_ROLLS: 8;
 /** the support function returned nonzero */
 export const CAROM_FAULT_RETURNED: 1;
 /** it gave NaN or infinity */

@@ -337,6 +337,7 @@ export const CAROM_REASON_BOUNCE = 4;
 export const CAROM_REASON_IMPACT = 5;
 export const CAROM_REASON_STILL = 6;
 export const CAROM_REASON_JOINED = 7;
+export const CAROM_REASON_ROLLS = 8;
 export const CAROM_FAULT_RETURNED = 1;
 export const CAROM_FAULT_NOT_FINITE = 2;
 export const CAROM_FAULT_OUTSIDE = 3;

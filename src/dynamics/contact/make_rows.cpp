@@ -89,23 +89,36 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
   return m.moves_a || m.moves_b ? place.points : 0;
 }
 
-/// m: radius of what a body of a pair is round by, at all points of it: its core's, or that of the ball it rolls on.
+/// What a body of a pair is round by in a step.
+struct Round {
+  Real radius = 0;     // m, of its core, or of the ball it rolls on
+  int at_alone = -1;   // of more points, that which it rolls on: the others are in the air, and stay there
+};
+
 /// @param sign  of the normal, outwards   @param point  of a point, on the body, in its shape's frame
 template <class PointOf>
-Real round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other, const Manifold& manifold,
-              Real sign, const PointOf& point) {
+Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other, const Manifold& manifold,
+               Real sign, const PointOf& point) {
   const Shape& shape = *world.scene.colliders.shape[collider];
   const Vec3 omega = world.state.omega[body] - world.state.omega[other];
-  if (shape.core_radius > 0 || manifold.count > 2 || omega == Vec3::zero()) return shape.core_radius;
+  if (shape.core_radius > 0 || omega == Vec3::zero()) return {shape.core_radius};
   const Mat3 from_world = (world.plan->rotation[body] * world.plan->local[collider].r).transpose();
-  Real sum = 0;
-  for (int k = 0; k < manifold.count; ++k) {
-    const Real radius = rolling_radius(shape, point(manifold.point[k]), sign * (from_world * manifold.point[k].normal),
-                                       from_world * omega);
-    if (radius == 0) return 0;
-    sum += radius;
+  const auto radius_at = [&](int k) {
+    return rolling_radius(shape, point(manifold.point[k]), sign * (from_world * manifold.point[k].normal),
+                          from_world * omega);
+  };
+  if (manifold.count > 2) {
+    int deepest = 0;
+    for (int k = 1; k < manifold.count; ++k)
+      if (manifold.point[k].separation < manifold.point[deepest].separation) deepest = k;
+    const Real radius = radius_at(deepest);
+    if (!(radius > 0)) return {};
+    return {radius, deepest};
   }
-  return sum / manifold.count;
+  // Along the line that a cylinder lies on it is the same; a cone's is not, and rows of a pair share one.
+  constexpr Real kAlike = 0.01;
+  const Real first = radius_at(0), last = manifold.count == 2 ? radius_at(1) : first;
+  return first > 0 && std::fabs(last - first) <= kAlike * first ? Round{first} : Round{};
 }
 
 /// The rows of a pair, from `at` on.
@@ -129,8 +142,10 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
   if (scale > 0 && last > cursor)
     match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
-  const Real radius_a = round_by(world, ca, m.a, m.b, manifold, 1, [](const ContactPoint& p) { return p.on_a; }),
-             radius_b = round_by(world, cb, m.b, m.a, manifold, -1, [](const ContactPoint& p) { return p.on_b; });
+  const Round round_a = round_by(world, ca, m.a, m.b, manifold, 1, [](const ContactPoint& p) { return p.on_a; }),
+              round_b = round_by(world, cb, m.b, m.a, manifold, -1, [](const ContactPoint& p) { return p.on_b; });
+  const Real radius_a = round_a.radius, radius_b = round_b.radius;
+  const int at_alone = std::max(round_a.at_alone, round_b.at_alone);
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
   const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
   std::size_t found = 0;
@@ -148,17 +163,19 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     row.one_normal = one_normal;
     g.radius_a = radius_a, g.radius_b = radius_b;
-    g.l_a = fa.apply(point.on_a);
-    g.l_b = fb.apply(point.on_b);
+    const ContactPoint& where = at_alone < 0 ? point : manifold.point[at_alone];
+    g.l_a = fa.apply(where.on_a);
+    g.l_b = fb.apply(where.on_b);
     if (radius_a > 0) g.l_a -= radius_a * (world.plan->rotation[m.a].transpose() * row.n);
     if (radius_b > 0) g.l_b += radius_b * (world.plan->rotation[m.b].transpose() * row.n);
     g.impulse = Vec3::zero();
     g.place = place_of(point, on_b);
-    g.separation = point.separation;
+    g.separation = where.separation;
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint32_t>(k);
   }
   c.rows[at].loads_known = found == last - cursor;
+  c.rows[at].rolls = radius_a != scene.colliders.shape[ca]->core_radius || radius_b != scene.colliders.shape[cb]->core_radius;
   find_slide(world, at, static_cast<std::uint32_t>(manifold.count), nullptr);
 }
 

@@ -28,9 +28,9 @@ Real rolling_radius(const Shape& shape, const Vec3& point, const Vec3& n, const 
   constexpr Real kAligned = 0.01;
   if (!(sine > kLeastLean) || !(from_axis.dot(lean) > 0)) return 0;
   if (!(from_axis.cross(lean).norm() < kAligned * off * sine)) return 0;
-  const Real radius = off / sine;
-  const Real tips = std::fabs(omega.dot(e.cross(lean))) / sine, rolls = std::fabs(omega[axis]);
-  return radius * tips < off * rolls ? radius : 0;
+  // About that level line a rim's point turns with its body; about the other the body rolls.
+  const Vec3 level = e.cross(lean);
+  return std::fabs(omega.dot(level)) <= std::fabs(omega.dot(n.cross(level))) ? off / sine : 0;
 }
 
 }  // namespace carom::dynamics

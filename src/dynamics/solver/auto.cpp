@@ -121,7 +121,7 @@ void look_at_joints(const World& world, std::size_t group, GroupView& view) {
 }
 
 struct GroupMotion {
-  bool is_under_impact = false, still = true;
+  bool is_under_impact = false, still = true, rolls = false;
 };
 
 /// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
@@ -145,6 +145,7 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
   const std::span<const std::uint32_t> rows(c.group_rows.data() + begin, c.group_begin[group + 1] - begin);
   each_pair(c, rows, sources, world.wide->kernels->points.watch, [&](const PairRows& pair, const PointMotions& points) {
     const Row& row = c.rows[pair.row];
+    motion.rolls |= row.rolls;
     const Real thickness = thickness_of(world, c.geometry[pair.row]);
     const Real fall = 2 * pull_on(scene, row) * thickness;                           // (m/s)^2
     const Real give = 1 / ((row.moves_a && row.moves_b ? w2 : 4 * w2) * thickness);  // s^2/m
@@ -160,7 +161,7 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
     }
     const auto bears = [&](bool moves, std::uint32_t body) {
       if (moves && turns_by_method(*world.plan, body) && turns_far_for_its_shape(world, body, world.plan->substeps * h))
-        motion = {true, false};
+        motion.is_under_impact = true, motion.still = false;
       if (moves) seen.mark(c.load[body], body, most > deep ? Contacts::kHeavy : Contacts::kLight);
     };
     bears(row.moves_a, row.a), bears(row.moves_b, row.b);
@@ -199,9 +200,11 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFewStill;
   const bool few = joined && view.bodies <= kFewJoined;
   if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
-  if (!unlike && !memory.bears && !still) return GroupReason::ordinary;
+  const bool rolls = motion.rolls && view.bodies <= kFewRolling;
+  if (!unlike && !memory.bears && !still && !rolls) return GroupReason::ordinary;
   if (memory.cools_down && (!unlike || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
+  if (rolls) return GroupReason::rolls;
   if (!memory.bears) return GroupReason::still;
   return motion.is_under_impact ? GroupReason::impact : GroupReason::sink;
 }
@@ -211,6 +214,7 @@ Contacts::Choice answer_to(GroupReason reason) {
     case GroupReason::mass_ratio:
     case GroupReason::sink:
     case GroupReason::joined:
+    case GroupReason::rolls:
       return Contacts::kDirectly;
     case GroupReason::still:
       return Contacts::kStill;

@@ -38,6 +38,11 @@ inline constexpr Constant<Real> kLiesStill{
 inline constexpr Constant<std::uint32_t> kFewStill{
     "direct_few_still", 4, "bodies", "of a group that lies still: to hold so few exactly costs next to nothing",
     "more: rooms full of small stacks pay for a solution that they don't need; fewer: two boxes on each other sag"};
+inline constexpr Constant<std::uint32_t> kFewRolling{
+    "direct_few_rolling", 4, "bodies",
+    "of a group in which something rolls as on a ball (rolling_least_lean): its way is of second order by the direct solver, "
+    "and few bodies cost no more there",
+    "more: heaps of barrels pay for a solution in each substep; fewer: wheels and coins lose their way among others"};
 inline constexpr Constant<std::uint32_t> kFewJoined{
     "direct_few_joined", 32, "bodies",
     "of a group with joints: it is solved at once, whatever it touches",
@@ -61,6 +66,6 @@ inline constexpr Constant<std::uint8_t> kCooldown{
     "to rest sags for as long"};
 
 inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kImpactShare,     kLiesStill,
-                                                 kFewStill,         kFewJoined,  kBorneFor,   kBearsFor, kCooldown};
+                                                 kFewStill,         kFewRolling,       kFewJoined,  kBorneFor,   kBearsFor, kCooldown};
 
 }  // namespace carom::dynamics

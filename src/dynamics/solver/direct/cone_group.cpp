@@ -5,6 +5,7 @@
 #include "dynamics/contact/depth.h"
 #include "dynamics/solver/direct/at_rest.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/contact/held_arms.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/least_force.h"
 #include "dynamics/solver/direct/least_force_constants.h"
@@ -128,6 +129,24 @@ void ConeGroup::follow_bodies() {
                 LoadWhat::not_curved);
 }
 
+/// A point that turns with its body leaves the tangent of its way. Velocities are to obey the law in the middle of the
+/// substep, where a point's is by h/2 omega x (omega x l) another than at its beginning, where impulses act. What is done
+/// so loses no energy as it turns: its impulses act on the mean of the velocities before and after, which is along the
+/// surface. That makes contacts of what rolls and tips of second order. Not of what leans, whose arms are held.
+void ConeGroup::bend_ways(Real h) {
+  for (ConeContact& contact : problem_.contacts) contact.surface -= contact.curve, contact.curve.set_zero();
+  const auto bends = [&](std::uint32_t body, const Vec3& l) {
+    if (body == kInvalid || !problem_.bodies[body].turns || leans(s_, problem_.bodies[body].slot)) return Vec3(Vec3::zero());
+    const ConeBody& b = problem_.bodies[body];
+    const Vec3 omega = b.v.angular();
+    return Vec3(h / 2 * omega.cross(omega.cross(world_.plan->rotation[b.slot] * l)));
+  };
+  each([&](ConeContact& contact, std::uint32_t i) {
+    contact.curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
+    contact.surface += contact.curve;
+  });
+}
+
 /// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
 Real ConeGroup::start(Real h) {
   Real least = kInfinity;
@@ -143,6 +162,7 @@ Real ConeGroup::start(Real h) {
     b.gradient.set_zero();
   }
   if (!rest_.is_first) follow_bodies();
+  bend_ways(h);
   problem_.stood &=
       std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.surface == Vec3::zero(); });
   rest_.stood = problem_.stood;

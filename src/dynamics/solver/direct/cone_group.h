@@ -35,6 +35,7 @@ class ConeGroup {
   bool repeat(Velocities& to, Real tolerance);
   Real start(Real h);
   void follow_bodies();
+  void bend_ways(Real h);
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
   void find_from_nothing(Real goal, std::uint32_t most_steps);

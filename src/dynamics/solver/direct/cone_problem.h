@@ -39,6 +39,7 @@ struct ConeContact {
   Vec3 surface;  // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
   Real want;     // m/s
   Vec3 start_p;  // N s, p as the substep began
+  Vec3 curve;    // m/s, of `surface`: @see ConeGroup::bend_ways()
   Vec3 next_p;   // N s, p as the next one begins
   Real k;        // 1/kg, mean velocity at the point per impulse there
   Real give;     // 1/kg, by which it yields while forces are undetermined: @see least_force.h

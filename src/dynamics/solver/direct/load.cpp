@@ -131,6 +131,7 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
       contact.r_b = carried_b.turns ? r_b : Vec3::zero();
       contact.k = places.response[k];
       contact.give = 0;
+      contact.curve.set_zero();
       contact.surface = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::zero();
       if (!c.surface.empty()) contact.surface += c.surface[pair.row + k];
     }
