@@ -26,11 +26,11 @@ struct alignas(64) Row {
   bool on_rim;              // the friction impulse is as large as the cone allows
   bool moves_a, moves_b;    // an impulse moves it
   bool one_normal;          // all rows of its pair have the same
+  bool rolls;               // a body of its pair does, as on a ball: @see rolling.h
   // Of the first row of a pair alone, @see find_slide():
   bool loads_known;         // all loads of the pair's last step are those of points that it still has
   bool slides;              // it does as the step begins: friction acts at the middle of its loads
   bool slides_by_load;      // likewise, and starts from known loads and friction
-  bool rolls;               // a body of it does, as on a ball: @see rolling.h
   Real friction;            // mixed Coulomb coefficient
 
   Vec3 p;              // N s, impulse on B in this substep so far, world; between substeps, what the next starts from

@@ -145,6 +145,7 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
   const Round round_a = round_by(world, ca, m.a, m.b, manifold, 1, [](const ContactPoint& p) { return p.on_a; }),
               round_b = round_by(world, cb, m.b, m.a, manifold, -1, [](const ContactPoint& p) { return p.on_b; });
   const Real radius_a = round_a.radius, radius_b = round_b.radius;
+  const bool rolls = radius_a != scene.colliders.shape[ca]->core_radius || radius_b != scene.colliders.shape[cb]->core_radius;
   const int at_alone = std::max(round_a.at_alone, round_b.at_alone);
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
   const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
@@ -161,7 +162,7 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     row.friction = material.friction;
     row.restitution = material.restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
-    row.one_normal = one_normal;
+    row.one_normal = one_normal, row.rolls = rolls;
     g.radius_a = radius_a, g.radius_b = radius_b;
     const ContactPoint& where = at_alone < 0 ? point : manifold.point[at_alone];
     g.l_a = fa.apply(where.on_a);
@@ -175,7 +176,6 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     g.point = static_cast<std::uint32_t>(k);
   }
   c.rows[at].loads_known = found == last - cursor;
-  c.rows[at].rolls = radius_a != scene.colliders.shape[ca]->core_radius || radius_b != scene.colliders.shape[cb]->core_radius;
   find_slide(world, at, static_cast<std::uint32_t>(manifold.count), nullptr);
 }
 

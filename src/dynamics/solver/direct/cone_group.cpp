@@ -129,19 +129,21 @@ void ConeGroup::follow_bodies() {
                 LoadWhat::not_curved);
 }
 
-/// A point that turns with its body leaves the tangent of its way. Velocities are to obey the law in the middle of the
-/// substep, where a point's is by h/2 omega x (omega x l) another than at its beginning, where impulses act. What is done
-/// so loses no energy as it turns: its impulses act on the mean of the velocities before and after, which is along the
-/// surface. That makes contacts of what rolls and tips of second order. Not of what leans, whose arms are held.
+/// Where a body rolls, the middle of the ball that it rolls on leaves the tangent of its way. Velocities are to obey the law in
+/// the middle of the substep, where that of the point is by h/2 omega x (omega x l) another than at its beginning, where
+/// impulses act. Then they act on the mean of the velocities before and after, which is along the surface, and a body that
+/// goes round loses no energy by it. Not of what turns too far for that: its square would throw it.
 void ConeGroup::bend_ways(Real h) {
-  for (ConeContact& contact : problem_.contacts) contact.surface -= contact.curve, contact.curve.set_zero();
   const auto bends = [&](std::uint32_t body, const Vec3& l) {
-    if (body == kInvalid || !problem_.bodies[body].turns || leans(s_, problem_.bodies[body].slot)) return Vec3(Vec3::zero());
+    if (body == kInvalid || !problem_.bodies[body].turns) return Vec3(Vec3::zero());
     const ConeBody& b = problem_.bodies[body];
     const Vec3 omega = b.v.angular();
+    if (omega.squared_norm() * h * h > kBends * kBends) return Vec3(Vec3::zero());
     return Vec3(h / 2 * omega.cross(omega.cross(world_.plan->rotation[b.slot] * l)));
   };
   each([&](ConeContact& contact, std::uint32_t i) {
+    if (!c_.rows[i].rolls) return;
+    contact.surface -= contact.curve;
     contact.curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
     contact.surface += contact.curve;
   });
