@@ -6,9 +6,6 @@
 
 namespace carom::dynamics {
 
-/// Whether a body turns so slowly that it may lean: what turns faster is on its way.
-bool leans(const State& s, std::uint32_t body);
-
 /// Once a step, before arms are asked for: a body that has turned by hold_angle since, or turns at some speed, is held
 /// as it is now. Writes State::held_q of that body alone.
 void hold_orientation(const World& world, SolverMemory& to, std::uint32_t body);

@@ -105,8 +105,9 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
     const ConeContact& contact = contacts[pair.at];
     if (what == LoadWhat::not_curved && contact.is_curved) return false;
     of = point_sources(world, pair);
+    const bool rolls = c.rows[pair.row].rolls;  // whose arms are those of the moment
     const auto put = [&](std::uint32_t body, const double*& held, const double*& inv_inertia, double& inv_mass) {
-      held = body != kInvalid ? bodies[body].held_back.data() : kNoMatrix;
+      held = body != kInvalid && !rolls ? bodies[body].held_back.data() : kNoMatrix;
       inv_inertia = body != kInvalid ? bodies[body].inv_inertia.data() : kNoMatrix;
       inv_mass = body != kInvalid ? bodies[body].inv_mass : 0;
     };
