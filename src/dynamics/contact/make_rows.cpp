@@ -95,17 +95,17 @@ struct Round {
   int at_alone = -1;   // of more points, that which it rolls on: the others are in the air, and stay there
 };
 
-/// @param sign  of the normal, outwards   @param point  of a point, on the body, in its shape's frame
+/// @param dt  s, a step   @param sign  of the normal, outwards   @param point  of a point, on the body, in its shape's frame
 template <class PointOf>
 Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other, const Manifold& manifold,
-               Real sign, const PointOf& point) {
+               Real dt, Real sign, const PointOf& point) {
   const Shape& shape = *world.scene.colliders.shape[collider];
-  const Vec3 omega = world.state.omega[body] - world.state.omega[other];
-  if (shape.core_radius > 0 || omega == Vec3::zero()) return {shape.core_radius};
+  const Vec3 turn = dt * (world.state.omega[body] - world.state.omega[other]);
+  if (shape.core_radius > 0 || turn == Vec3::zero()) return {shape.core_radius};
   const Mat3 from_world = (world.plan->rotation[body] * world.plan->local[collider].r).transpose();
   const auto radius_at = [&](int k) {
     return rolling_radius(shape, point(manifold.point[k]), sign * (from_world * manifold.point[k].normal),
-                          from_world * omega);
+                          from_world * turn);
   };
   if (manifold.count > 2) {
     int deepest = 0;
@@ -123,8 +123,8 @@ Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, s
 
 /// The rows of a pair, from `at` on.
 /// @param cursor  in the old ones, not after the pair; moved on to it
-/// @param scale   substep now over substep then; 0: start cold
-void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std::size_t& cursor, Real scale) {
+/// @param scale   substep now over substep then; 0: start cold   @param dt  s, a step
+void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std::size_t& cursor, Real scale, Real dt) {
   Contacts& c = *world.contacts;
   const Array<OldImpulse>& olds = world.impulses.old;
   const Scene& scene = world.scene;
@@ -142,8 +142,8 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
   if (scale > 0 && last > cursor)
     match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
-  const Round round_a = round_by(world, ca, m.a, m.b, manifold, 1, [](const ContactPoint& p) { return p.on_a; }),
-              round_b = round_by(world, cb, m.b, m.a, manifold, -1, [](const ContactPoint& p) { return p.on_b; });
+  const Round round_a = round_by(world, ca, m.a, m.b, manifold, dt, 1, [](const ContactPoint& p) { return p.on_a; }),
+              round_b = round_by(world, cb, m.b, m.a, manifold, dt, -1, [](const ContactPoint& p) { return p.on_b; });
   const Real radius_a = round_a.radius, radius_b = round_b.radius;
   const bool rolls = radius_a != scene.colliders.shape[ca]->core_radius || radius_b != scene.colliders.shape[cb]->core_radius;
   const int at_alone = std::max(round_a.at_alone, round_b.at_alone);
@@ -180,7 +180,7 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
 }
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.
-void fill_all_rows(const World& world, StepReport& report, Real scale) {
+void fill_all_rows(const World& world, StepReport& report, Real scale, Real dt) {
   constexpr std::size_t kPairsAPart = 64;
   Contacts& c = *world.contacts;
   const Array<OldImpulse>& olds = world.impulses.old;
@@ -204,7 +204,7 @@ void fill_all_rows(const World& world, StepReport& report, Real scale) {
         std::lower_bound(olds.begin(), olds.end(), world.pairs.place(begin).pair, before) - olds.begin());
     for (std::uint32_t i = begin; i < end; ++i) {
       world.pairs.fetch(i + kPairsAhead);
-      if (c.first_row[i] < c.first_row[i + 1]) fill_rows(world, i, c.first_row[i], cursor, scale);
+      if (c.first_row[i] < c.first_row[i + 1]) fill_rows(world, i, c.first_row[i], cursor, scale, dt);
     }
   });
 }
@@ -312,7 +312,7 @@ Real start_scale(const World& world, Real h) {
 void make_rows(const World& world, StepReport& report, const StepTime& time) {
   Contacts& c = *world.contacts;
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;  // of the last step
-  fill_all_rows(world, report, start_scale(world, time.h));
+  fill_all_rows(world, report, start_scale(world, time.h), time.dt);
   report.contact_points = c.rows.size();
   list_contact_pairs(world);
 }

@@ -114,7 +114,7 @@ class Group {
         bodies_(between(world.mean_motion->bodies, &MeanMotion::Group::body, group)),
         points_(between(world.mean_motion->points, &MeanMotion::Group::point, group)) {}
 
-  /// @param dt  s, of the step: separations are those of its beginning
+  /// @param dt  s, of the step
   void find_motion(Real dt) {
     Stacked c(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -161,6 +161,13 @@ class Group {
     return finite(all2) ? std::sqrt(most2) : all2;
   }
 
+  /// m, as bodies stand: what geometry and rotation matrices say may be of the step's beginning, or of now if other bodies asked.
+  Real separation_now(const Row& row, const RowGeometry& g) const {
+    const State& s = world_.state;
+    const Vec3 apart = (s.x[row.b] - s.x[row.a]) + (s.q[row.b] * g.l_b - s.q[row.a] * g.l_a);
+    return apart.dot(row.n) - (g.radius_a + g.radius_b);
+  }
+
   /// Take out what would move a point that is shut, or drag one that sticks.
   /// @param most  m/s, that a body's velocity changed by
   /// @return      whether what contacts bear depends so little on where bodies are that they may go by a mean
@@ -177,7 +184,7 @@ class Group {
       const Vec3 gained = -2 * (velocity(asked, p.b, r.b) - velocity(asked, p.a, r.a));
       const Real after = u.dot(row.n), opened = gained.dot(row.n);
       const Real closing = std::max(-std::min(after, after - opened), Real(0));
-      if (world_.contacts->geometry[p.row].separation > dt * (closing + most)) continue;  // it stays open
+      if (separation_now(row, world_.contacts->geometry[p.row]) > dt * (closing + most)) continue;  // it stays open
       if (group_.is_first && std::fabs(opened) > kCurves * most) return group_.is_curved = true, false;
       const auto hold_along = [&](const Vec3& d) {
         Stacked j(c.bodies);

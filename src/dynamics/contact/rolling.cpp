@@ -18,7 +18,7 @@ int axis_of_revolution(const Shape& shape) {
 
 }  // namespace
 
-Real rolling_radius(const Shape& shape, const Vec3& point, const Vec3& n, const Vec3& omega) {
+Real rolling_radius(const Shape& shape, const Vec3& point, const Vec3& n, const Vec3& turn) {
   const int axis = axis_of_revolution(shape);
   if (axis == 3) return 0;
   Vec3 from_axis = point, lean = n, e = Vec3::zero();
@@ -28,9 +28,10 @@ Real rolling_radius(const Shape& shape, const Vec3& point, const Vec3& n, const 
   constexpr Real kAligned = 0.01;
   if (!(sine > kLeastLean) || !(from_axis.dot(lean) > 0)) return 0;
   if (!(from_axis.cross(lean).norm() < kAligned * off * sine)) return 0;
+  if (turn.cross(e).squared_norm() > kMostSway * kMostSway) return 0;
   // About that level line a rim's point turns with its body; about the other the body rolls.
   const Vec3 level = e.cross(lean);
-  return std::fabs(omega.dot(level)) <= std::fabs(omega.dot(n.cross(level))) ? off / sine : 0;
+  return std::fabs(turn.dot(level)) <= std::fabs(turn.dot(n.cross(level))) ? off / sine : 0;
 }
 
 }  // namespace carom::dynamics

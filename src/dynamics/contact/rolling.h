@@ -19,12 +19,17 @@ inline constexpr Constant<Real> kLeastLean{
     "rolls on has its radius over that",
     "larger: coins that spin to rest lose their contact within a step; smaller: what stands up is moved aside as it tips"};
 
-inline constexpr ConstantRow kRollingConstants[] = {kLeastLean};
+inline constexpr Constant<Real> kMostSway{
+    "rolling_most_sway", 0.25, "rad",
+    "by which the axis of a body that rolls may turn in a step: the place on it about which a point goes round swings as far",
+    "larger: thin discs that tumble are thrown; smaller: coins that spin fast lose their contact within a step"};
+
+inline constexpr ConstantRow kRollingConstants[] = {kLeastLean, kMostSway};
 
 /// m: radius of the ball on whose surface a point of a shape goes round, by the axis of the shape. 0 where there is none,
 /// or the body tips faster than it rolls.
-/// @param point  shape frame, on its surface   @param n  shape frame, unit, outwards   @param omega  rad/s, shape frame, of
-///               the body against the one that it touches
-Real rolling_radius(const collision::Shape& shape, const Vec3& point, const Vec3& n, const Vec3& omega);
+/// @param point  shape frame, on its surface   @param n  shape frame, unit, outwards
+/// @param turn   rad, shape frame, of the body against the one that it touches, in a step
+Real rolling_radius(const collision::Shape& shape, const Vec3& point, const Vec3& n, const Vec3& turn);
 
 }  // namespace carom::dynamics

@@ -121,7 +121,7 @@ void look_at_joints(const World& world, std::size_t group, GroupView& view) {
 }
 
 struct GroupMotion {
-  bool is_under_impact = false, still = true, rolls = false;
+  bool is_under_impact = false, still = true, rolls = false, turns_far = false;
 };
 
 /// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
@@ -159,14 +159,20 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
       motion.is_under_impact |= points.closing[k] * points.closing[k] > kImpactShare * fall;
       motion.still &= points.speed2[k] < kLiesStill * fall;
     }
+    // What rolls may spin about its axis as fast as it likes, if it is no needle: an impact would turn that too far.
+    const auto turns_far = [&](bool rolls, std::uint32_t body) {
+      const Real dt = world.plan->substeps * h;
+      const Vec3& moment = world.plan->principal[body].moment;
+      return rolls && moment.max_entry() < kRollingUnlike * moment.min_entry() ? turns_too_far(world, body, dt * world.state.omega[body]) : turns_far_for_its_shape(world, body, dt);
+    };
     const auto bears = [&](bool moves, std::uint32_t body) {
-      if (moves && turns_by_method(*world.plan, body) && turns_far_for_its_shape(world, body, world.plan->substeps * h))
-        motion.is_under_impact = true, motion.still = false;
+      if (moves && turns_by_method(*world.plan, body) && turns_far(row.rolls, body)) motion.turns_far = true;
       if (moves) seen.mark(c.load[body], body, most > deep ? Contacts::kHeavy : Contacts::kLight);
     };
     bears(row.moves_a, row.a), bears(row.moves_b, row.b);
     view.sink = std::max(view.sink, most);
   });
+  if (motion.turns_far) motion.is_under_impact = true, motion.still = false;
   return motion;
 }
 
@@ -200,7 +206,7 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFewStill;
   const bool few = joined && view.bodies <= kFewJoined;
   if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
-  const bool rolls = motion.rolls && view.bodies <= kFewRolling;
+  const bool rolls = motion.rolls && !motion.turns_far && view.bodies <= kFewRolling;
   if (!unlike && !memory.bears && !still && !rolls) return GroupReason::ordinary;
   if (memory.cools_down && (!unlike || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;

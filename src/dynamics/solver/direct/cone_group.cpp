@@ -124,7 +124,10 @@ bool ConeGroup::repeat(Velocities& to, Real tolerance) {
 /// Contacts go with the bodies within a step. But not where a shape is curved: points that turned with it would stay
 /// behind the place where it touches as it rolls, and drive it on.
 void ConeGroup::follow_bodies() {
-  for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b);
+  for (ConeBody& b : bodies_of(problem_)) {
+    if (b.turns) world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();  // others may have asked for it since, or not
+    load_mass(world_, b);
+  }
   load_contacts(world_, {row_, problem_.contacts.size()}, problem_.bodies, problem_.contacts.data(),
                 LoadWhat::not_curved);
 }
@@ -172,7 +175,10 @@ Real ConeGroup::start(Real h) {
   const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
   each([&](ConeContact& contact, std::uint32_t i) {
     const Row& row = c_.rows[i];
-    const Real separation = c_.geometry[i].separation;
+    // Of what is round as it stands: what is noted was measured before it was displaced, or after if others asked.
+    const RowGeometry& g = c_.geometry[i];
+    const bool is_round = g.radius_a + g.radius_b > 0;
+    const Real separation = is_round ? separation_of(world_, row, g) : g.separation;
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
     contact.friction = row.friction;
     contact.want = std::min(Real(0), closes_anyway - separation / h);
