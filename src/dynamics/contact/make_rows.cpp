@@ -107,13 +107,16 @@ Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, s
     return rolling_radius(shape, point(manifold.point[k]), sign * (from_world * manifold.point[k].normal),
                           from_world * turn);
   };
+  const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
+  if (!std::all_of(manifold.point, manifold.point + manifold.count, is_first)) return {};
   if (manifold.count > 2) {
-    int deepest = 0;
-    for (int k = 1; k < manifold.count; ++k)
-      if (manifold.point[k].separation < manifold.point[deepest].separation) deepest = k;
-    const Real radius = radius_at(deepest);
-    if (!(radius > 0)) return {};
-    return {radius, deepest};
+    const auto nearer = [](const ContactPoint& p, const ContactPoint& q) { return p.separation < q.separation; };
+    const ContactPoint* const deepest = std::min_element(manifold.point, manifold.point + manifold.count, nearer);
+    const auto is_in_the_air = [&](const ContactPoint& p) { return &p == deepest || p.separation > 0; };
+    if (!std::all_of(manifold.point, manifold.point + manifold.count, is_in_the_air)) return {};
+    const int at = static_cast<int>(deepest - manifold.point);
+    const Real radius = radius_at(at);
+    return radius > 0 ? Round{radius, at} : Round{};
   }
   // Along the line that a cylinder lies on it is the same; a cone's is not, and rows of a pair share one.
   constexpr Real kAlike = 0.01;

@@ -6,13 +6,14 @@ namespace {
 using collision::Form;
 using collision::Shape;
 
-/// Which of its axes a shape may turn about without being changed by it. @return 3: none, or any
+/// Which of its axes a shape may turn about without being changed by it. @return 3: none, or any, or it is slender
 int axis_of_revolution(const Shape& shape) {
-  if (shape.form == Form::cylinder || shape.form == Form::cone) return 1;
+  if (shape.form == Form::cylinder || shape.form == Form::cone)
+    return shape.half_height <= kMostSlender * shape.radius ? 1 : 3;
   if (shape.form != Form::ellipsoid) return 3;
   const Vec3& r = shape.half;
   for (int k = 0; k < 3; ++k)
-    if (r[(k + 1) % 3] == r[(k + 2) % 3] && r[k] != r[(k + 1) % 3]) return k;
+    if (r[(k + 1) % 3] == r[(k + 2) % 3] && r[k] != r[(k + 1) % 3]) return r[k] <= kMostSlender * r[(k + 1) % 3] ? k : 3;
   return 3;
 }
 

@@ -24,7 +24,13 @@ inline constexpr Constant<Real> kMostSway{
     "by which the axis of a body that rolls may turn in a step: the place on it about which a point goes round swings as far",
     "larger: thin discs that tumble are thrown; smaller: coins that spin fast lose their contact within a step"};
 
-inline constexpr ConstantRow kRollingConstants[] = {kLeastLean, kMostSway};
+inline constexpr Constant<Real> kMostSlender{
+    "rolling_most_slender", 5, "1",
+    "half height of a body that rolls over its radius: what is more slender is turned by each impact too far for masses that "
+    "solvers keep in a substep, and its points stay on it",
+    "larger: rods that bounce are thrown; smaller: short rods lose their way as they roll"};
+
+inline constexpr ConstantRow kRollingConstants[] = {kLeastLean, kMostSway, kMostSlender};
 
 /// m: radius of the ball on whose surface a point of a shape goes round, by the axis of the shape. 0 where there is none,
 /// or the body tips faster than it rolls.

@@ -43,11 +43,6 @@ inline constexpr Constant<std::uint32_t> kFewRolling{
     "of a group in which something rolls as on a ball (rolling_least_lean): its way is of second order by the direct solver, "
     "and few bodies cost no more there",
     "more: heaps of barrels pay for a solution in each substep; fewer: wheels and coins lose their way among others"};
-inline constexpr Constant<Real> kRollingUnlike{
-    "direct_rolling_unlike", 20, "1",
-    "of a rolling body's moments of inertia, the largest over the least: what is more slender, 1:6 and beyond, is turned by each "
-    "impact too far for the masses that the direct solver keeps in a substep",
-    "larger: needles that bounce gain energy; smaller: short rods lose their way as they roll"};
 inline constexpr Constant<std::uint32_t> kFewJoined{
     "direct_few_joined", 32, "bodies",
     "of a group with joints: it is solved at once, whatever it touches",
@@ -71,6 +66,6 @@ inline constexpr Constant<std::uint8_t> kCooldown{
     "to rest sags for as long"};
 
 inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kImpactShare,     kLiesStill,
-                                                 kFewStill,         kFewRolling,       kRollingUnlike, kFewJoined,  kBorneFor,   kBearsFor, kCooldown};
+                                                 kFewStill,         kFewRolling,       kFewJoined,  kBorneFor,   kBearsFor, kCooldown};
 
 }  // namespace carom::dynamics
