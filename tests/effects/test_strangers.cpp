@@ -70,7 +70,7 @@ void add_strangers_on_the_ground(TestWorld& t) {
   t.add(t.keep(sphere(0.5)), place(3, 2), BodyType::dynamic, Quat::identity(), bounces);
 }
 
-/// Each by itself: a rod that slides and turns, one that rolls, a capsule that slides, a box that slides and spins, a plate that falls flat.
+/// Each by itself: a rod that slides and turns, one that rolls, a box that slides and spins, a plate that falls flat.
 void add_sliders(TestWorld& t) {
   const std::uint32_t m = t.material(0.4, 0);
   t.ground(m);
@@ -80,7 +80,6 @@ void add_sliders(TestWorld& t) {
   };
   add(0, cylinder(0.2, 0.6), 0.2, lying, Vec3(2, 0, 1), Vec3(0.1, 3, 0));
   add(1, cylinder(0.3, 0.4), 0.3, lying, Vec3(0, 0, 3), Vec3(10, 0.4, 0));
-  add(4, capsule(0.2, 0.6), 0.2, lying, Vec3(2, 0, 1), Vec3(0.1, 3, 0));
   add(2, box(Vec3(0.5, 0.1, 0.3)), 0.1, Quat::identity(), Vec3(3, 0, 0.2), Vec3(0, 6, 0));
   add(3, box(Vec3(0.4, 0.02, 0.4)), 0.5, normalized(Quat(1, 0.1, 0, 0.05)), Vec3(1, 0, 0), Vec3(0, 2, 0));
 }

@@ -74,7 +74,6 @@ static void a_heap_obeys_the_law_in_every_step(void**) {
       assert_true((gained - given[bodies[i]]).norm() < 1e-9 * (1 + given[bodies[i]].norm()));
     }
   }
-  print_message("%d capped\n", static_cast<int>(capped));
   assert_true(capped < 15);  // of 240: steps with impacts of many bodies that took all the steps allowed, and said so
   assert_true(slides > 50 && sticks > 1000 && opens > 50);  // all cases of the law were met
 }

@@ -175,11 +175,10 @@ Real ConeGroup::start(Real h) {
   const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
   each([&](ConeContact& contact, std::uint32_t i) {
     const Row& row = c_.rows[i];
-    // Of what is round as it stands: what is noted was measured before it was displaced, or after if others asked. What
-    // bounces has its leeway noted there.
+    // Of what rolls as it stands: what is noted was measured before it was displaced, or after if others asked. What bounces
+    // has its leeway noted there.
     const RowGeometry& g = c_.geometry[i];
-    const bool is_round = g.radius_a + g.radius_b > 0 && row.restitution == 0;
-    const Real separation = is_round ? separation_of(world_, row, g) : g.separation;
+    const Real separation = row.rolls && row.restitution == 0 ? separation_of(world_, row, g) : g.separation;
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
     contact.friction = row.friction;
     contact.want = std::min(Real(0), closes_anyway - separation / h);
