@@ -236,6 +236,7 @@ struct Contacts {
   Array<std::uint32_t> bodies;    // slots that have rows or joints and are moved by them, ascending
   Array<std::uint8_t> is_bound;   // by slot: it is one of them
   Array<std::uint32_t> bouncing;  // rows with a restitution, ascending
+  bool any_rolls = false;         // Row::rolls
   Array<Impact> impacts;          // of each of them
   Array<ImpactSpin> spins;        // of bodies that bounce and turn far for their shape: scratch
   Participants one_spin;             // scratch, for rotation methods

@@ -100,6 +100,7 @@ template <class PointOf>
 Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other, const Manifold& manifold,
                Real dt, Real sign, const PointOf& point) {
   const Shape& shape = *world.scene.colliders.shape[collider];
+  if (!may_roll(shape)) return {shape.core_radius};
   const Vec3 turn = dt * (world.state.omega[body] - world.state.omega[other]);
   if (shape.core_radius > 0 || turn == Vec3::zero()) return {shape.core_radius};
   const Mat3 from_world = (world.plan->rotation[body] * world.plan->local[collider].r).transpose();
@@ -226,20 +227,22 @@ void list_contact_pairs(const World& world) {
   Contacts& c = *world.contacts;
   c.bouncing.clear(), c.impacts.clear();
   std::atomic<std::uint64_t> with_friction{0};
-  std::atomic<bool> any_bounces{false};
+  std::atomic<bool> any_bounces{false}, any_rolls{false};
   in_parts(world.jobs, c.contact_pairs.size(), kRowsAPart, [&](std::uint32_t begin, std::uint32_t end) {
     std::uint64_t of_part = 0;
-    bool bounces = false;
+    bool bounces = false, rolls = false;
     for (std::uint32_t i = begin; i < end; ++i) {
       ContactPair& m = c.contact_pairs[i];
       const Row& row = c.rows[m.row];
       m.a = row.a, m.b = row.b, m.moves_a = row.moves_a, m.moves_b = row.moves_b, m.one_normal = row.one_normal;
       if (row.friction > 0) of_part += m.count;
-      bounces |= row.restitution > 0;
+      bounces |= row.restitution > 0, rolls |= row.rolls;
     }
     with_friction.fetch_add(of_part, std::memory_order_relaxed);
     if (bounces) any_bounces.store(true, std::memory_order_relaxed);
+    if (rolls) any_rolls.store(true, std::memory_order_relaxed);
   });
+  c.any_rolls = any_rolls.load(std::memory_order_relaxed);
   if (any_bounces.load(std::memory_order_relaxed))
     for (const ContactPair& m : c.contact_pairs)
       for (std::uint32_t k = m.row; c.rows[m.row].restitution > 0 && k < m.row + m.count; ++k) {

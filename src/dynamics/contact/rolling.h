@@ -32,6 +32,12 @@ inline constexpr Constant<Real> kMostSlender{
 
 inline constexpr ConstantRow kRollingConstants[] = {kLeastLean, kMostSway, kMostSlender};
 
+/// Whether a shape has an axis of revolution that rolling_radius() knows.
+inline bool may_roll(const collision::Shape& shape) {
+  using collision::Form;
+  return shape.form == Form::cylinder || shape.form == Form::cone || shape.form == Form::ellipsoid;
+}
+
 /// m: radius of the ball on whose surface a point of a shape goes round, by the axis of the shape. 0 where there is none,
 /// or the body tips faster than it rolls.
 /// @param point  shape frame, on its surface   @param n  shape frame, unit, outwards

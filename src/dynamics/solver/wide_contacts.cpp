@@ -185,10 +185,6 @@ void pack(const World& world, SolverMemory& memory, WideContacts& wide, Real h) 
   place_pairs(world, wide);
   hold_orientations(world, memory, wide);
   find_far_turners(world, wide);
-  wide.any_round = std::ranges::any_of(wide.manifolds, [&](const WideContacts::Manifold& m) {
-    const RowGeometry& g = world.contacts->geometry[m.row];
-    return world.contacts->rows[m.row].rolls || g.radius_a + g.radius_b > 0;
-  });
   wide.is_float = !wide.manifolds.empty() && bears_floats(world, wide, h);
   if (wide.is_float) {
     if (!wide.in_float) wide.in_float = make_owned<ContactLanes<float>>(world.memory, world.memory);
@@ -240,8 +236,8 @@ void load_shifts(const World& world, WideContacts& wide) {
 void heed_impacts(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const bool any = std::ranges::any_of(c.impacts, &Impact::concerns_solver);
-  // What is round is measured to other digits than it was led on by: always, so that nobody's bounce is felt elsewhere.
-  if (any || wide.any_round) measure_lanes(world);
+  // What rolls is measured to other digits than it was led on by: always, so that nobody's bounce is felt elsewhere.
+  if (any || c.any_rolls) measure_lanes(world);
   if (!any) return;
   for (const Impact& at : c.impacts) {
     if (!at.concerns_solver() || !c.solved_in_lanes(at.row)) continue;

@@ -92,7 +92,6 @@ struct WideContacts {
   Owned<ContactLanes<float>> in_float;  // null until a step wants it
   bool is_float = false;                // which of these has the rows of this step: @see float_range.h
   bool far_turners = false;             // there are any: far_turn below
-  bool any_round = false;               // shapes that are round about something: where their points are is measured in each substep
 
   // by solver body; 0 is nobody, then those that move of themselves, then those that impulses move
   std::uint32_t first_moved = 1;
