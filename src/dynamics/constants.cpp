@@ -34,9 +34,9 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 }
 
 constexpr auto kConstantTable =
-    in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kPatchFrictionConstants, kSweepConstants, kFarTurnConstants,
-                 kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants,
-                 kRattleConstants, kAccuracyConstants, kFloatConstants, kGiveBackConstants);
+    in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kPatchFrictionConstants, kSweepConstants,
+                 kFarTurnConstants, kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants,
+                 kEnergyBoundConstants, kRattleConstants, kAccuracyConstants, kFloatConstants, kGiveBackConstants);
 
 }  // namespace
 

@@ -288,7 +288,7 @@ static void a_flat_double_pendulum_does_not_feel_its_locks(void**) {
       for (std::size_t locked = 0; locked < 2; ++locked) {
         TestWorld t(Vec3(0, -kG, 0));
         exact(t, solver);
-        leave_joints_to_solver(t);  // as those with locks are
+        leave_joints_to_solver(t);                                        // as those with locks are
         const Quat along_z = exp_map(Vec3(0, -std::numbers::pi / 2, 0));  // joints turn about their x axes
         const std::uint32_t one = add_body(t, Vec3(0.5, 0, 0), 1, Vec3(0.01, 0.1, 0.1)),
                             two = add_body(t, Vec3(1.5, 0, 0), 1, Vec3(0.01, 0.1, 0.1));

@@ -1,5 +1,5 @@
-// What rolls: cylinders, spheroids and coins against closed forms, on planes and on boxes, by every solver that may be chosen
-// for them. @see src/dynamics/contact/rolling.h
+// What rolls: cylinders, spheroids and coins against closed forms, on planes and on boxes, by every solver that may be
+// chosen for them. @see src/dynamics/contact/rolling.h
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,7 +25,8 @@ struct Roller {
 Roller cylinder_of(Real r, Real half) { return {cylinder(r, half), r, 0.5}; }
 Roller spheroid_of(Real r, Real half) { return {ellipsoid(Vec3(r, half, r)), r, 0.4}; }
 
-/// Share of its way by which it is off at worst, in two seconds down a slope from rest: g sin(a) t^2 / 2 / (1 + moment).
+/// Share of its way by which it is off at worst, in two seconds down a slope from rest: g sin(a) t^2 / 2 / (1 +
+/// moment).
 Real off_its_way(const Roller& of, Real slope, Real hz, int solver, bool on_box) {
   TestWorld t(Vec3(kG * std::sin(slope), -kG * std::cos(slope), 0));
   t.world.set_dial(Dial::solver, solver);
@@ -49,8 +50,8 @@ Real off_its_way(const Roller& of, Real slope, Real hz, int solver, bool on_box)
 
 }  // namespace
 
-/// The point under the axis stays there whatever the body turns by: what is left is what solvers leave. Soft contacts let
-/// bodies sink as they begin, which auto does not ask of so few.
+/// The point under the axis stays there whatever the body turns by: what is left is what solvers leave. Soft contacts
+/// let bodies sink as they begin, which auto does not ask of so few.
 static void cylinders_go_down_slopes_as_they_must(void**) {
   for (const Real slope : {0.2, 0.35})
     for (const bool on_box : {false, true}) {
@@ -64,10 +65,12 @@ static void cylinders_go_down_slopes_as_they_must(void**) {
 // Other sizes, slopes, steps and shapes than it was made on.
 static void so_do_others(void**) {
   for (const int solver : {kAutoSolver, kDirectSolver})
-    for (const Roller& of : {cylinder_of(0.05, 0.2), cylinder_of(1.1, 0.07), cylinder_of(0.02, 0.02), spheroid_of(0.2, 0.5), spheroid_of(0.1, 0.13)})
+    for (const Roller& of : {cylinder_of(0.05, 0.2), cylinder_of(1.1, 0.07), cylinder_of(0.02, 0.02),
+                             spheroid_of(0.2, 0.5), spheroid_of(0.1, 0.13)})
       for (const auto& [slope, hz] : {std::pair<Real, Real>(0.12, 50), {0.5, 90}}) {
         const Real plane = off_its_way(of, slope, hz, solver, false), on_box = off_its_way(of, slope, hz, solver, true);
-        print_message("radius %g, slope %g, solver %d: %.1e, %.1e on a box\n", double(of.radius), double(slope), solver, double(plane), double(on_box));
+        print_message("radius %g, slope %g, solver %d: %.1e, %.1e on a box\n", double(of.radius), double(slope), solver,
+                      double(plane), double(on_box));
         assert_true(plane < 1e-4 && on_box < 1e-4);
       }
 }
@@ -81,7 +84,7 @@ static void a_point_goes_round_where_its_axis_stays(void**) {
     assert_true(std::fabs(radius - 0.3 / std::sin(lean)) < 1e-15);
     const Vec3 middle = rim - radius * n;  // on the axis
     assert_true(std::fabs(middle.x()) < 1e-15 && middle.z() == 0);
-    assert_true(rolling_radius(wheel, rim, n, level) == 0);              // it tips
+    assert_true(rolling_radius(wheel, rim, n, level) == 0);  // it tips
     assert_true(rolling_radius(wheel, rim, n, Vec3(0, 0.1, 0) + 0.01 * level) > 0);
     assert_true(rolling_radius(wheel, rim, -1 * n, Vec3(0, 0.1, 0)) == 0);  // no normal of that point
     assert_true(rolling_radius(wheel, Vec3(0, 0.05, 0.3), n, Vec3(0, 0.1, 0)) == 0);
@@ -112,15 +115,16 @@ Vec3 axis_of_coin(Real lean, Real radius, Real hz, int solver) {
 
 }  // namespace
 
-/// Beside steps of a sixteenth. A point that stayed on the body would lie 0.13 m from where the coin touches after one step
-/// of 1/60 s: the coin lost half of its energy within a twentieth of the time that it has. What is left is of first order in
-/// the step, as contacts are found once in it.
+/// Beside steps of a sixteenth. A point that stayed on the body would lie 0.13 m from where the coin touches after one
+/// step of 1/60 s: the coin lost half of its energy within a twentieth of the time that it has. What is left is of
+/// first order in the step, as contacts are found once in it.
 static void a_coin_goes_round(void**) {
   for (const auto& [lean, radius] : {std::pair<Real, Real>(0.4, 0.5), {0.6, 0.2}, {0.5, 1}}) {
     const Vec3 end = axis_of_coin(lean, radius, 1920, kAutoSolver);
     const Real coarse = (axis_of_coin(lean, radius, 120, kAutoSolver) - end).norm(),
                fine = (axis_of_coin(lean, radius, 240, kAutoSolver) - end).norm();
-    print_message("lean %g, radius %g: %.1e, with half the step %.1e\n", double(lean), double(radius), double(coarse), double(fine));
+    print_message("lean %g, radius %g: %.1e, with half the step %.1e\n", double(lean), double(radius), double(coarse),
+                  double(fine));
     assert_true(coarse < 0.01 && fine < coarse / 1.8);
   }
 }

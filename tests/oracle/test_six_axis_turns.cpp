@@ -147,7 +147,8 @@ static void axes_are_the_other_kinds(void**) {
       }
 }
 
-/// What is locked may be moved by the host before each step: far, or by so little that RATTLE shuts it. A limit of no width with soft stops is a spring: it gives m g / k.
+/// What is locked may be moved by the host before each step: far, or by so little that RATTLE shuts it. A limit of no
+/// width with soft stops is a spring: it gives m g / k.
 static void locks_follow_and_give(void**) {
   for (const int solver : kEverySolver) {
     TestWorld t;

@@ -91,14 +91,15 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
 
 /// What a body of a pair is round by in a step.
 struct Round {
-  Real radius = 0;     // m, of its core, or of the ball it rolls on
-  int at_alone = -1;   // of more points, that which it rolls on: the others are in the air, and stay there
+  Real radius = 0;    // m, of its core, or of the ball it rolls on
+  int at_alone = -1;  // of more points, that which it rolls on: the others are in the air, and stay there
 };
 
-/// @param dt  s, a step   @param sign  of the normal, outwards   @param point  of a point, on the body, in its shape's frame
+/// @param dt  s, a step   @param sign  of the normal, outwards   @param point  of a point, on the body, in its shape's
+/// frame
 template <class PointOf>
-Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other, const Manifold& manifold,
-               Real dt, Real sign, const PointOf& point) {
+Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other,
+               const Manifold& manifold, Real dt, Real sign, const PointOf& point) {
   const Shape& shape = *world.scene.colliders.shape[collider];
   if (!may_roll(shape)) return {shape.core_radius};
   const Vec3 turn = dt * (world.state.omega[body] - world.state.omega[other]);
@@ -146,10 +147,11 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
   if (scale > 0 && last > cursor)
     match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
-  const Round round_a = round_by(world, ca, m.a, m.b, manifold, dt, 1, [](const ContactPoint& p) { return p.on_a; }),
-              round_b = round_by(world, cb, m.b, m.a, manifold, dt, -1, [](const ContactPoint& p) { return p.on_b; });
+  const Round round_a = round_by(world, ca, m.a, m.b, manifold, dt, 1, [](const ContactPoint&p) { return p.on_a; }),
+              round_b = round_by(world, cb, m.b, m.a, manifold, dt, -1, [](const ContactPoint&p) { return p.on_b; });
   const Real radius_a = round_a.radius, radius_b = round_b.radius;
-  const bool rolls = radius_a != scene.colliders.shape[ca]->core_radius || radius_b != scene.colliders.shape[cb]->core_radius;
+  const bool rolls =
+      radius_a != scene.colliders.shape[ca]->core_radius || radius_b != scene.colliders.shape[cb]->core_radius;
   const int at_alone = std::max(round_a.at_alone, round_b.at_alone);
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
   const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);

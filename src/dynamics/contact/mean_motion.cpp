@@ -161,7 +161,8 @@ class Group {
     return finite(all2) ? std::sqrt(most2) : all2;
   }
 
-  /// m, as bodies stand: what geometry and rotation matrices say may be of the step's beginning, or of now if other bodies asked.
+  /// m, as bodies stand: what geometry and rotation matrices say may be of the step's beginning, or of now if other
+  /// bodies asked.
   Real separation_now(const Row& row, const RowGeometry& g) const {
     const State& s = world_.state;
     const Vec3 apart = (s.x[row.b] - s.x[row.a]) + (s.q[row.b] * g.l_b - s.q[row.a] * g.l_a);

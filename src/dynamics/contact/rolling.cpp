@@ -13,7 +13,8 @@ int axis_of_revolution(const Shape& shape) {
   if (shape.form != Form::ellipsoid) return 3;
   const Vec3& r = shape.half;
   for (int k = 0; k < 3; ++k)
-    if (r[(k + 1) % 3] == r[(k + 2) % 3] && r[k] != r[(k + 1) % 3]) return r[k] <= kMostSlender * r[(k + 1) % 3] ? k : 3;
+    if (r[(k + 1) % 3] == r[(k + 2) % 3] && r[k] != r[(k + 1) % 3])
+      return r[k] <= kMostSlender * r[(k + 1) % 3] ? k : 3;
   return 3;
 }
 

@@ -162,7 +162,8 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
     // What rolls may spin about its axis as fast as it likes.
     const auto turns_far = [&](bool rolls, std::uint32_t body) {
       const Real dt = world.plan->substeps * h;
-      return rolls ? turns_too_far(world, body, dt * world.state.omega[body]) : turns_far_for_its_shape(world, body, dt);
+      return rolls ? turns_too_far(world, body, dt * world.state.omega[body])
+                   : turns_far_for_its_shape(world, body, dt);
     };
     const auto bears = [&](bool moves, std::uint32_t body) {
       if (moves && turns_by_method(*world.plan, body) && turns_far(row.rolls, body)) motion.turns_far = true;

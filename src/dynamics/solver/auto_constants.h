@@ -40,7 +40,8 @@ inline constexpr Constant<std::uint32_t> kFewStill{
     "more: rooms full of small stacks pay for a solution that they don't need; fewer: two boxes on each other sag"};
 inline constexpr Constant<std::uint32_t> kFewRolling{
     "direct_few_rolling", 4, "bodies",
-    "of a group in which something rolls as on a ball (rolling_least_lean): its way is of second order by the direct solver, "
+    "of a group in which something rolls as on a ball (rolling_least_lean): its way is of second order by the direct "
+    "solver, "
     "and few bodies cost no more there",
     "more: heaps of barrels pay for a solution in each substep; fewer: wheels and coins lose their way among others"};
 inline constexpr Constant<std::uint32_t> kFewJoined{
@@ -65,7 +66,8 @@ inline constexpr Constant<std::uint8_t> kCooldown{
     "fewer: what can't be solved in time is tried again and again, at the full price each time; more: a heap that came "
     "to rest sags for as long"};
 
-inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kImpactShare,     kLiesStill,
-                                                 kFewStill,         kFewRolling,       kFewJoined,  kBorneFor,   kBearsFor, kCooldown};
+inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kImpactShare,
+                                                 kLiesStill,        kFewStill,   kFewRolling, kFewJoined,
+                                                 kBorneFor,         kBearsFor,   kCooldown};
 
 }  // namespace carom::dynamics

@@ -17,7 +17,7 @@ inline constexpr Real kDirectShare = 0.01;
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
   bool is_first = true;       // substep
-  std::uint32_t substeps = 0; // that were answered in this step
+  std::uint32_t substeps = 0;   // that were answered in this step
   bool is_to_be_still = false;  // a few bodies that lie still, which is to stay so
   bool is_too_large = false;  // to be factored
   bool asks = false;          // for an answer, in this substep

@@ -102,7 +102,8 @@ class Mover {
     const Real kicked = energy();
     settle(&h);
     island_.gain += energy() - kicked;
-    if (island_.gain > kRattleGain * (island_.energy + kicked) && std::ranges::none_of(bodies(), &RattleBody::travels)) {
+    if (island_.gain > kRattleGain * (island_.energy + kicked) &&
+        std::ranges::none_of(bodies(), &RattleBody::travels)) {
       ++island_.halvings;
       return false;
     }
@@ -146,7 +147,8 @@ class Mover {
     for (const RattleBody& b : movers()) swing = std::max(swing, b.swing);
     Real turn = h * h * swing;
     if (turn <= most * most) return true;
-    for (; turn > kRattleSwing * kRattleSwing && island_.halvings <= island_.most_halvings; turn /= 4) ++island_.halvings;
+    for (; turn > kRattleSwing * kRattleSwing && island_.halvings <= island_.most_halvings; turn /= 4)
+      ++island_.halvings;
     return false;
   }
 

@@ -28,12 +28,14 @@ inline constexpr Constant<int> kRattleRounds{
     "larger: steps too long are carried through; smaller: long chains are left to the solver"};
 inline constexpr Constant<std::uint64_t> kRattleWork{
     "rattle_work", 100, "block products a joint",
-    "that a factorisation may take before an island is left to the solver, where order 4 or 6 or an accuracy is asked for: "
+    "that a factorisation may take before an island is left to the solver, where order 4 or 6 or an accuracy is asked "
+    "for: "
     "chains and trees take 3",
     "larger: a net of 30 by 30 takes seconds in a step; smaller: loops that are small are left to the solver, too"};
 inline constexpr Constant<std::uint64_t> kRattleWorkOfFew{
     "rattle_work_of_few", 20000, "block products",
-    "that a factorisation may take in any case, where order 4 or 6 or an accuracy is asked for: a star of 30 joints on one "
+    "that a factorisation may take in any case, where order 4 or 6 or an accuracy is asked for: a star of 30 joints on "
+    "one "
     "body takes 5,000",
     "larger: stars of hundreds of joints take milliseconds; smaller: they are left to the solver"};
 inline constexpr Constant<std::uint64_t> kRattleWorkAtOrder2{
@@ -50,20 +52,29 @@ inline constexpr Constant<Real> kRattleSwing{
     "larger: long chains gain energy; smaller: they take more stages than they need"};
 inline constexpr Constant<Real> kRattleGain{
     "rattle_gain", 0.003, "1",
-    "share of an island's kinetic energy that impulses of its joints may add to it in a step before it takes twice as many: "
+    "share of an island's kinetic energy that impulses of its joints may add to it in a step before it takes twice as "
+    "many: "
     "joints do no work, but turns of half a radian a stage err by as much, and so do false roots of Newton's method",
     "larger: what spins fast gains energy; smaller: it takes more stages than it need"};
 inline constexpr Constant<int> kRattleHalvings{
     "rattle_halvings", 4, "1", "of a substep that an island may take in any case before it is left to the solver",
     "larger: chains of thousands of links take 100 ms a step; smaller: they gape"};
 inline constexpr Constant<std::uint64_t> kRattleParts{
-    "rattle_parts", 10000, "1", "joints times parts of a step up to which an island may take further halvings: some 6 ms",
+    "rattle_parts", 10000, "1",
+    "joints times parts of a step up to which an island may take further halvings: some 6 ms",
     "larger: a step in which a whip cracks stalls; smaller: the solver takes it over, and takes its energy"};
 inline constexpr int kMostHalvings = 10;
-inline constexpr ConstantRow kRattleConstants[] = {
-    kRattleGap,       kRattleRest,         kRattleRounds,            kRattleWork,
-    kRattleWorkOfFew, kRattleWorkAtOrder2, kRattleWorkOfFewAtOrder2, kRattleSwing,
-    kRattleGain,      kRattleHalvings,     kRattleParts};
+inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,
+                                                   kRattleRest,
+                                                   kRattleRounds,
+                                                   kRattleWork,
+                                                   kRattleWorkOfFew,
+                                                   kRattleWorkAtOrder2,
+                                                   kRattleWorkOfFewAtOrder2,
+                                                   kRattleSwing,
+                                                   kRattleGain,
+                                                   kRattleHalvings,
+                                                   kRattleParts};
 
 /// Two joints on one body: a block of the matrix beside its diagonal.
 struct RattlePair {
@@ -186,7 +197,8 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
 namespace rattle {
 /// Whether a world has joints and is to move them so: until then it has no Rattle.
 bool is_asked(const World& world);
-/// Islands, bodies, joints and orders of elimination, where the scene, who is awake or the order of the error has changed.
+/// Islands, bodies, joints and orders of elimination, where the scene, who is awake or the order of the error has
+/// changed.
 void make_islands(const World& world, Rattle& r, int order);
 /// Which of them something meets, or what they bear can't be told by forces.
 void find_met(const World& world, Rattle& r, const StepTime& time);

@@ -133,8 +133,7 @@ void try_rattle(const World& world, const StepTime& time) {
   if (world.accuracy)
     tries = 2, rattle::try_accurately(world, r, time.dt, order);
   else
-    for (int halvings = 0; halvings <= kMostHalvings; ++halvings)
-      tries += try_all(world, r, time.dt, halvings, order);
+    for (int halvings = 0; halvings <= kMostHalvings; ++halvings) tries += try_all(world, r, time.dt, halvings, order);
   for (RattleIsland& island : r.islands)
     island.gave_up = island.is_held && !island.is_met && !island.is_barred && !island.went_well;
   const std::uint64_t tried = r.held.count;

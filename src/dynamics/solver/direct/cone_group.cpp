@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "dynamics/contact/depth.h"
+#include "dynamics/contact/held_arms.h"
 #include "dynamics/solver/direct/at_rest.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
-#include "dynamics/contact/held_arms.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/least_force.h"
 #include "dynamics/solver/direct/least_force_constants.h"
@@ -132,10 +132,11 @@ void ConeGroup::follow_bodies() {
                 LoadWhat::not_curved);
 }
 
-/// Where a body rolls, the middle of the ball that it rolls on leaves the tangent of its way. Velocities are to obey the law in
-/// the middle of the substep, where that of the point is by h/2 omega x (omega x l) another than at its beginning, where
-/// impulses act. Then they act on the mean of the velocities before and after, which is along the surface, and a body that
-/// goes round loses no energy by it. Not of what turns too far for that: its square would throw it.
+/// Where a body rolls, the middle of the ball that it rolls on leaves the tangent of its way. Velocities are to obey
+/// the law in the middle of the substep, where that of the point is by h/2 omega x (omega x l) another than at its
+/// beginning, where impulses act. Then they act on the mean of the velocities before and after, which is along the
+/// surface, and a body that goes round loses no energy by it. Not of what turns too far for that: its square would
+/// throw it.
 void ConeGroup::bend_ways(Real h) {
   const auto bends = [&](std::uint32_t body, const Vec3& l) {
     if (body == kInvalid || !problem_.bodies[body].turns) return Vec3(Vec3::zero());
@@ -175,8 +176,8 @@ Real ConeGroup::start(Real h) {
   const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
   each([&](ConeContact& contact, std::uint32_t i) {
     const Row& row = c_.rows[i];
-    // Of what rolls as it stands: what is noted was measured before it was displaced, or after if others asked. What bounces
-    // has its leeway noted there.
+    // Of what rolls as it stands: what is noted was measured before it was displaced, or after if others asked. What
+    // bounces has its leeway noted there.
     const RowGeometry& g = c_.geometry[i];
     const Real separation = row.rolls && row.restitution == 0 ? separation_of(world_, row, g) : g.separation;
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
@@ -354,8 +355,8 @@ void ConeGroup::go_on_by_sweeps(Velocities& to) {
   finish(to);
 }
 
-/// Whether its answer came nowhere near the law. Of what stood, or hangs on joints: if it leaves more of the loads than soft
-/// contacts and joints would, which are what would answer it then.
+/// Whether its answer came nowhere near the law. Of what stood, or hangs on joints: if it leaves more of the loads than
+/// soft contacts and joints would, which are what would answer it then.
 bool ConeGroup::is_far_off() const {
   const Real tolerable = world_.scene.dials[Dial::velocity_tolerance];
   return !solution_.reached &&
@@ -408,9 +409,9 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
 
 bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && problem_.stood; }
 
-/// What lies still and is not solved within its work, or what was held so before, stays as it lies: at rest, on the best
-/// impulses there are, which balance the loads but for next to nothing. Else velocities that nobody sees would add up,
-/// grow by as much again in each substep, and throw down what stood.
+/// What lies still and is not solved within its work, or what was held so before, stays as it lies: at rest, on the
+/// best impulses there are, which balance the loads but for next to nothing. Else velocities that nobody sees would add
+/// up, grow by as much again in each substep, and throw down what stood.
 void ConeGroup::hold() {
   for (ConeBody& b : bodies_of(problem_)) b.v = Vec6::zero();
   for (ConeContact& c : problem_.contacts) c.u.set_zero();
@@ -426,8 +427,8 @@ void ConeGroup::finish(Velocities& to) {
     start_from_loads(problem_);
   keep(to);
   rest_.is_first = false, ++rest_.substeps;
-  rest_.lasts = !is_joined() && !solution_.is_held && solution_.factorisations == 0 && rest_.least >= -1 && !rest_.resists &&
-                fastest_any_way(problem_) < kRest * tolerance();
+  rest_.lasts = !is_joined() && !solution_.is_held && solution_.factorisations == 0 && rest_.least >= -1 &&
+                !rest_.resists && fastest_any_way(problem_) < kRest * tolerance();
   rest_.has_moved = rest_.lasts;  // or part() measures
 }
 

@@ -76,7 +76,7 @@ class ConeGroup {
   std::uint64_t work_;
   bool still_;
   bool was_held_ = false;  // all its bodies were at rest, to the bit, as the substep began
-  bool lasts_ = false;  // contacts start the next substep from impulses that balance its loads
+  bool lasts_ = false;     // contacts start the next substep from impulses that balance its loads
 };
 
 }  // namespace carom::dynamics

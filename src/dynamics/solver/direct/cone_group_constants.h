@@ -80,17 +80,19 @@ inline constexpr Constant<std::uint32_t> kExpectedAtRest{
     "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
 inline constexpr Constant<Real> kUnborne{
     "direct_unborne", 0.1, "1",
-    "of what loads do to a body in a substep, that an answer may leave of what stood before it is given up: soft contacts, "
+    "of what loads do to a body in a substep, that an answer may leave of what stood before it is given up: soft "
+    "contacts, "
     "which take over then, leave half of it in the first",
     "larger: what an answer does not hold sinks on; smaller: towers at rest are thrown down for micrometres"};
 inline constexpr Constant<Real> kBends{
     "direct_bends", 0.3, "rad",
-    "by which a body that rolls may turn in a substep for its way to be bent within it: a twentieth of what second order is off by",
+    "by which a body that rolls may turn in a substep for its way to be bent within it: a twentieth of what second "
+    "order is off by",
     "larger: what spins fast is thrown by the square of it; smaller: coins and wheels lose energy as they go round"};
 
-inline constexpr ConstantRow kConeGroupConstants[] = {kFineShare,   kConeShare, kRest,   kJerks,
-                                                      kLongestTurn, kJointPush, kGap, kGapShare,       kAlways, kMostSteps,
-                                                      kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving,
-                                                      kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne, kBends};
+inline constexpr ConstantRow kConeGroupConstants[] = {
+    kFineShare,    kConeShare,   kRest,           kJerks,         kLongestTurn, kJointPush, kGap,
+    kGapShare,     kAlways,      kMostSteps,      kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving,
+    kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne,       kBends};
 
 }  // namespace carom::dynamics
