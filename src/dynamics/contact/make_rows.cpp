@@ -95,8 +95,8 @@ struct Round {
   int at_alone = -1;  // of more points, that which it rolls on: the others are in the air, and stay there
 };
 
-/// @param dt  s, a step   @param sign  of the normal, outwards   @param point  of a point, on the body, in its shape's
-/// frame
+/// @param dt  s, a step; 0: nothing rolls   @param sign  of the normal, outwards   @param point  of a point, on the
+/// body, in its shape's frame
 template <class PointOf>
 Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other,
                const Manifold& manifold, Real dt, Real sign, const PointOf& point) {
@@ -109,8 +109,6 @@ Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, s
     return rolling_radius(shape, point(manifold.point[k]), sign * (from_world * manifold.point[k].normal),
                           from_world * turn);
   };
-  const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
-  if (!std::all_of(manifold.point, manifold.point + manifold.count, is_first)) return {};
   if (manifold.count > 2) {
     const auto nearer = [](const ContactPoint& p, const ContactPoint& q) { return p.separation < q.separation; };
     const ContactPoint* const deepest = std::min_element(manifold.point, manifold.point + manifold.count, nearer);
@@ -147,14 +145,17 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
   if (scale > 0 && last > cursor)
     match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
-  const Round round_a = round_by(world, ca, m.a, m.b, manifold, dt, 1, [](const ContactPoint&p) { return p.on_a; }),
-              round_b = round_by(world, cb, m.b, m.a, manifold, dt, -1, [](const ContactPoint&p) { return p.on_b; });
+  const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
+  const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
+  const Real rolls_in = one_normal ? dt : 0;  // s: on several normals nothing rolls as on a ball
+  const auto on_a = [](const ContactPoint& p) { return p.on_a; };
+  const auto on_body_b = [](const ContactPoint& p) { return p.on_b; };
+  const Round round_a = round_by(world, ca, m.a, m.b, manifold, rolls_in, 1, on_a),
+              round_b = round_by(world, cb, m.b, m.a, manifold, rolls_in, -1, on_body_b);
   const Real radius_a = round_a.radius, radius_b = round_b.radius;
   const bool rolls =
       radius_a != scene.colliders.shape[ca]->core_radius || radius_b != scene.colliders.shape[cb]->core_radius;
   const int at_alone = std::max(round_a.at_alone, round_b.at_alone);
-  const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
-  const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
   std::size_t found = 0;
   for (int k = 0; k < manifold.count; ++k) {
     const ContactPoint& point = manifold.point[k];

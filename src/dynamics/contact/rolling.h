@@ -29,8 +29,7 @@ inline constexpr Constant<Real> kMostSway{
 inline constexpr Constant<Real> kMostSlender{
     "rolling_most_slender", 5, "1",
     "half height of a body that rolls over its radius: what is more slender is turned by each impact too far for "
-    "masses that "
-    "solvers keep in a substep, and its points stay on it",
+    "masses that solvers keep in a substep, and its points stay on it",
     "larger: rods that bounce are thrown; smaller: short rods lose their way as they roll"};
 
 inline constexpr ConstantRow kRollingConstants[] = {kLeastLean, kMostSway, kMostSlender};

@@ -41,8 +41,7 @@ inline constexpr Constant<std::uint32_t> kFewStill{
 inline constexpr Constant<std::uint32_t> kFewRolling{
     "direct_few_rolling", 4, "bodies",
     "of a group in which something rolls as on a ball (rolling_least_lean): its way is of second order by the direct "
-    "solver, "
-    "and few bodies cost no more there",
+    "solver, and few bodies cost no more there",
     "more: heaps of barrels pay for a solution in each substep; fewer: wheels and coins lose their way among others"};
 inline constexpr Constant<std::uint32_t> kFewJoined{
     "direct_few_joined", 32, "bodies",

@@ -81,13 +81,11 @@ inline constexpr Constant<std::uint32_t> kExpectedAtRest{
 inline constexpr Constant<Real> kUnborne{
     "direct_unborne", 0.1, "1",
     "of what loads do to a body in a substep, that an answer may leave of what stood before it is given up: soft "
-    "contacts, "
-    "which take over then, leave half of it in the first",
+    "contacts, which take over then, leave half of it in the first",
     "larger: what an answer does not hold sinks on; smaller: towers at rest are thrown down for micrometres"};
 inline constexpr Constant<Real> kBends{
     "direct_bends", 0.3, "rad",
-    "by which a body that rolls may turn in a substep for its way to be bent within it: a twentieth of what second "
-    "order is off by",
+    "by which a body that rolls may turn in a substep for its way to be bent within it, to second order in that turn",
     "larger: what spins fast is thrown by the square of it; smaller: coins and wheels lose energy as they go round"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {
