@@ -1,5 +1,6 @@
 // Which islands joints alone hold: their bodies and joints side by side, and in which order joints are eliminated.
 #include <algorithm>
+#include <bit>
 #include <numbers>
 #include <span>
 
@@ -25,6 +26,10 @@ bool is_moved(const World& world, std::uint32_t body) {
   return body != kInvalid && responds(world.scene, world.state, body);
 }
 
+/// Whether a body's locks leave it the turns of a body without, about one axis of the world alone, or none. About two
+/// it would turn as no top does.
+bool locks_are_holdable(Locks locks) { return std::popcount(static_cast<unsigned>(locks & kAngularLocks)) != 1; }
+
 /// Whether a joint's rows are locks that can be held exactly, and what else it does is limits, and springs along one
 /// coordinate.
 bool is_holdable(const World& world, const Joint& joint, const JointLayout& layout) {
@@ -38,7 +43,7 @@ bool is_holdable(const World& world, const Joint& joint, const JointLayout& layo
       return false;
   for (const std::uint32_t body : {joint.def.body_a, joint.def.body_b}) {
     if (body == kInvalid) continue;
-    if (world.scene.locks_of(body) || world.state.held_out[body]) return false;
+    if (!locks_are_holdable(world.scene.locks_of(body)) || world.state.held_out[body]) return false;
   }
   return true;
 }
@@ -84,7 +89,7 @@ void number_islands(const World& world, Rattle& r) {
     if (r.island_of[i] == kNoIsland) continue;
     RattleIsland& island = r.islands[r.island_of[i]];
     ++island.movers;
-    if (world.scene.locks_of(i)) island.is_held = false;
+    if (!locks_are_holdable(world.scene.locks_of(i))) island.is_held = false;
   }
   world.plan->effects[+EffectId::springs].participants.each([&](std::uint32_t k) {  // whose other end goes its own way
     const SpringDef& def = world.scene.springs.def[k];
@@ -101,7 +106,8 @@ RattleBody body_at(const World& world, std::uint32_t slot) {
   b.travels = slot != kInvalid && world.scene.type[slot] == BodyType::kinematic;
   if (!is_moved(world, slot)) return b;
   b.inv_mass = world.scene.inv_mass[slot];
-  b.turns = rotates(world.scene, slot);
+  b.locks = world.scene.locks_of(slot);
+  b.turns = rotates(world.scene, slot) && (b.locks & kAngularLocks) != kAngularLocks;
   if (!b.turns) return b;
   b.inertia = world.scene.inertia[slot], b.inv_inertia = world.scene.inv_inertia[slot];
   b.top = principal_axes(b.inertia);

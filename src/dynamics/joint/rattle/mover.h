@@ -42,12 +42,13 @@ class Mover {
       b.r = b.r1 = b.q.matrix();
       far = std::max(far, b.x.norm());
       if (b.inv_mass == 0 && !b.travels) b.v = b.omega = Vec3::zero();
+      if (b.locks) b.v = free_axes(b.locks).times(b.v), b.omega = free_turns(b.locks).times(b.omega);
       if (!b.turns) continue;
       b.l = s.momentum[b.slot];
       constexpr Real kAgree = 64 * kUnitRoundoff;  // as in integrate/rotation/top.h
-      if (!((spin_of_body(b, b.q, b.l) - b.omega).squared_norm() < kAgree * kAgree * b.omega.squared_norm()))
+      if (b.locks || !((spin_of_body(b, b.q, b.l) - b.omega).squared_norm() < kAgree * kAgree * b.omega.squared_norm()))
         b.l = turned(b.inertia, b.r) * b.omega;
-      b.inv_world = turned(b.inv_inertia, b.r);
+      b.inv_world = response_at(b, b.r);
     }
     for (RattleJoint& j : joints()) j.force = j.torque = Vec3::zero();
     for (const RattleJoint& j : joints()) {
@@ -170,7 +171,8 @@ class Mover {
 
   /// What forces do at the state's place in h.
   void take_kick(RattleBody& b, Real h) const {
-    b.v += h * r_.accel[b.slot];
+    const Vec3& a = r_.accel[b.slot];
+    b.v += h * (b.locks ? Vec3(free_axes(b.locks).times(a)) : a);
     const Vec3& alpha = r_.alpha[b.slot];
     if (b.turns && !alpha.is_zero()) b.l += turned(b.inertia, b.r) * (h * alpha);
     b.v1 = b.v, b.l1 = b.l;
@@ -191,8 +193,8 @@ class Mover {
         p += row.p * row.d, on_a += row.p * row.w_a, on_b += row.p * row.w_b;
       }
       RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
-      if (a.inv_mass > 0) v(a) -= a.inv_mass * p, l(a) -= on_a;
-      if (b.inv_mass > 0) v(b) += b.inv_mass * p, l(b) += on_b;
+      if (a.inv_mass > 0) v(a) -= speed_of(a, p), l(a) -= on_a;
+      if (b.inv_mass > 0) v(b) += speed_of(b, p), l(b) += on_b;
     }
   }
 
@@ -252,15 +254,17 @@ class Mover {
       const Real w = 2 * std::numbers::pi * std::min(spring.frequency, 0.25 / h);
       const Real most = spring.max_force,
                  f = std::clamp(-w * (w * (along.at - spring.target) + 2 * spring.damping * rate) / rest, -most, most);
-      if (a.inv_mass > 0) r_.accel[a.slot] -= (a.inv_mass * f) * row.d, r_.alpha[a.slot] -= f * row.i_a;
-      if (b.inv_mass > 0) r_.accel[b.slot] += (b.inv_mass * f) * row.d, r_.alpha[b.slot] += f * row.i_b;
+      if (a.inv_mass > 0) r_.accel[a.slot] -= speed_of(a, row.d, f), r_.alpha[a.slot] -= f * row.i_a;
+      if (b.inv_mass > 0) r_.accel[b.slot] += speed_of(b, row.d, f), r_.alpha[b.slot] += f * row.i_b;
       j.force += (share * f) * row.d;
       j.torque += (share * f) * (row.w_b - placed.r_b.cross(row.d));
     }
   }
   /// Velocity at one row per impulse at another of the same joint.
   static Real response(const RattleRow& at, const RattleRow& by, const RattleBody& a, const RattleBody& b) {
-    return (a.inv_mass + b.inv_mass) * at.d.dot(by.d) + (at.w_a.dot(by.i_a) + at.w_b.dot(by.i_b));
+    const Real turned = at.w_a.dot(by.i_a) + at.w_b.dot(by.i_b);
+    if (a.locks | b.locks) return at.d.dot(speed_of(a, by.d) + speed_of(b, by.d)) + turned;
+    return (a.inv_mass + b.inv_mass) * at.d.dot(by.d) + turned;
   }
 
   /// Rows where bodies are, and the matrix.
@@ -324,12 +328,13 @@ class Mover {
       const RattleJoint &high = r_.joints[pair.high], &low = r_.joints[pair.low];
       const auto rates_high = rates(high), rates_low = rates(low);
       const Real sign = pair.is_a_of_high == pair.is_a_of_low ? 1 : -1, m = r_.bodies[pair.body].inv_mass;
+      const Vec3 free = free_axes(r_.bodies[pair.body].locks);
       const auto add = [&](Real* block, const RattleJoint& of, const auto& rows, bool is_a, const RattleJoint& by,
                            bool by_a) {
         for (std::uint32_t k = 0; k < of.rows; ++k)
           for (std::uint32_t l = 0; l < by.rows; ++l) {
             const RattleRow& other = r_.rows[by.row + l];
-            block[n * k + l] += sign * (m * rows[k].d.dot(other.d) +
+            block[n * k + l] += sign * (m * rows[k].d.dot(free.times(other.d)) +
                                         (is_a ? rows[k].w_a : rows[k].w_b).dot(by_a ? other.i_a : other.i_b));
           }
       };

@@ -88,6 +88,7 @@ struct RattleBody {
   std::uint32_t slot = kInvalid;
   Real inv_mass = 0;     // 1/kg; 0: impulses do not move it
   bool turns = false;    // they turn it
+  Locks locks = 0;       // axes along which, or about which, it does not move: of turns none, two or all
   bool travels = false;  // it is kinematic, and under way
   Principal top;
   Mat3 inertia = Mat3::zero(), inv_inertia = Mat3::zero();  // body axes

@@ -159,8 +159,9 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
       const RattleBody& b = r.bodies[i];
       poses.x[b.slot] = b.x, motion.v[b.slot] = b.v;
       if (!b.turns) continue;
-      poses.q[b.slot] = b.q, motion.momentum[b.slot] = b.l;
-      motion.omega[b.slot] = rattle::spin_of_body(b, b.q, b.l);
+      poses.q[b.slot] = b.q;
+      motion.omega[b.slot] = b.locks ? b.omega : rattle::spin_of_body(b, b.q, b.l);
+      motion.momentum[b.slot] = b.locks ? Vec3(rattle::turned(b.inertia, b.r) * b.omega) : b.l;
     }
     for (std::uint32_t i = island.joint; i < island.joint + island.joints; ++i) {
       const RattleJoint& j = r.joints[i];
