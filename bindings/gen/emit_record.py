@@ -10,7 +10,7 @@ from c_reader import HeaderError
 BY = "Written by bindings/gen/generate from include/carom; do not edit."
 
 # Functions of a world that change nothing of it; and those of recording itself and of the world's end.
-READS = re.compile(r"carom_\w+?_(get|read|is|hash|save|fork|draw|compare|translate|cast|overlap|closest|nearest|contains|find)(_\w+)?$")
+READS = re.compile(r"carom_\w+?_(get|read|is|hash|measure|save|fork|draw|compare|translate|cast|overlap|closest|nearest|contains|find)(_\w+)?$")
 # A budget chooses substeps by the time it measures: a record has its choices, as dials that were set. What is made of other
 # calls is recorded as those.
 NOT_RECORDED = {"carom_world_record_begin", "carom_world_record_end", "carom_world_destroy", "carom_world_set_budget",

@@ -36,6 +36,7 @@ RECORDS = {
     "carom_group": {},
     "carom_accuracy": {},
     "carom_island": {},
+    "carom_growth": {"sensitive": "bool"},
     "carom_fault": {"kind": "str"},
     "carom_contact_event": {"kind": "str"},
     "carom_sensor_event": {"kind": "str"},

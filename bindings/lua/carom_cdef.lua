@@ -5,6 +5,7 @@ typedef struct carom_world carom_world;
 typedef struct carom_error carom_error;
 typedef struct carom_accuracy carom_accuracy;
 typedef struct carom_island carom_island;
+typedef struct carom_growth carom_growth;
 typedef struct carom_material_desc carom_material_desc;
 typedef struct carom_body_desc carom_body_desc;
 typedef struct carom_attribute_info carom_attribute_info;
@@ -78,6 +79,7 @@ typedef int32_t (*carom_write_fn)(void *user, const void *bytes, uint64_t size);
 struct carom_error { uint32_t struct_size; int32_t code; int32_t argument; uint32_t has_witness; double witness_dir[3]; double witness_out[3]; char message[256]; char remedy[256]; };
 struct carom_accuracy { uint32_t struct_size; uint32_t substeps; double place; double turn; };
 struct carom_island { carom_body body; uint32_t bodies; uint32_t substeps; uint32_t order; uint32_t flags; uint64_t work; double place; double turn; double share; };
+struct carom_growth { uint32_t struct_size; uint32_t steps; carom_body body; uint32_t sensitive; uint32_t reserved; double factor; double rate; };
 struct carom_material_desc { uint32_t struct_size; uint32_t friction_mix; uint32_t restitution_mix; uint32_t reserved; double friction; double restitution; };
 struct carom_body_desc { uint32_t struct_size; uint32_t fields; uint32_t type; uint32_t reserved; double position[3]; double orientation[4]; double linear_velocity[3]; double angular_velocity[3]; double mass; double center[3]; double inertia[9]; double linear_damping; double angular_damping; uint64_t user; double gravity_factor; uint32_t locks; uint32_t continuous; double linear_drag; double quadratic_drag; uint32_t force_field_mask; uint32_t reserved2; double magnetic_moment[3]; };
 struct carom_attribute_info { uint32_t struct_size; uint32_t attribute; uint32_t numbers; uint32_t is_whole; uint32_t of_dynamic; uint32_t effect; const char *name; const char *unit; const char *summary; double min; double max; double usual[4]; };
@@ -144,6 +146,7 @@ int32_t carom_accuracy_init(carom_accuracy *accuracy, uint32_t struct_size);
 int32_t carom_world_set_accuracy(carom_world *world, const carom_accuracy *accuracy, carom_error *error);
 int32_t carom_world_get_accuracy(carom_world *world, carom_accuracy *accuracy, uint32_t *present, carom_error *error);
 int32_t carom_world_get_islands(carom_world *world, carom_island *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
+int32_t carom_world_measure_growth(carom_world *world, double dt, uint32_t steps, carom_growth *growth, carom_error *error);
 int32_t carom_material_desc_init(carom_material_desc *desc, uint32_t struct_size);
 int32_t carom_material_create(carom_world *world, const carom_material_desc *desc, carom_material *material, carom_error *error);
 int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc, carom_error *error);
@@ -703,5 +706,5 @@ return {
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
   VERSION = "1.0.0",
-  ROWS = 646, -- of the layout manifest
+  ROWS = 654, -- of the layout manifest
 }

@@ -51,6 +51,19 @@ typedef struct carom_island {
                              or where more substeps do not help */
 } carom_island;
 
+/** How errors grow by themselves, whatever work a step is given: two motions that begin 1e-9 m/s and rad/s apart. Their distance is
+ *  the largest over all bodies of that of places (m), of turns (rad), and of velocities and spins times 1 s. */
+typedef struct carom_growth {
+  uint32_t struct_size;
+  uint32_t steps;     /**< that were taken: fewer than asked for where the distance had grown 1e6-fold before */
+  carom_body body;    /**< where the two are farthest apart at the end; CAROM_NULL_HANDLE if nothing moves */
+  uint32_t sensitive; /**< 1: errors grow e-fold, as in chaos. What is held to an accuracy there is the error that each step adds;
+                           the place after many e-foldings is no more than a guess */
+  uint32_t reserved;  /**< 0 */
+  double factor;      /**< of their distance, from the beginning to the end */
+  double rate;        /**< 1/s: ln(factor) over the time; below 0 where errors die out */
+} carom_growth;
+
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_accuracy_init(carom_accuracy *accuracy, uint32_t struct_size);
 
@@ -73,6 +86,17 @@ CAROM_API int32_t carom_world_get_accuracy(carom_world *world, carom_accuracy *a
  *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_world_get_islands(carom_world *world, carom_island *dst, uint64_t stride, uint64_t capacity,
                                           uint64_t *count, carom_error *error);
+
+/** Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a little over
+ *  twice as much as they; nothing of the world itself changes. The same world gives the same answer.
+ *  Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by until
+ *  they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
+ *  @param dt      s, of a step: as for carom_world_step()
+ *  @param steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
+ *  @param growth  out, its struct_size set
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
+CAROM_API int32_t carom_world_measure_growth(carom_world *world, double dt, uint32_t steps, carom_growth *growth,
+                                             carom_error *error);
 
 #ifdef __cplusplus
 }

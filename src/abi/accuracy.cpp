@@ -7,6 +7,7 @@
 #include "abi/float_scope.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"
+#include "dynamics/accuracy/growth.h"
 
 namespace carom::abi {
 namespace {
@@ -41,6 +42,35 @@ carom_island island(const World& world, const AccuracyView& view) {
   i.place = view.place * dials[Dial::accuracy_place], i.turn = view.turn * dials[Dial::accuracy_turn];
   i.share = view.share();
   return i;
+}
+
+constexpr std::uint32_t kMostGrowthSteps = 1000000;
+
+/// A copy of a world, for as long as it is looked at.
+class Copy {
+ public:
+  Copy(Call& call, const Reading& world) : world_(fork_world(call, world)) {}
+  ~Copy() {
+    if (world_) destroy_world(world_);
+  }
+  Copy(const Copy&) = delete;
+  Copy& operator=(const Copy&) = delete;
+  explicit operator bool() const { return world_; }
+  World& operator*() const { return *world_->inner; }
+
+ private:
+  carom_world* world_;
+};
+
+bool measure_growth(Call& call, const Reading& world, double dt, std::uint32_t steps, carom_growth& told) {
+  const Copy one(call, world), other(call, world);
+  if (!one || !other) return false;
+  const FloatScope scope;
+  const accuracy::Growth growth = accuracy::measure_growth(*one, *other, dt, steps);
+  told.body = growth.body == kInvalid ? CAROM_NULL_HANDLE : world->scene.bodies.handle(growth.body);
+  told.steps = growth.steps, told.sensitive = growth.is_sensitive;
+  told.factor = growth.factor, told.rate = growth.rate;
+  return true;
 }
 
 }  // namespace
@@ -96,6 +126,18 @@ int32_t carom_world_get_islands(carom_world* world, carom_island* dst, uint64_t 
     copy_elements<carom_island>(
         call, w.accuracy ? w.accuracy->views.size() : 0,
         [&](std::uint64_t i) { return island(w, w.accuracy->views[i]); }, dst, stride, capacity, count);
+  });
+}
+
+int32_t carom_world_measure_growth(carom_world* world, double dt, uint32_t steps, carom_growth* growth,
+                                   carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !in_range(call, 2, "dt", dt, kShortestStep, kLongestStep) ||
+        !in_range(call, 3, "steps", steps, 1, kMostGrowthSteps) || !fillable(call, 4, "growth", growth))
+      return;
+    carom_growth full{};
+    if (measure_growth(call, reading, dt, steps, full)) write_struct(full, growth);
   });
 }
 

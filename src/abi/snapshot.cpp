@@ -56,32 +56,6 @@ void restore(Call& call, const Changing& changing, const void* given, std::uint6
   call.fail(code_of(fault), 2, "%.200s%s", fault.text, hint ? "; it is whole: it goes into a new world" : "");
 }
 
-void fork(Call& call, const Reading& world, carom_world** copy) {
-  const FloatScope scope;
-  carom_engine& engine = world.engine();
-  const NumberNames names;
-  NumberedShapes shapes(shapes_of(*world, &engine.memory));
-  Array<std::byte> bytes(save_world(*world, names, nullptr, 0), std::byte(0), &engine.memory);
-  save_world(*world, names, bytes.data(), bytes.size());
-  carom_world* made = make_world(call, engine, Vec3::zero(), 0);
-  if (!made) return;
-  try {
-    Owned<World> built = empty_world(engine, made->tag);
-    SnapshotFault fault;
-    if (!build_world(*built, bytes.data(), bytes.size(), shapes, fault)) {
-      call.fail(CAROM_E_INTERNAL, 1, "the copy was refused: %s", fault.text);
-      destroy_world(made);
-      return;
-    }
-    wear_shapes(engine, *built);
-    made->inner = std::move(built);
-  } catch (...) {
-    destroy_world(made);
-    throw;
-  }
-  *copy = made;
-}
-
 const SlotPool* pool_of(const World& world, Handle handle) {
   switch (static_cast<Kind>(handle >> 60)) {
     case Kind::material:
@@ -116,6 +90,33 @@ bool translate(Call& call, const World& world, Handle handle, Handle& own) {
 }
 
 }  // namespace
+
+carom_world* fork_world(Call& call, const Reading& world) {
+  const FloatScope scope;
+  carom_engine& engine = world.engine();
+  const NumberNames names;
+  NumberedShapes shapes(shapes_of(*world, &engine.memory));
+  Array<std::byte> bytes(save_world(*world, names, nullptr, 0), std::byte(0), &engine.memory);
+  save_world(*world, names, bytes.data(), bytes.size());
+  carom_world* made = make_world(call, engine, Vec3::zero(), 0);
+  if (!made) return nullptr;
+  try {
+    Owned<World> built = empty_world(engine, made->tag);
+    SnapshotFault fault;
+    if (!build_world(*built, bytes.data(), bytes.size(), shapes, fault)) {
+      call.fail(CAROM_E_INTERNAL, 1, "the copy was refused: %s", fault.text);
+      destroy_world(made);
+      return nullptr;
+    }
+    wear_shapes(engine, *built);
+    made->inner = std::move(built);
+  } catch (...) {
+    destroy_world(made);
+    throw;
+  }
+  return made;
+}
+
 }  // namespace carom::abi
 
 using namespace carom;
@@ -141,7 +142,8 @@ int32_t carom_world_restore(carom_world* world, const void* bytes, uint64_t size
 int32_t carom_world_fork(carom_world* world, carom_world** copy, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
-    if (reading && present(call, 2, "copy", copy)) fork(call, reading, copy);
+    if (!reading || !present(call, 2, "copy", copy)) return;
+    if (carom_world* const made = fork_world(call, reading)) *copy = made;
   });
 }
 

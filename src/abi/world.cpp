@@ -13,8 +13,6 @@ namespace carom::abi {
 namespace {
 
 constexpr double kLargestGravity = 1e6;  // m/s^2
-constexpr double kLongestStep = 1;       // s
-constexpr double kShortestStep = 1e-9;   // s: below it forces = impulses / dt overflow sooner than anything moves
 
 bool check_gravity(Call& call, int argument, const double gravity[3]) {
   return present(call, argument, "gravity", gravity) &&

@@ -129,8 +129,13 @@ class Recorded : public Changing {
   int unwinding_;
 };
 
+inline constexpr double kLongestStep = 1;      // s
+inline constexpr double kShortestStep = 1e-9;  // s: below it forces = impulses / dt overflow sooner than anything moves
+
 /// Make a world of an engine, in which there is nothing, with a tag of its own. @return null: noted
 carom_world* make_world(Call& call, carom_engine& engine, const Vec3& gravity, std::size_t body_capacity);
+/// Make a world of the same engine that goes on as this one does, bit for bit. @return null: noted
+carom_world* fork_world(Call& call, const Reading& world);
 /// The end of a world that nobody uses any more.
 void destroy_world(carom_world* world);
 

@@ -5,6 +5,7 @@
 
 #include "collision/manifold/patch_constants.h"
 #include "dynamics/accuracy/control.h"
+#include "dynamics/accuracy/growth.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
 #include "dynamics/contact/rolling.h"
@@ -36,7 +37,8 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kPatchFrictionConstants, kSweepConstants,
                  kFarTurnConstants, kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants,
-                 kEnergyBoundConstants, kRattleConstants, kAccuracyConstants, kFloatConstants, kGiveBackConstants);
+                 kEnergyBoundConstants, kRattleConstants, kAccuracyConstants, accuracy::kGrowthConstants,
+                 kFloatConstants, kGiveBackConstants);
 
 }  // namespace
 

@@ -56,6 +56,40 @@ void what_is_asked_can_be_read_and_taken_back(void**) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
+/// Copies are measured: the world keeps its bits, and the same answer comes again, on any number of threads.
+void growth_is_measured_beside_the_world(void**) {
+  carom_growth first{};
+  Bench made;
+  make(made);
+  const Bytes whole = save(made.world, CAROM_SNAPSHOT_WHOLE);
+  assert_int_equal(bench_free(&made), CAROM_OK);
+  for (const std::uint32_t threads : {1u, 2u}) {
+    carom_jobs_desc jobs;
+    assert_int_equal(carom_jobs_desc_init(&jobs, sizeof jobs), CAROM_OK);
+    jobs.threads = threads;
+    Bench b;
+    std::memset(&b, 0, sizeof b);
+    assert_int_equal(carom_engine_create(nullptr, &b.engine, nullptr), CAROM_OK);
+    if (threads > 1) assert_int_equal(carom_engine_set_jobs(b.engine, &jobs, nullptr), CAROM_OK);
+    assert_int_equal(bench_shapes(&b, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_create(b.engine, nullptr, &b.world, nullptr), CAROM_OK);
+    assert_int_equal(restore(b.world, whole), CAROM_OK);
+    ask(b.world, 1e-3);
+    step(b.world, 3);
+    const std::uint64_t before = hash_of(b.world);
+    for (int k = 0; k < 2; ++k) {
+      carom_growth growth{};
+      growth.struct_size = sizeof growth;
+      assert_int_equal(carom_world_measure_growth(b.world, kStep, 60, &growth, nullptr), CAROM_OK);
+      if (first.steps == 0) first = growth;
+      assert_true(growth.steps == first.steps && growth.factor == first.factor && growth.rate == first.rate);
+      assert_true(growth.steps > 0 && growth.body != CAROM_NULL_HANDLE && growth.factor > 0);
+      assert_int_equal(hash_of(b.world), before);
+    }
+    assert_int_equal(bench_free(&b), CAROM_OK);
+  }
+}
+
 /// What was asked before still stands.
 void what_can_not_be_asked_is_refused_with_a_remedy(void**) {
   Bench b;
@@ -207,6 +241,7 @@ void a_ledger_sums_up_and_changes_no_bit(void**) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(what_is_asked_can_be_read_and_taken_back),
+      cmocka_unit_test(growth_is_measured_beside_the_world),
       cmocka_unit_test(what_can_not_be_asked_is_refused_with_a_remedy),
       cmocka_unit_test(the_same_bits_come_again_on_any_number_of_threads),
       cmocka_unit_test(a_snapshot_goes_on_with_the_same_bits),

@@ -212,6 +212,11 @@ std::vector<Line> script(double solver) {
     return carom_world_set_accuracy(m.s.world, &a, nullptr);
   });
   steps(2);
+  add("growth", [](Made& m) {
+    carom_growth growth = {};
+    growth.struct_size = sizeof growth;
+    return carom_world_measure_growth(m.s.world, 1.0 / 60, 2, &growth, nullptr);
+  });
   add("no accuracy", [](Made& m) { return carom_world_set_accuracy(m.s.world, nullptr, nullptr); });
   add("ray", [](Made& m) {
     const double from[3] = {0, 9, 0}, down[3] = {0, -1, 0};

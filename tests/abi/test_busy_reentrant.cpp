@@ -54,6 +54,9 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   uint32_t asked = 0;
   add("world_set_accuracy", carom_world_set_accuracy(b.world, &accuracy, nullptr));
   add("world_get_accuracy", carom_world_get_accuracy(b.world, &accuracy, &asked, nullptr));
+  carom_growth growth = {};
+  growth.struct_size = sizeof growth;
+  add("world_measure_growth", carom_world_measure_growth(b.world, 0.01, 2, &growth, nullptr));
   add("world_get_islands", carom_world_get_islands(b.world, nullptr, 0, 0, &count, nullptr));
   add("world_enable_ledger", carom_world_enable_ledger(b.world, 1, nullptr));
   add("world_get_ledger", carom_world_get_ledger(b.world, nullptr, 0, 0, &count, nullptr));

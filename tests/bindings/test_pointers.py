@@ -200,7 +200,7 @@ class Nullable(unittest.TestCase):
         if type in self.handles:
             return self.handle(type, function)
         return self.WHOLE.get(
-            name, 1 if name in ("n", "count", "shape_count", "dt", "frequency", "stiffness", "rest") else 0
+            name, 1 if name in ("n", "count", "steps", "shape_count", "dt", "frequency", "stiffness", "rest") else 0
         )
 
     def call(self, function, null):

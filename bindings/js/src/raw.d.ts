@@ -38,6 +38,15 @@ export interface Raw {
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
    *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_get_islands(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
+  /** Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a little over
+   *  twice as much as they; nothing of the world itself changes. The same world gives the same answer.
+   *  Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by until
+   *  they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
+   *  @param dt      s, of a step: as for carom_world_step()
+   *  @param steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
+   *  @param growth  out, its struct_size set
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_world_measure_growth(world: number, dt: number, steps: number, growth: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_material_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY */

@@ -377,6 +377,8 @@ class carom_accuracy(Structure):
     _fields_ = [("struct_size", c_uint32), ("substeps", c_uint32), ("place", c_double), ("turn", c_double)]
 class carom_island(Structure):
     _fields_ = [("body", carom_body), ("bodies", c_uint32), ("substeps", c_uint32), ("order", c_uint32), ("flags", c_uint32), ("work", c_uint64), ("place", c_double), ("turn", c_double), ("share", c_double)]
+class carom_growth(Structure):
+    _fields_ = [("struct_size", c_uint32), ("steps", c_uint32), ("body", carom_body), ("sensitive", c_uint32), ("reserved", c_uint32), ("factor", c_double), ("rate", c_double)]
 class carom_material_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("friction_mix", c_uint32), ("restitution_mix", c_uint32), ("reserved", c_uint32), ("friction", c_double), ("restitution", c_double)]
 class carom_body_desc(Structure):
@@ -498,6 +500,7 @@ STRUCTS = {
     "carom_error": carom_error,
     "carom_accuracy": carom_accuracy,
     "carom_island": carom_island,
+    "carom_growth": carom_growth,
     "carom_material_desc": carom_material_desc,
     "carom_body_desc": carom_body_desc,
     "carom_attribute_info": carom_attribute_info,
@@ -561,6 +564,7 @@ STRUCTS = {
 # which fields are handles, and of what
 HANDLES = {
     "carom_island": {'body': 'carom_body'},
+    "carom_growth": {'body': 'carom_body'},
     "carom_collider_desc": {'shape': 'carom_shape', 'material': 'carom_material'},
     "carom_draw_line": {'body': 'carom_body'},
     "carom_contact_event": {'collider_a': 'carom_collider', 'collider_b': 'carom_collider', 'body_a': 'carom_body', 'body_b': 'carom_body'},
@@ -588,6 +592,7 @@ FUNCTIONS = {
     "carom_world_set_accuracy": ("1.0", c_int32, (c_void_p, POINTER(carom_accuracy), POINTER(carom_error),)),
     "carom_world_get_accuracy": ("1.0", c_int32, (c_void_p, POINTER(carom_accuracy), POINTER(c_uint32), POINTER(carom_error),)),
     "carom_world_get_islands": ("1.0", c_int32, (c_void_p, POINTER(carom_island), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_world_measure_growth": ("1.0", c_int32, (c_void_p, c_double, c_uint32, POINTER(carom_growth), POINTER(carom_error),)),
     "carom_material_desc_init": ("1.0", c_int32, (POINTER(carom_material_desc), c_uint32,)),
     "carom_material_create": ("1.0", c_int32, (c_void_p, POINTER(carom_material_desc), POINTER(carom_material), POINTER(carom_error),)),
     "carom_material_update": ("1.0", c_int32, (c_void_p, carom_material, POINTER(carom_material_desc), POINTER(carom_error),)),

@@ -401,6 +401,16 @@ class carom_island(ctypes.Structure):
     place: float
     turn: float
     share: float
+class carom_growth(ctypes.Structure):
+    """How errors grow by themselves, whatever work a step is given: two motions that begin 1e-9 m/s and rad/s apart. Their distance is
+    the largest over all bodies of that of places (m), of turns (rad), and of velocities and spins times 1 s."""
+    struct_size: int
+    steps: int
+    body: int
+    sensitive: int
+    reserved: int
+    factor: float
+    rate: float
 class carom_material_desc(ctypes.Structure):
     """Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides."""
     struct_size: int
@@ -1156,6 +1166,16 @@ def carom_world_get_islands(world: Any, dst: Any, stride: Any, capacity: Any, co
     @param stride   sizeof(carom_island) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
     @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
+    ...
+def carom_world_measure_growth(world: Any, dt: Any, steps: Any, growth: Any, error: Any) -> int:
+    """Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a little over
+    twice as much as they; nothing of the world itself changes. The same world gives the same answer.
+    Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by until
+    they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
+    @param dt      s, of a step: as for carom_world_step()
+    @param steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
+    @param growth  out, its struct_size set
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_material_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""

@@ -407,6 +407,15 @@ class IslandRecord(Record):
     share: float
 
 
+class GrowthRecord(Record):
+    """How errors grow by themselves"""
+    steps: int
+    body: Body | None
+    sensitive: bool
+    factor: float
+    rate: float
+
+
 class FaultRecord(Record):
     """Something misbehaved in the last step"""
     kind: str

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Callable, TypeVar
 from . import raw
 from ._values import Record, bits, copy_out, describe, enum, need_numpy, record, word
 from .records import (AccuracyRecord, ContactEventRecord, ContactRecord, DrawLineRecord, FaultEventRecord, FaultRecord, GroupRecord,
-                      IslandRecord, JointEventRecord, LedgerEntryRecord, LedgerStateRecord, PlanLineRecord, ResidualsRecord, SensorEventRecord, SleepEventRecord,
+                      GrowthRecord, IslandRecord, JointEventRecord, LedgerEntryRecord, LedgerStateRecord, PlanLineRecord, ResidualsRecord, SensorEventRecord, SleepEventRecord,
                       StepReportRecord)
 
 if TYPE_CHECKING:
@@ -125,6 +125,15 @@ class Reports:
     def islands(self) -> list[IslandRecord]:
         """Islands of the last step, worst first: errors by the last estimate, substeps, work, flags. Of a world that asks."""
         return self._records(IslandRecord, raw.carom_world_get_islands, raw.carom_island)
+
+    def measure_growth(self, steps: int, dt: float = 1 / 60) -> GrowthRecord:
+        """How errors grow from here, by two copies of the world that begin a little apart; the world itself stays as it is.
+
+        `sensitive` tells chaos: errors grow e-fold, `rate` a second. Choose steps for several e-foldings of what is looked for."""
+        growth = raw.carom_growth()
+        growth.struct_size = ctypes.sizeof(growth)
+        self._call(raw.carom_world_measure_growth, dt, steps, ctypes.byref(growth))
+        return record(GrowthRecord, growth, sensitive=bool(growth.sensitive))
 
     # ---- which effects run, for whom, why ----
 

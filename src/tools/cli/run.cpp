@@ -78,6 +78,12 @@ void write_picture(const std::string& path, const Scene& scene, Stage& stage, do
   write_drawing(path, report::perspective(stage, scene.summary, "carom run " + scene.name + moment));
 }
 
+/// How errors grow in the first seconds: an accuracy is a promise about each step, and chaos makes more of it.
+carom_growth growth_of(const World& world, double seconds, double dt) {
+  constexpr double kLongest = 10;
+  return world.growth(dt, static_cast<std::uint32_t>(std::max(1.0, std::min(seconds, kLongest) / dt)));
+}
+
 /// The whole world, so that a later run needs no scene.
 void save_state(const std::string& path, const World& world) {
   const std::vector<char> bytes = world.save(CAROM_SNAPSHOT_WHOLE);
@@ -135,6 +141,8 @@ void run_scene(RunOptions options, Context& context) {
   if (motion_table || !options.gltf.empty() || !options.filmstrip.empty()) recording.emplace(stage, dt, options.fps);
   LedgerPlot ledger_plot;
   if (options.ledger || !options.ledger_svg.empty()) stage.world.keep_ledger();
+  carom_growth growth{};
+  if (choice.accuracy) growth = growth_of(stage.world, seconds, dt);
   RunSummary run;
   {
     Progress progress(start + seconds, talk);
@@ -146,6 +154,7 @@ void run_scene(RunOptions options, Context& context) {
       return true;
     });
   }
+  run.growth = growth;
   if (recorder) recorder->end();
   if (!options.save.empty()) save_state(options.save, stage.world);
   if (recording) recording->finish(run.simulated);

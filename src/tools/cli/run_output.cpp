@@ -98,6 +98,19 @@ void print_islands(const std::vector<carom_island>& islands) {
               table(rows, {false, true, true, true, true, true, true}).c_str());
 }
 
+/// What becomes of errors that an accuracy leaves.   @param dt  s
+void print_growth(const carom_growth& growth, double dt) {
+  if (growth.steps == 0) return;
+  std::printf("errors grew %.2g-fold in the first %.3g s", growth.factor, growth.steps * dt);
+  if (growth.sensitive)
+    std::printf(
+        ": chaotic, e-fold every %.2g s. Held is the error that each step adds; places after many e-foldings are a "
+        "guess.\n",
+        1 / growth.rate);
+  else
+    std::printf(": not chaotic, the end is off by about the time times the error of islands\n");
+}
+
 void print_cost(const RunSummary& run) {
   std::printf("\nwhat it cost:\n%llu steps in %.3f s of computing (%.1f times real time)\n", count(run.steps),
               run.total_seconds, run.simulated / std::max(run.total_seconds, 1e-9));
@@ -125,6 +138,7 @@ void print_summary(const Stage& stage, const Observer* observer, const RunSummar
                    const std::vector<KindSummary>& kinds) {
   print_what_happened(stage, observer, run, kinds);
   print_islands(stage.world.islands());
+  print_growth(run.growth, run.simulated / static_cast<double>(run.steps));
   print_cost(run);
 }
 
@@ -154,6 +168,12 @@ nlohmann::json summary_json(const Scene& scene, const Stage& stage, const Observ
                        {"turn_rad_per_s", i.turn},
                        {"share", i.share},
                        {"hit_bound", (i.flags & CAROM_ISLAND_BOUND) != 0}});
+  nlohmann::json growth = nullptr;
+  if (run.growth.steps > 0)
+    growth = {{"steps", run.growth.steps},
+              {"factor", run.growth.factor},
+              {"rate_per_s", run.growth.rate},
+              {"sensitive", run.growth.sensitive != 0}};
   nlohmann::json out = {
       {"scene", scene.name},
       {"dt_s", dt},
@@ -170,6 +190,7 @@ nlohmann::json summary_json(const Scene& scene, const Stage& stage, const Observ
       {"kinetic_energy_j", {{"linear", run.last.linear_energy}, {"angular", run.last.angular_energy}}},
       {"ended", ended},
       {"islands", islands},
+      {"growth", growth},
       {"faults", run.faults},
       {"quarantined_bodies", run.last.quarantined_bodies},
       {"quarantined_particles", run.last.quarantined_particles},

@@ -11,6 +11,14 @@ void World::ask(double tolerance) {
   call.done(carom_world_set_accuracy(world_, &asked, call), "asking for an accuracy");
 }
 
+carom_growth World::growth(double dt, std::uint32_t steps) const {
+  carom_growth growth{};
+  growth.struct_size = sizeof growth;
+  Call call;
+  call.done(carom_world_measure_growth(world_, dt, steps, &growth, call), "measuring how errors grow");
+  return growth;
+}
+
 std::vector<carom_island> World::islands() const {
   std::uint64_t count = 0;
   Call call;

@@ -99,6 +99,8 @@ class World {
   void collect_contact_events(double hit_speed);
   std::vector<carom_contact_event> contact_events() const;  ///< of the last step
   std::vector<carom_contact> contacts() const;
+  /// How errors grow by themselves from here, in so many steps.   @param dt  s
+  carom_growth growth(double dt, std::uint32_t steps) const;
   std::vector<carom_island> islands() const;  ///< worst first; none where no accuracy is asked for
   std::vector<carom_fault> faults() const;
   std::vector<carom_body> bodies() const;

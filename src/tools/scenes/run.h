@@ -21,6 +21,7 @@ struct RunSummary {
   std::uint64_t faults = 0;               ///< of shapes, over all steps
   std::vector<carom_fault> first_faults;  ///< of the first step that had any
   std::uint64_t hash = 0;                 ///< of the end state
+  carom_growth growth{};                  ///< from the beginning; no steps: not measured
 };
 
 /// Step until `seconds` are simulated (at least one step).

@@ -229,6 +229,10 @@ inline Argument water_desc(Context& c) {
                           HOSTILE_NUMBERS(carom_water, density, 1, {kLeast, 1e9}), HOSTILE_NUMBERS(carom_water, current, 3, any()),
                           HOSTILE_NUMBERS(carom_water, drag, 1, {0, 1e6})}, true);
 }
+/// Of carom_world_measure_growth(): a large number of steps is allowed, and takes its time.
+inline Argument growth_steps(Context& c) {
+  return {of(uint64_t(1 + c.source.below(20))), {{"none", of(uint64_t(0)), kRange}, {"too many", of(uint64_t(1000001)), kRange}}};
+}
 inline Argument accuracy_desc(Context& c) {
   auto d = fresh<carom_accuracy>(carom_accuracy_init);
   d.place = std::pow(10, c.between(-6, 0)), d.turn = std::pow(10, c.between(-6, 0)), d.substeps = 2 + c.source.below(30);
@@ -968,6 +972,7 @@ inline const Row kRows[] = {
     ROW(carom_world_set_accuracy, world(c), accuracy_desc(c), error(c)),
     ROW(carom_world_get_accuracy, world(c), out_struct<carom_accuracy>(c), out(c, 4), error(c)),
     GET_LIST(carom_world_get_islands, carom_island),
+    ROW(carom_world_measure_growth, world(c), number(c, {1e-9, 1, false, 0.004, 0.02}), growth_steps(c), out_struct<carom_growth>(c), error(c)),
     // the ledger
     ROW(carom_world_enable_ledger, world(c), choice(c, 2), error(c)),
     GET_LIST(carom_world_get_ledger, carom_ledger_entry),
