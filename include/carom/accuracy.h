@@ -6,7 +6,7 @@
  *  a second. It is told per second of motion, so that a motion of T seconds is off by about T times the tolerance, where errors do
  *  not grow by themselves. In a chaotic scene they do; there it is what each step adds that is held. The estimate is the difference
  *  between the step taken and the same step with half its substeps. An error over the tolerance repeats the step with more.
- *  Islands that joints alone hold move with errors of fourth order, of sixth where CAROM_DIAL_JOINT_ORDER is 6. Contacts are searched
+ *  Islands that joints alone hold choose the order of their errors, too: 2, 4 or 6, CAROM_DIAL_JOINT_ORDER at least. Contacts are searched
  *  for once a step, whatever is asked. A step in which something is swept (carom_body_set_continuous()) takes the substeps
  *  of CAROM_DIAL_SUBSTEPS.
  *
@@ -33,7 +33,7 @@ typedef struct carom_accuracy {
 
 #define CAROM_ISLAND_ESTIMATED 1u   /* its error was estimated in this step, else in one before */
 #define CAROM_ISLAND_BOUND 2u       /* the bound of work was hit: it errs more than was asked */
-#define CAROM_ISLAND_JOINTS_ALONE 4u /* joints alone hold it: its error is of fourth order, or of sixth */
+#define CAROM_ISLAND_JOINTS_ALONE 4u /* joints alone hold it: its error is of order 2, 4 or 6 */
 
 #define CAROM_ISLAND_STALLED 8u      /* more substeps do not lessen its error, which is over what was asked: contacts, mostly */
 

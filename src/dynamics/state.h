@@ -71,6 +71,8 @@ struct AccuracyMemory {
   std::uint8_t met = 0;       // whom its island consisted of
   bool softly = false;        // contacts of it were springs
   bool stalled = false;       // more substeps did not lessen its error
+  std::uint8_t order = 0;     // that it moves with by joints alone; 0: not chosen yet
+  std::uint8_t patience = 0;  // estimates until another order is tried again
   float place = 0, turn = 0;  // errors over tolerances, of the last estimate
   bool operator==(const AccuracyMemory&) const = default;
 };

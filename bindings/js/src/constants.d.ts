@@ -68,7 +68,7 @@ export const CAROM_NULL_HANDLE: 0n;
 export const CAROM_ISLAND_ESTIMATED: 1;
 /** the bound of work was hit: it errs more than was asked */
 export const CAROM_ISLAND_BOUND: 2;
-/** joints alone hold it: its error is of fourth order, or of sixth */
+/** joints alone hold it: its error is of order 2, 4 or 6 */
 export const CAROM_ISLAND_JOINTS_ALONE: 4;
 /** more substeps do not lessen its error, which is over what was asked: contacts, mostly */
 export const CAROM_ISLAND_STALLED: 8;

@@ -36,11 +36,9 @@ namespace accuracy {
 
 /// As a step begins: there is one where a host asks, and nothing is decided yet.
 void begin(const World& world, Owned<Accuracy>& a);
-/// An island's trial is over.   @param each  each(f): f(slot) of its bodies
+/// An island's trial is over.   @param memory  what its bodies are to remember   @param each  each(f): f(slot) of its bodies
 template <class Each>
-void decide(Accuracy& a, const Trial& trial, const AccuracyMemory& before, std::uint8_t met, std::uint32_t flags,
-            const Each& each) {
-  const AccuracyMemory memory = trial.memory_after(before, met);
+void decide(Accuracy& a, const Trial& trial, const AccuracyMemory& memory, std::uint32_t flags, const Each& each) {
   AccuracyView view;
   view.body = kInvalid;
   each([&](std::uint32_t i) {

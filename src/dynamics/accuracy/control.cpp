@@ -46,6 +46,13 @@ void Trial::raise_least(int least_substeps) {
   restart(std::max(level, least));
 }
 
+void Trial::change_order(int to, int at_level) {
+  order = to;
+  repeated = 0, repeated_share = 0;
+  estimates = true;
+  restart(std::clamp(at_level, least, most));
+}
+
 /// Whether an error over the tolerance is to be left as it is.
 bool Trial::stalls(int ended) {
   const Real share = error.most();
@@ -119,10 +126,48 @@ AccuracyMemory Trial::memory_after(const AccuracyMemory& before, std::uint8_t me
     memory.wait = kAccuracyEveryQuiet - 1;
     return memory;
   }
-  const bool is_quiet = next <= least && predicted(next) <= kAccuracyQuiet;
+  const bool is_quiet = next <= least && predicted(next) <= std::pow(kAccuracyQuiet, Real(order));
   memory.level = static_cast<std::uint8_t>(next);
   memory.wait = static_cast<std::uint8_t>(is_quiet ? kAccuracyEveryQuiet - 1 : next != level ? 0 : kAccuracyEvery - 1);
   return memory;
+}
+
+namespace {
+
+// Where orders take as many stages, more or less: 4 substeps of order 2 and 1 of order 4; 8 of order 4 and 4 of order 6.
+constexpr int kMostAtOrder2 = 4, kMostAtOrder4 = 6;
+
+int most_at(int order) { return order == 2 ? kMostAtOrder2 : order == 4 ? kMostAtOrder4 : 1 << kMostLevel; }
+/// Of the next higher order, to begin with.
+int level_above(int order, int substeps) { return level_for(order == 2 ? substeps / Real(8) : substeps / Real(4)); }
+
+}  // namespace
+
+void climb(Trial& trial) {
+  while (trial.run > 0 && trial.coarse == 0 && substeps_at(trial.level) > most_at(trial.order))
+    trial.change_order(trial.order + 2, level_above(trial.order, substeps_at(trial.level)));
+}
+
+void choose_order(AccuracyMemory& memory, const Trial& trial, int least) {
+  const bool has_climbed = memory.order != 0 && trial.order > memory.order;
+  memory.order = static_cast<std::uint8_t>(trial.order);
+  if (has_climbed) memory.patience = static_cast<std::uint8_t>(kAccuracyPatience);
+  if (!trial.is_estimated || memory.stalled) return;
+  if (const int n = substeps_at(memory.level); n > most_at(trial.order)) {
+    memory.level = static_cast<std::uint8_t>(level_above(trial.order, n));
+    memory.order = static_cast<std::uint8_t>(trial.order + 2);
+    memory.patience = static_cast<std::uint8_t>(kAccuracyPatience);
+    memory.wait = 0;
+    return;
+  }
+  if (memory.level > 0 || trial.order <= least) return;
+  if (memory.patience > 0) {
+    --memory.patience;
+    return;
+  }
+  memory.order = static_cast<std::uint8_t>(trial.order - 2);
+  memory.level = 1;
+  memory.wait = 0;
 }
 
 std::uint8_t number_of(std::uint32_t bodies, std::uint32_t rows, std::uint32_t links, bool softly) {
@@ -137,7 +182,9 @@ void join_memory(AccuracyMemory& to, const AccuracyMemory& other, bool is_first)
     return;
   }
   if (to.level != other.level || to.wait != other.wait || to.met != other.met) to.wait = 0;
-  to.level = std::max(to.level, other.level);
+  if (to.order != other.order) to.wait = 0;
+  to.level = std::max(to.level, other.level), to.order = std::max(to.order, other.order);
+  to.patience = std::max(to.patience, other.patience);
   to.place = std::max(to.place, other.place), to.turn = std::max(to.turn, other.turn);
 }
 

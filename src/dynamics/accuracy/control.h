@@ -33,7 +33,9 @@ inline constexpr Constant<int> kAccuracyEveryQuiet{
     "accuracy_every_quiet", 8, "steps", "likewise of an island that one substep serves, far below its tolerance",
     "larger: what begins to move without touching anything is seen late; smaller: piles at rest cost more"};
 inline constexpr Constant<Real> kAccuracyQuiet{
-    "accuracy_quiet", 0.05, "1", "of the tolerance, below which an island that takes one substep is quiet",
+    "accuracy_quiet", 0.05, "1",
+    "of the tolerance, to the power of the order, below which an island that takes one substep is quiet: it may become "
+    "20 times as fast",
     "larger: errors that grow are seen late; smaller: piles at rest cost more"};
 inline constexpr Constant<Real> kAccuracyStall{
     "accuracy_stall", 0.5, "1",
@@ -43,9 +45,13 @@ inline constexpr Constant<Real> kAccuracyStir{
     "accuracy_stir", 4, "1",
     "times the error at which more substeps were of no use, from which on they are tried again",
     "larger: errors that grow are left as they are; smaller: hundreds of substeps for nothing"};
+inline constexpr Constant<int> kAccuracyPatience{
+    "accuracy_patience", 15, "estimates",
+    "of an island that joints alone hold, at one substep, before a lower order is tried again, 15 at most",
+    "larger: what calms down pays for its order for longer; smaller: trials of a lower order cost more than they save"};
 inline constexpr ConstantRow kAccuracyConstants[] = {
-    kAccuracyHorizon,    kAccuracyHorizonTouching, kAccuracyAim,   kAccuracyEvery,
-    kAccuracyEveryQuiet, kAccuracyQuiet,           kAccuracyStall, kAccuracyStir};
+    kAccuracyHorizon, kAccuracyHorizonTouching, kAccuracyAim,  kAccuracyEvery,   kAccuracyEveryQuiet,
+    kAccuracyQuiet,   kAccuracyStall,           kAccuracyStir, kAccuracyPatience};
 
 namespace accuracy {
 
@@ -83,6 +89,8 @@ struct Trial {
   void begin(const AccuracyMemory& memory, std::uint8_t met, int order, int least, int most);
   /// A run turned out to be of too few substeps to be judged.
   void raise_least(int least_substeps);
+  /// It goes on with another order, from its first run.
+  void change_order(int to, int at_level);
   /// A run has ended.   @param apart  of it and of the one it is compared with, where there is one
   End end_run(bool went_well, const Shares& apart);
   /// What the island's bodies are to remember.
@@ -94,6 +102,14 @@ struct Trial {
   int repeated = 0;         // substeps of the last run that was estimated and repeated; 0: none
   Real repeated_share = 0;  // its error; of a note that had stalled, the error then
 };
+
+// ---- orders of islands that joints alone hold: one of 2, 4 and 6, with 1, 5 and 9 stages a substep ----
+
+/// A trial that is to take so many substeps that a higher order would take fewer stages goes on with that.
+void climb(Trial& trial);
+/// Likewise what is remembered of a trial: its order, or a lower one that is worth a try.
+/// @param least  the lowest order that a host allows
+void choose_order(AccuracyMemory& memory, const Trial& trial, int least);
 
 /// A number that changes, mostly, where what an island consists of does.
 /// @param rows, links  of contacts, of joints   @param softly  contacts of it were springs, or joints alone hold it

@@ -290,7 +290,7 @@ void end_passes(const World& world, Passing to, Events& events, const StepTime& 
   for (const GroupView& view : p.group_views) report.direct_groups += view.direct;
   views = p.group_views;
   for (const Passes::Island& island : p.islands)
-    decide(a, island.trial, island.memory, island.met, 0,
+    decide(a, island.trial, island.trial.memory_after(island.memory, island.met), 0,
            [&](const auto& f) { each_member(p, island, [&](std::uint32_t, std::uint32_t i) { f(i); }); });
   break_overloaded(world, to, events);
 }

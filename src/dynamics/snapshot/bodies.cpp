@@ -164,9 +164,11 @@ void body(Io& io, W& world, std::uint32_t i) {
   if (bits & kAccuracy) {
     memory.level = io.value(s.accuracy[i].level), memory.wait = io.value(s.accuracy[i].wait),
     memory.met = io.value(s.accuracy[i].met);
-    const auto flags = io.value(static_cast<std::uint8_t>(s.accuracy[i].softly | s.accuracy[i].stalled << 1));
-    io.demand(flags <= 3);
-    memory.softly = flags & 1, memory.stalled = flags >> 1;
+    const AccuracyMemory& saved = s.accuracy[i];
+    const auto flags = io.value(
+        static_cast<std::uint8_t>(saved.softly | saved.stalled << 1 | saved.order / 2 << 2 | saved.patience << 4));
+    memory.softly = flags & 1, memory.stalled = flags >> 1 & 1;
+    memory.order = static_cast<std::uint8_t>(2 * (flags >> 2 & 3)), memory.patience = flags >> 4;
     memory.place = io.value(s.accuracy[i].place), memory.turn = io.value(s.accuracy[i].turn);
     io.demand(memory.level <= accuracy::kMostLevel && memory.place >= 0 && memory.turn >= 0);
   }

@@ -61,7 +61,7 @@ std::vector<Got> ask(Engine& engine, const Challenge& challenge, const std::vect
     Timed result;
   };
   std::vector<Fixed> fixed;
-  for (const char* order : {"0", "4"}) {
+  for (const char* order : {"0", "2", "4", "6"}) {
     for (const int substeps : {1, 2, 4, 8, 16, 32, 64}) {
       const std::string name = "substeps=" + std::to_string(substeps);
       const auto result = timed(engine, challenge, {name, std::string("joint_order=") + order}, patience);

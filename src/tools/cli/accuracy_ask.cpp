@@ -65,9 +65,16 @@ void ask(const AskOptions& options, Context& context) {
     if (!(t > 0 && t <= 1e6))
       throw Error("--tolerance is out of range", "give m and rad per second of motion, more than 0");
   std::vector<const Challenge*> scenes;
-  for (const std::string& name : options.scenes)
-    if (name != "mixed") scenes.push_back(&accuracy::find_challenge(name));
-  if (options.scenes.empty()) scenes = accuracy::scenes_to_ask();
+  const std::vector<const Challenge*> askable = accuracy::scenes_to_ask();
+  for (const std::string& name : options.scenes) {
+    if (name == "mixed") continue;
+    scenes.push_back(&accuracy::find_challenge(name));
+    if (std::find(askable.begin(), askable.end(), scenes.back()) != askable.end()) continue;
+    std::string names = "mixed";
+    for (const Challenge* challenge : askable) names += ", " + challenge->scene.name;
+    throw Error("scene " + name + " has no place or turn whose truth is known", "ask one of " + names);
+  }
+  if (options.scenes.empty()) scenes = askable;
   Engine engine(context.plugins());
   std::vector<Got> all;
   for (const Challenge* challenge : scenes) {

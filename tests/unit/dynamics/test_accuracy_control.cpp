@@ -53,7 +53,7 @@ static void the_fewest_substeps_within_the_tolerance_are_found(void**) {
 /// The estimate is the error itself, where the order is as told.
 static void the_estimate_is_the_error(void**) {
   for (const int p : {1, 2, 4}) {
-    const Trial t = tried(AccuracyMemory{4, 0, 0, false, false, 0, 0}, 2.5, p);
+    const Trial t = tried(AccuracyMemory{.level = 4}, 2.5, p);
     const Real truth = 2.5 * std::pow(Real(t.taken), -p);
     assert_true(std::fabs(t.error.most() - truth) < 1e-12 * truth);
   }
@@ -134,6 +134,76 @@ static void what_more_substeps_do_not_help_is_left(void**) {
   assert_false(note.stalled);
 }
 
+namespace {
+
+/// Steps of an island that joints alone hold, with errors c[order] n^-order of n substeps; its last trial.
+struct Linkage {
+  Real c[3];  // of orders 2, 4 and 6
+  AccuracyMemory memory;
+  std::uint64_t stages = 0;
+  Real worst = 0;  // error accepted, over the tolerance
+
+  Trial step(int least) {
+    Trial t;
+    t.begin(memory, memory.met, std::max<int>(least, memory.order > 0 ? memory.order : 4), 1, 256);
+    const auto error = [&](int n) { return c[t.order / 2 - 1] * std::pow(Real(n), -t.order); };
+    while (t.run > 0) {
+      stages += static_cast<std::uint64_t>(t.run) * (t.order == 2 ? 1 : t.order == 4 ? 5 : 9);
+      const Real apart = t.coarse > 0 ? error(t.coarse) - error(t.run) : 0;
+      if (t.end_run(true, {apart, 0}) == End::dropped) climb(t);
+    }
+    worst = std::max(worst, error(t.taken));
+    memory = t.memory_after(memory, memory.met);
+    choose_order(memory, t, least);
+    return t;
+  }
+};
+
+}  // namespace
+
+/// In the long run the order is the one that takes the fewest stages, but for trials of a lower one.
+static void orders_are_those_that_cost_least(void**) {
+  struct Case {
+    Real c[3];
+    int order;
+  };
+  for (const Case& at : {Case{{1, 0.02, 0.001}, 2}, Case{{5, 0.1, 0.01}, 2}, Case{{200, 0.4, 0.1}, 4},
+                         Case{{2000, 5, 0.9}, 4}, Case{{5e4, 3000, 30}, 6}, Case{{1e6, 1e5, 2e3}, 6}}) {
+    Linkage l{{at.c[0], at.c[1], at.c[2]}, {}};
+    for (int i = 0; i < 200; ++i) l.step(2);
+    l.stages = 0, l.worst = 0;
+    int at_order = 0;
+    for (int i = 0; i < 400; ++i) at_order += l.step(2).order == at.order;
+    std::printf("  errors %g, %g, %g: order %d in %d of 400 steps, %g stages a step\n", at.c[0], at.c[1], at.c[2],
+                at.order, at_order, static_cast<double>(l.stages) / 400);
+    assert_true(at_order > 340 && l.worst <= 1);
+  }
+}
+
+/// A host's order is the least.
+static void no_order_is_below_the_hosts(void**) {
+  Linkage l{{1e-9, 1e-9, 1e-9}, {}};
+  for (int i = 0; i < 200; ++i) assert_int_equal(l.step(6).order, 6);
+  for (int i = 0; i < 200; ++i) assert_true(l.step(4).order >= 4);
+  for (int i = 0; i < 200; ++i) l.step(2);
+  assert_int_equal(l.step(2).order, 2);
+}
+
+/// A motion that grows wild and calm again is followed.
+static void orders_follow_a_motion_that_changes(void**) {
+  Linkage l{{0.1, 0.01, 0.001}, {}};
+  for (int i = 0; i < 100; ++i) l.step(2);
+  assert_int_equal(l.memory.order, 2);
+  l.c[0] = 1e5, l.c[1] = 1e4, l.c[2] = 300;
+  for (int i = 0; i < 8; ++i) l.step(2);  // a quiet island is estimated every eighth
+  l.worst = 0;
+  for (int i = 0; i < 8; ++i) l.step(2);
+  assert_true(l.memory.order == 6 && l.worst <= 1);
+  l.c[0] = 0.1, l.c[1] = 0.01, l.c[2] = 0.001;
+  for (int i = 0; i < 400; ++i) l.step(2);
+  assert_int_equal(l.memory.order, 2);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(levels_ascend_and_all_but_the_first_have_a_half),
@@ -144,6 +214,9 @@ int main(void) {
       cmocka_unit_test(what_fails_is_tried_finer_up_to_the_bound),
       cmocka_unit_test(what_more_substeps_do_not_help_is_left),
       cmocka_unit_test(islands_that_join_take_the_higher_level_and_an_estimate),
+      cmocka_unit_test(orders_are_those_that_cost_least),
+      cmocka_unit_test(no_order_is_below_the_hosts),
+      cmocka_unit_test(orders_follow_a_motion_that_changes),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -16,6 +16,8 @@ using accuracy::End;
 using accuracy::Shares;
 using accuracy::Trial;
 
+constexpr int kFirstOrder = 4;  // of what has no memory yet
+
 BodyEnd end_of(const RattleBody& b) { return {b.x, b.v, b.omega, b.q}; }
 
 std::uint8_t number_of(const RattleIsland& island) {
@@ -46,6 +48,7 @@ End judge(Rattle& r, const RattleIsland& island, Trial& trial, const Borne& born
     return End::dropped;
   }
   const End end = trial.end_run(true, apart);
+  if (end == End::dropped) climb(trial);
   if (end == End::compared) each_moved(island, [&](std::uint32_t i) { r.coarse[i] = end_of(r.bodies[i]); });
   return end;
 }
@@ -60,23 +63,27 @@ AccuracyMemory memory_of(const World& world, const Rattle& r, const RattleIsland
 
 }  // namespace
 
-void try_accurately(const World& world, Rattle& r, Real dt, int order) {
+void try_accurately(const World& world, Rattle& r, Real dt, int least_order) {
   Accuracy& a = *world.accuracy;
   const Borne borne(world.scene.dials, dt);
   a.decided.reserve(world.scene.bodies.slots());
   r.coarse.resize(r.bodies.size());
   r.trials.assign(r.islands.size(), {});
   for (std::size_t k = 0; k < r.islands.size(); ++k)
-    if (r.islands[k].is_held && !r.islands[k].is_met && r.islands[k].movers > 0)
-      r.trials[k].begin(memory_of(world, r, r.islands[k]), number_of(r.islands[k]), order, 1, borne.most);
+    if (r.islands[k].is_held && !r.islands[k].is_met && r.islands[k].movers > 0) {
+      const AccuracyMemory memory = memory_of(world, r, r.islands[k]);
+      const int order = std::max<int>(least_order, memory.order > 0 ? memory.order : kFirstOrder);
+      r.trials[k].begin(memory, number_of(r.islands[k]), order, 1, borne.most);
+    }
   for (;;) {
-    int run = 0;
+    const Trial* next = nullptr;  // the fewest substeps, of the lowest order: with all that take the same
     for (const Trial& t : r.trials)
-      if (t.run > 0 && (run == 0 || t.run < run)) run = t.run;
-    if (run == 0) break;
+      if (t.run > 0 && (!next || t.run < next->run || (t.run == next->run && t.order < next->order))) next = &t;
+    if (!next) break;
+    const int run = next->run, order = next->order;
     for (std::size_t k = 0; k < r.islands.size(); ++k) {
       RattleIsland& island = r.islands[k];
-      island.is_moving = island.was_tried = r.trials[k].run == run;
+      island.is_moving = island.was_tried = r.trials[k].run == run && r.trials[k].order == order;
       if (island.was_tried) island.halvings = 0;
     }
     move_tried(world, r, dt, run, order);
@@ -91,7 +98,9 @@ void try_accurately(const World& world, Rattle& r, Real dt, int order) {
   for (std::size_t k = 0; k < r.islands.size(); ++k) {
     const RattleIsland& island = r.islands[k];
     if (!island.went_well) continue;
-    decide(a, r.trials[k], memory_of(world, r, island), number_of(island), AccuracyView::kByJointsAlone,
+    AccuracyMemory memory = r.trials[k].memory_after(memory_of(world, r, island), number_of(island));
+    choose_order(memory, r.trials[k], least_order);
+    decide(a, r.trials[k], memory, AccuracyView::kByJointsAlone,
            [&](const auto& f) { each_moved(island, [&](std::uint32_t i) { f(r.bodies[i].slot); }); });
   }
 }

@@ -205,8 +205,8 @@ void make_islands(const World& world, Rattle& r, int order);
 void find_met(const World& world, Rattle& r, const StepTime& time);
 /// The step of the islands that are tried, to the side, with their forces.
 void move_tried(const World& world, Rattle& r, Real dt, int substeps, int order);
-/// Likewise of all, each with the substeps that its error asks for; those that are accepted went well.
-void try_accurately(const World& world, Rattle& r, Real dt, int order);
+/// Likewise of all, each with the order and substeps that its error asks for; those that are accepted went well.
+void try_accurately(const World& world, Rattle& r, Real dt, int least_order);
 /// One step of all islands that are moving. Those that still are went well; of the others some want more halvings.
 /// @param substeps  of the step
 void move_islands(const World& world, Rattle& r, Real dt, int substeps, int order);

@@ -13,10 +13,11 @@ namespace carom::dynamics {
 namespace {
 
 /// The dial's; of odd ones the next. Under rk4, which knows nothing of joints and would leave them at first order, at
-/// least that integrator's; so where an accuracy is asked for.
+/// least that integrator's. Where an accuracy is asked for it is the least of what islands choose.
 int order_of(const World& world) {
   const int asked = (world.scene.dials.whole(Dial::joint_order) + 1) / 2 * 2;
-  return world.accuracy || world.plan->integrator == &kRungeKutta4 ? std::max(asked, 4) : asked;
+  const int least = world.plan->integrator == &kRungeKutta4 ? 4 : world.accuracy ? 2 : 0;
+  return std::max(asked, least);
 }
 
 constexpr int kNoTry = kMostHalvings + 1;  // of RattleIsland::halvings
@@ -123,7 +124,8 @@ void try_rattle(const World& world, const StepTime& time) {
   for (RattleIsland& island : r.islands) island.went_well = island.gave_up = island.is_barred = false;
   const int order = order_of(world);
   if (order == 0) return;
-  rattle::make_islands(world, r, order);
+  constexpr int kWorkOfAccuracy = 4;  // an order whose bound of work holds for all that islands choose
+  rattle::make_islands(world, r, world.accuracy ? std::max(order, kWorkOfAccuracy) : order);
   rattle::find_met(world, r, time);
   for (RattleIsland& island : r.islands) {
     island.halvings = island.is_held && !island.is_met ? 0 : kNoTry;
