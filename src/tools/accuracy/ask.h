@@ -32,7 +32,16 @@ struct Mixed {
   double linkage_ms = 0, all_ms = 0;  ///< of computing, per simulated second: of the linkage alone; of all three
   double all_fixed_ms = 0;            ///< of all, with the substeps of the linkage for everybody
   double linkage_substeps = 0, pile_substeps = 0, top_substeps = 0;  ///< mean a step
+
+  /// What a step took: substeps times stages of the order, of all runs.
+  struct Step {
+    double time = 0;  ///< s
+    double pile = 0, linkage = 0, top = 0;
+  };
+  std::vector<Step> steps;
 };
 Mixed ask_mixed(Engine& engine, double tolerance, double seconds);
+/// What each of the three took, step by step, as a drawing.
+std::string draw_mixed(const Mixed& mixed);
 
 }  // namespace carom::tools::accuracy

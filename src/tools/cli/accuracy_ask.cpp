@@ -8,6 +8,7 @@
 
 #include "accuracy/ask.h"
 #include "cli/table.h"
+#include "host/drawings.h"
 
 namespace carom::tools {
 namespace {
@@ -20,6 +21,7 @@ struct AskOptions {
   std::vector<std::string> scenes;
   std::vector<double> tolerances = {1e-2, 1e-3, 1e-4, 1e-5};
   double patience = 20;
+  std::string svg;
 };
 
 double median(std::vector<double> of) {
@@ -84,8 +86,14 @@ void ask(const AskOptions& options, Context& context) {
   if (!all.empty()) print_got(all);
   const bool mixes = options.scenes.empty() ||
                      std::find(options.scenes.begin(), options.scenes.end(), "mixed") != options.scenes.end();
-  if (mixes)
-    for (const double t : options.tolerances) print_mixed(accuracy::ask_mixed(engine, t, 3));
+  if (!mixes && !options.svg.empty()) throw Error("--svg draws the scene mixed", "add mixed to the scenes");
+  bool is_drawn = options.svg.empty();
+  for (const double t : options.tolerances) {
+    if (!mixes) break;
+    const Mixed mixed = accuracy::ask_mixed(engine, t, 3);
+    print_mixed(mixed);
+    if (!is_drawn) write_drawing(options.svg, accuracy::draw_mixed(mixed)), is_drawn = true;
+  }
 }
 
 }  // namespace
@@ -101,6 +109,8 @@ void add_ask_command(CLI::App& command, Context& context) {
   ask_command->add_option("--patience", options->patience, "Runs that compute for longer are left out")
       ->type_name("S")
       ->capture_default_str();
+  ask_command->add_option("--svg", options->svg, "A drawing of what the islands of mixed take, at the first tolerance")
+      ->type_name("FILE");
   ask_command->footer(
       "Scenes whose error is a place or a turn and whose truth is known. What is asked is the tolerance times the "
       "duration.");
