@@ -8,6 +8,7 @@
 #include "dynamics/accuracy/growth.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
+#include "dynamics/contact/lone_rollers.h"
 #include "dynamics/contact/rolling.h"
 #include "dynamics/contact/slide.h"
 #include "dynamics/give_back.h"
@@ -35,7 +36,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 }
 
 constexpr auto kConstantTable =
-    in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kPatchFrictionConstants, kSweepConstants,
+    in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kLoneRollerConstants, kPatchFrictionConstants, kSweepConstants,
                  kFarTurnConstants, kDepthConstants, kAutoConstants, kConeGroupConstants, kLeastForceConstants,
                  kEnergyBoundConstants, kRattleConstants, kAccuracyConstants, accuracy::kGrowthConstants,
                  kFloatConstants, kGiveBackConstants);

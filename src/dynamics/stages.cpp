@@ -8,6 +8,7 @@
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/contact/impact.h"
+#include "dynamics/contact/lone_rollers.h"
 #include "dynamics/contact/resistance.h"
 #include "dynamics/contact/surface.h"
 #include "dynamics/detect.h"
@@ -84,6 +85,9 @@ constexpr StageEntry kStageTable[] = {
      .what = "which bodies are swept, and what stands in their way",
      .stage = Stage::solve, .effect = +EffectId::continuous,
      .reads = kContactsRead}),
+    stage<find_lone_rollers>({.name = "find lone rollers",
+     .what = "bodies that touch one flat surface and nothing else, as they are",
+     .stage = Stage::solve, .reads = kContactsRead | Part::forces}),
     stage<begin_events>({.name = "begin events",
      .what = "how fast bodies approach, if a host wants to know",
      .stage = Stage::observe, .effect = +EffectId::events,
@@ -150,6 +154,9 @@ constexpr StageEntry kStageTable[] = {
      .what = "impulses back from lanes into rows; joints that were overloaded break",
      .stage = Stage::solve, .reads = kMotion | Part::joints,
      .account = LedgerAccount::corrections, .by_island = ByIsland::alone}),
+    stage<roll_alone>({.name = "roll alone",
+     .what = "those that friction bears all the way take their step by their equation of motion instead",
+     .stage = Stage::solve, .reads = kMotion, .account = LedgerAccount::corrections}),
     stage<take_rattle>({.name = "take rattle",
      .what = "those islands in their places; joints of them that were overloaded break",
      .stage = Stage::solve, .reads = kMotion | Part::joints, .account = LedgerAccount::by_itself}),

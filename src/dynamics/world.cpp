@@ -10,6 +10,7 @@
 #include "dynamics/events/events.h"
 #include "dynamics/query/index.h"
 #include "dynamics/accuracy/accuracy.h"
+#include "dynamics/contact/lone_rollers.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/ledger/ledger.h"
@@ -38,6 +39,7 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
       impulses(m),
       plan(make_owned<Plan>(m, m)),
       contacts(make_owned<Contacts>(m, m)),
+      lone_rollers(make_owned<LoneRollers>(m, m)),
       wide(make_owned<WideContacts>(m, m)),
       wide_joints(make_owned<WideJoints>(m, m)),
       direct(make_owned<DirectGroups>(m, m)),

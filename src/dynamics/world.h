@@ -83,6 +83,7 @@ struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
 struct Accuracy;      // dynamics/accuracy/accuracy.h: islands whose substeps follow from their errors
+struct LoneRollers;   // dynamics/contact/lone_rollers.h: bodies that touch one flat surface and nothing else
 struct Rattle;        // dynamics/joint/rattle/rattle.h: islands that joints alone hold
 
 /// Const, it is what a stage reads: what stands in it by value or as Kept does not change, and who writes a part of it
@@ -184,6 +185,7 @@ class World {
   Owned<Plan> plan;
   Owned<Contacts> contacts;
   Owned<MeanMotion> mean_motion;  // null until there are rows
+  Owned<LoneRollers> lone_rollers;
   Owned<WideContacts> wide;
   Owned<WideJoints> wide_joints;
   Owned<Rattle> rattle;  // null until rattle::is_asked()

@@ -33,21 +33,23 @@ Fill rod(Real angle, Real damping = 0) {
 Fill two_rods(Real a, Real b) {
   return [=](TestWorld& t) { hang_two(t, a, b, JointKind::hinge); };
 }
-/// Balls that drop onto a carpet of still ones, too large for its holes: where they go after some impacts depends on everything.
+/// Balls that drop onto a carpet of still ones, too large for its holes: where they go after some impacts depends on
+/// everything.
 Fill balls(int count, Real restitution) {
   return [=](TestWorld& t) {
     const std::uint32_t bouncy = t.material(0.3, restitution);
     const Shape* const large = t.keep(sphere(0.5));
     for (int i = 0; i < 144; ++i) t.add(large, Vec3(i % 12, 0, i / 12), BodyType::fixed, Quat::identity(), bouncy);
-    for (int i = 0; i < count; ++i) t.add(t.keep(sphere(0.25)), Vec3(5.7 + 0.11 * i, 3 + 0.6 * i, 5.61 - 0.13 * i), BodyType::dynamic,
+    for (int i = 0; i < count; ++i)
+      t.add(t.keep(sphere(0.25)), Vec3(5.7 + 0.11 * i, 3 + 0.6 * i, 5.61 - 0.13 * i), BodyType::dynamic,
             Quat::identity(), bouncy);
   };
 }
 
 }  // namespace
 
-/// A rod that stands on its end falls by e^(w t), w^2 = 3 g / 2 l. The distance of velocities begins with what the joint
-/// leaves of a push, and soon grows w times that of angles.
+/// A rod that stands on its end falls by e^(w t), w^2 = 3 g / 2 l. The distance of velocities begins with what the
+/// joint leaves of a push, and soon grows w times that of angles.
 static void what_stands_on_its_end_grows_by_its_rate(void**) {
   const Real w = std::sqrt(1.5 * kG);
   const Growth g = growth_of(rod(kPi), 5);
@@ -77,9 +79,8 @@ static void held_out_motions(void**) {
   assert_true(growth_of(balls(1, 0.8), 4).is_sensitive);
   assert_true(growth_of(balls(4, 0.9), 4).is_sensitive);
   const auto top = [](const Vec3& omega) {
-    return [=](TestWorld& t) {
-      t.world.set_velocity(add_body(t, Vec3::zero(), 1, Vec3(1, 2, 3)), Vec3::zero(), omega);
-    };
+    return
+        [=](TestWorld& t) { t.world.set_velocity(add_body(t, Vec3::zero(), 1, Vec3(1, 2, 3)), Vec3::zero(), omega); };
   };
   assert_false(growth_of(top(Vec3(3, 0.1, 0.1)), 20).is_sensitive);
   assert_true(growth_of(top(Vec3(0, 3, 1e-6)), 8).is_sensitive);  // until it turns over

@@ -1,4 +1,5 @@
-// Bodies with locked axes in islands that joints alone hold: what their equations of motion say, to the order asked for.
+// Bodies with locked axes in islands that joints alone hold: what their equations of motion say, to the order asked
+// for.
 #include <array>
 #include <cmath>
 
@@ -14,7 +15,8 @@ constexpr Real kX = 1, kY = 2, kZ = 4, kAboutX = 8, kAboutY = 16, kAboutZ = 32, 
 
 void lock(TestWorld& t, std::uint32_t body, Real axes) { t.world.set_attribute(body, AttributeId::locks, {axes}); }
 
-/// A rod on a cart that rolls along x without friction; the joint is a ball's, so that locks alone keep it in its plane.
+/// A rod on a cart that rolls along x without friction; the joint is a ball's, so that locks alone keep it in its
+/// plane.
 struct Cart {
   Real mass, rod, length, angle, spin;  // kg, kg, m, rad from hanging down, rad/s
   Vec3 inertia;                         // kg m^2, of the rod, whose y is along it
@@ -131,8 +133,8 @@ static void energy_stays(void**) {
   TestWorld t;
   by_rattle(t, 2, 2);
   const std::uint32_t cart = add_body(t, Vec3(0, 1, 0), 2, Vec3::constant(0.1));
-  const std::uint32_t rod = add_body(t, Vec3(0.5, 1, 0), 1, Vec3(1.0 / 12, 1e-3, 1.0 / 12), BodyType::dynamic,
-                                     exp_map(Vec3(0, 0, kPi / 2)));
+  const std::uint32_t rod =
+      add_body(t, Vec3(0.5, 1, 0), 1, Vec3(1.0 / 12, 1e-3, 1.0 / 12), BodyType::dynamic, exp_map(Vec3(0, 0, kPi / 2)));
   lock(t, cart, kY + kZ + kAbout), lock(t, rod, kZ + kAboutX + kAboutY);
   join(t, JointKind::ball, cart, rod, Vec3(0, 1, 0));
   Real most[2] = {};

@@ -16,7 +16,8 @@ inline constexpr Constant<Real> kGrowthLeast{"growth_least", 100, "1", "growth b
                                              "larger: slow chaos is not told; smaller: any motion is sensitive"};
 inline constexpr Constant<Real> kGrowthShare{
     "growth_share", 0.25, "1",
-    "of the time, after which growth has reached its root where errors grow e-fold: half by e, a tenth in proportion to "
+    "of the time, after which growth has reached its root where errors grow e-fold: half by e, a tenth in proportion "
+    "to "
     "time, a fifth to its third power",
     "larger: chaos that sets in late is told alone; smaller: a shear is called chaos"};
 inline constexpr ConstantRow kGrowthConstants[] = {kGrowthApart, kGrowthMost, kGrowthLeast, kGrowthShare};

@@ -115,12 +115,14 @@ Mixed ask_mixed(Engine& engine, double tolerance, double seconds) {
     for (const carom_island& island : room.stage.world.islands()) {
       const bool is_linkage = island.flags & CAROM_ISLAND_JOINTS_ALONE, is_top = island.body == room.top;
       (is_linkage ? m.linkage_substeps : is_top ? m.top_substeps : m.pile_substeps) += island.substeps;
-      (is_linkage ? taken.linkage : is_top ? taken.top : taken.pile) +=
-          static_cast<double>(island.work) * stages_of(island);
+      (is_linkage ? taken.linkage
+       : is_top   ? taken.top
+                  : taken.pile) += static_cast<double>(island.work) * stages_of(island);
     }
     m.steps.push_back(taken);
   });
-  for (double* mean : {&m.linkage_substeps, &m.pile_substeps, &m.top_substeps}) *mean /= static_cast<double>(m.steps.size());
+  for (double* mean : {&m.linkage_substeps, &m.pile_substeps, &m.top_substeps})
+    *mean /= static_cast<double>(m.steps.size());
   const auto fixed = std::clamp(static_cast<int>(std::lround(m.linkage_substeps)), 1, 64);
   m.all_fixed_ms = cost(engine, true, {"substeps=" + std::to_string(fixed), "joint_order=4"}, seconds, nothing);
   return m;
@@ -145,9 +147,10 @@ std::string draw_mixed(const Mixed& mixed) {
   add("linkage", 0, &Mixed::Step::linkage);
   add("top", 1, &Mixed::Step::top);
   add("pile", 2, &Mixed::Step::pile);
-  std::snprintf(text, sizeof text,
-                "Rods alone cost %.2g ms a second, with a resting pile and a flying top %.2f times that. m and rad per second.",
-                mixed.linkage_ms, mixed.all_ms / mixed.linkage_ms);
+  std::snprintf(
+      text, sizeof text,
+      "Rods alone cost %.2g ms a second, with a resting pile and a flying top %.2f times that. m and rad per second.",
+      mixed.linkage_ms, mixed.all_ms / mixed.linkage_ms);
   plot.note = text;
   return report::draw(plot);
 }
