@@ -116,8 +116,8 @@ Vec3 axis_of_coin(Real lean, Real radius, Real hz, int solver) {
 }  // namespace
 
 /// Beside steps of a sixteenth. A point that stayed on the body would lie 0.13 m from where the coin touches after one
-/// step of 1/60 s: the coin lost half of its energy within a twentieth of the time that it has. It rolls by its equation of
-/// motion (lone_rollers.h), in steps of 0.1 rad of the point's way: (0.1)^4 / 120 of that is what is left.
+/// step of 1/60 s: the coin lost half of its energy within a twentieth of the time that it has. It rolls by its
+/// equation of motion (lone_rollers.h), in steps of 0.1 rad of the point's way: (0.1)^4 / 120 of that is what is left.
 static void a_coin_goes_round(void**) {
   for (const auto& [lean, radius] : {std::pair<Real, Real>(0.4, 0.5), {0.6, 0.2}, {0.5, 1}}) {
     const Vec3 end = axis_of_coin(lean, radius, 1920, kAutoSolver);

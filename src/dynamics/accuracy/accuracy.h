@@ -36,7 +36,8 @@ namespace accuracy {
 
 /// As a step begins: there is one where a host asks, and nothing is decided yet.
 void begin(const World& world, Owned<Accuracy>& a);
-/// An island's trial is over.   @param memory  what its bodies are to remember   @param each  each(f): f(slot) of its bodies
+/// An island's trial is over.   @param memory  what its bodies are to remember   @param each  each(f): f(slot) of its
+/// bodies
 template <class Each>
 void decide(Accuracy& a, const Trial& trial, const AccuracyMemory& memory, std::uint32_t flags, const Each& each) {
   AccuracyView view;

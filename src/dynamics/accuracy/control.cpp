@@ -134,7 +134,8 @@ AccuracyMemory Trial::memory_after(const AccuracyMemory& before, std::uint8_t me
 
 namespace {
 
-// Where orders take as many stages, more or less: 4 substeps of order 2 and 1 of order 4; 8 of order 4 and 4 of order 6.
+// Where orders take as many stages, more or less: 4 substeps of order 2 and 1 of order 4; 8 of order 4 and 4 of
+// order 6.
 constexpr int kMostAtOrder2 = 4, kMostAtOrder4 = 6;
 
 int most_at(int order) { return order == 2 ? kMostAtOrder2 : order == 4 ? kMostAtOrder4 : 1 << kMostLevel; }

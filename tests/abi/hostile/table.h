@@ -231,7 +231,8 @@ inline Argument water_desc(Context& c) {
 }
 /// Of carom_world_measure_growth(): a large number of steps is allowed, and takes its time.
 inline Argument growth_steps(Context& c) {
-  return {of(uint64_t(1 + c.source.below(20))), {{"none", of(uint64_t(0)), kRange}, {"too many", of(uint64_t(1000001)), kRange}}};
+  return {of(uint64_t(1 + c.source.below(20))),
+          {{"none", of(uint64_t(0)), kRange}, {"too many", of(uint64_t(1000001)), kRange}}};
 }
 inline Argument accuracy_desc(Context& c) {
   auto d = fresh<carom_accuracy>(carom_accuracy_init);
