@@ -28,8 +28,28 @@ std::vector<PeerSetting> settings_of(const std::string& engine) {
             {"solref two steps, 10 no-slip rounds", {{"solref", 0}, {"noslip", 10}}},
             {"4 substeps", {{"substeps", 4}}},
             {"16 substeps", {{"substeps", 16}}},
-            {"Runge-Kutta 4", {{"integrator", 1}}, true},
-            {"Runge-Kutta 4, 4 substeps", {{"integrator", 1}, {"substeps", 4}}, true}};
+            {"Runge-Kutta 4", {{"integrator", 1}}, is_of_joints_alone},
+            {"Runge-Kutta 4, 4 substeps", {{"integrator", 1}, {"substeps", 4}}, is_of_joints_alone}};
+  if (engine.starts_with("Drake"))
+    return {{"lagged (as it comes)", {}},
+            {"lagged, 4 substeps", {{"substeps", 4}}},
+            {"lagged, boxes of 1 GPa", {{"modulus", 1e9}}},
+            {"lagged, boxes of 1 GPa, 16 substeps", {{"modulus", 1e9}, {"substeps", 16}}},
+            {"similar, boxes of 1 GPa", {{"approximation", 1}, {"modulus", 1e9}}},
+            {"SAP", {{"approximation", 2}}},
+            {"SAP, rigid, no relaxation",
+             {{"approximation", 2}, {"modulus", 1e9}, {"threshold", 0}, {"relaxation", 0}}},
+            {"TAMSI, boxes of 1 GPa", {{"approximation", 3}, {"modulus", 1e9}}},
+            {"lagged, bounces of 40 steps", {{"bounce_steps", 40}}, is_of_joints_or_bounces},
+            {"lagged, bounces of 200 steps", {{"bounce_steps", 200}}, is_of_joints_or_bounces},
+            {"CENIC, accuracy 1e-3", {{"integrator", 1}, {"accuracy", 1e-3}, {"bounce_time", 0.01}}},
+            {"CENIC, accuracy 1e-5, boxes of 1 GPa",
+             {{"integrator", 1}, {"accuracy", 1e-5}, {"modulus", 1e9}, {"bounce_time", 0.01}}},
+            {"implicit Euler, accuracy 1e-3", {{"integrator", 2}, {"accuracy", 1e-3}}},
+            {"Radau 3, accuracy 1e-6", {{"integrator", 3}, {"accuracy", 1e-6}}, is_of_joints_alone},
+            {"Runge-Kutta 3, accuracy 1e-6", {{"integrator", 4}, {"accuracy", 1e-6}}, is_of_joints_or_bounces},
+            {"Runge-Kutta 5, accuracy 1e-6", {{"integrator", 5}, {"accuracy", 1e-6}}, is_of_joints_or_bounces},
+            {"Runge-Kutta 5, accuracy 1e-12", {{"integrator", 5}, {"accuracy", 1e-12}}, is_of_joints_or_bounces}};
   return {{"10 iterations (as it comes)", {}},
           {"50 iterations", {{"iterations", 50}}},
           {"200 iterations", {{"iterations", 200}}},
@@ -50,6 +70,11 @@ std::string note_on(const std::string& engine) {
            "; joints as trees of ball joints in reduced coordinates, loops as equality constraints; "
            "elliptic cones, no collision of joined bodies; friction and restitution of each contact set to the "
            "comparison's (a bounce is a spring and damper over 20 steps)";
+  if (engine.starts_with("Drake"))
+    return "the Python wheel drake, a process of its own that tells its CPU time; joints as trees of ball joints in "
+           "reduced coordinates; boxes by hydroelastic patches, balls by points; friction the comparison's; restitution "
+           "by a spring and damper (SAP) over 10 steps; where an integrator has its own steps by a spring alone, over "
+           "1 ms (CENIC: 10 ms), and none but 0 and 1";
   if (engine.starts_with("Rapier"))
     return "the crate rapier3d-f64; a wide box in the place of a half-space, no sleeping, impulse joints, frictions by their geometric "
            "mean, the larger restitution";
@@ -67,6 +92,10 @@ const std::vector<std::string>& scenes_for_peers() {
 
 bool is_of_joints_alone(const std::string& scene) {
   return scene == "pendulum" || scene == "wrecking" || scene.starts_with("chain");
+}
+
+bool is_of_joints_or_bounces(const std::string& scene) {
+  return is_of_joints_alone(scene) || scene == "bouncing" || scene == "cradle" || scene == "cannon";
 }
 
 }  // namespace carom::bench

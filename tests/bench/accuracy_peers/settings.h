@@ -8,7 +8,7 @@ namespace carom::bench {
 struct PeerSetting {
   std::string name;
   std::vector<NamedDial> dials;
-  bool for_joints_alone = false;  // scenes in which nothing touches
+  bool (*takes)(const std::string& scene) = nullptr;  // null: all that are made of what every engine has
 };
 /// @param engine  the name that its module gives, "Bullet 3.24 (double)"
 std::vector<PeerSetting> settings_of(const std::string& engine);
@@ -16,7 +16,9 @@ std::string note_on(const std::string& engine);
 
 /// Scenes that are made of what every engine has: boxes, balls, half-spaces, ball joints.
 const std::vector<std::string>& scenes_for_peers();
-/// Whether joints are all there is in one of them.
+/// Whether joints are all there is in one of them: nothing touches.
 bool is_of_joints_alone(const std::string& scene);
+/// Or a few balls that bounce without loss.
+bool is_of_joints_or_bounces(const std::string& scene);
 
 }  // namespace carom::bench
