@@ -1,7 +1,27 @@
 // Tables of settings and scenes.
 #include "settings.h"
 
+#include <algorithm>
+
 namespace carom::bench {
+namespace {
+
+bool is_one_of(const std::string& scene, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(), [&](const char* name) { return scene == name; });
+}
+bool something_touches(const std::string& scene) { return !is_of_joints_alone(scene); }
+bool something_bounces(const std::string& scene) {
+  return is_one_of(scene, {"bouncing", "bounce05", "cradle", "cannon", "elastic666"});
+}
+/// No friction, and no bounce that loses a share.
+bool is_smooth(const std::string& scene) {
+  return is_of_joints_alone(scene) || (something_bounces(scene) && scene != "bounce05");
+}
+bool has_boxes(const std::string& scene) {
+  return something_touches(scene) && !something_bounces(scene) && scene != "pack666" && scene != "skid";
+}
+
+}  // namespace
 
 std::vector<PeerSetting> settings_of(const std::string& engine) {
   if (engine.starts_with("ODE"))
@@ -33,23 +53,24 @@ std::vector<PeerSetting> settings_of(const std::string& engine) {
   if (engine.starts_with("Drake"))
     return {{"lagged (as it comes)", {}},
             {"lagged, 4 substeps", {{"substeps", 4}}},
-            {"lagged, boxes of 1 GPa", {{"modulus", 1e9}}},
-            {"lagged, boxes of 1 GPa, 16 substeps", {{"modulus", 1e9}, {"substeps", 16}}},
-            {"similar, boxes of 1 GPa", {{"approximation", 1}, {"modulus", 1e9}}},
-            {"SAP", {{"approximation", 2}}},
+            {"lagged, 16 substeps", {{"substeps", 16}}},
+            {"lagged, boxes of 1 PPa", {{"modulus", 1e15}}, has_boxes},
+            {"lagged, boxes of 1 TPa, 4 substeps", {{"modulus", 1e12}, {"substeps", 4}}, has_boxes},
+            {"similar, boxes of 1 GPa", {{"approximation", 1}, {"modulus", 1e9}}, has_boxes},
+            {"SAP", {{"approximation", 2}}, something_touches},
             {"SAP, rigid, no relaxation",
-             {{"approximation", 2}, {"modulus", 1e9}, {"threshold", 0}, {"relaxation", 0}}},
-            {"TAMSI, boxes of 1 GPa", {{"approximation", 3}, {"modulus", 1e9}}},
-            {"lagged, bounces of 40 steps", {{"bounce_steps", 40}}, is_of_joints_or_bounces},
-            {"lagged, bounces of 200 steps", {{"bounce_steps", 200}}, is_of_joints_or_bounces},
+             {{"approximation", 2}, {"modulus", 1e15}, {"threshold", 0}, {"relaxation", 0}}, has_boxes},
+            {"TAMSI, boxes of 1 PPa", {{"approximation", 3}, {"modulus", 1e15}}, has_boxes},
+            {"lagged, bounces of 40 steps", {{"bounce_steps", 40}}, something_bounces},
+            {"lagged, bounces of 200 steps", {{"bounce_steps", 200}}, something_bounces},
             {"CENIC, accuracy 1e-3", {{"integrator", 1}, {"accuracy", 1e-3}, {"bounce_time", 0.01}}},
-            {"CENIC, accuracy 1e-5, boxes of 1 GPa",
-             {{"integrator", 1}, {"accuracy", 1e-5}, {"modulus", 1e9}, {"bounce_time", 0.01}}},
-            {"implicit Euler, accuracy 1e-3", {{"integrator", 2}, {"accuracy", 1e-3}}},
+            {"CENIC, accuracy 1e-5, boxes of 1 TPa",
+             {{"integrator", 1}, {"accuracy", 1e-5}, {"modulus", 1e12}, {"bounce_time", 0.01}}},
+            {"implicit Euler, accuracy 1e-3", {{"integrator", 2}, {"accuracy", 1e-3}}, is_smooth},
             {"Radau 3, accuracy 1e-6", {{"integrator", 3}, {"accuracy", 1e-6}}, is_of_joints_alone},
-            {"Runge-Kutta 3, accuracy 1e-6", {{"integrator", 4}, {"accuracy", 1e-6}}, is_of_joints_or_bounces},
-            {"Runge-Kutta 5, accuracy 1e-6", {{"integrator", 5}, {"accuracy", 1e-6}}, is_of_joints_or_bounces},
-            {"Runge-Kutta 5, accuracy 1e-12", {{"integrator", 5}, {"accuracy", 1e-12}}, is_of_joints_or_bounces}};
+            {"Runge-Kutta 3, accuracy 1e-6", {{"integrator", 4}, {"accuracy", 1e-6}}, is_smooth},
+            {"Runge-Kutta 5, accuracy 1e-6", {{"integrator", 5}, {"accuracy", 1e-6}}, is_smooth},
+            {"Runge-Kutta 5, accuracy 1e-12", {{"integrator", 5}, {"accuracy", 1e-12}}, is_smooth}};
   return {{"10 iterations (as it comes)", {}},
           {"50 iterations", {{"iterations", 50}}},
           {"200 iterations", {{"iterations", 200}}},
@@ -92,10 +113,6 @@ const std::vector<std::string>& scenes_for_peers() {
 
 bool is_of_joints_alone(const std::string& scene) {
   return scene == "pendulum" || scene == "wrecking" || scene.starts_with("chain");
-}
-
-bool is_of_joints_or_bounces(const std::string& scene) {
-  return is_of_joints_alone(scene) || scene == "bouncing" || scene == "cradle" || scene == "cannon";
 }
 
 }  // namespace carom::bench

@@ -16,9 +16,7 @@ std::string note_on(const std::string& engine);
 
 /// Scenes that are made of what every engine has: boxes, balls, half-spaces, ball joints.
 const std::vector<std::string>& scenes_for_peers();
-/// Whether joints are all there is in one of them: nothing touches.
+/// Whether joints are all there is in one of them.
 bool is_of_joints_alone(const std::string& scene);
-/// Or a few balls that bounce without loss.
-bool is_of_joints_or_bounces(const std::string& scene);
 
 }  // namespace carom::bench
