@@ -127,9 +127,8 @@ class World:
         self.forest()
         if self.loops and (self.integrator or self.approximation == "tamsi"):
             raise Refused("joints that close a loop need the SAP solver or a tree")
-        self.plant = None
-        self.dt = 0.0
         self.pushed = False
+        self.build(1 / 60)  # so that what this Drake can't build is refused now, and not a state that was lost later
 
     def forest(self):
         """Joints as a forest, grown from the world: self.tree has (parent or -1, child, joint), self.loops the rest."""
@@ -293,10 +292,9 @@ class World:
     def step(self, dt, pushes):
         """@return  s of CPU time"""
         if dt != self.dt:
-            kept = self.plant and (self.plant.GetPositions(self.context), self.plant.GetVelocities(self.context))
+            q, v = self.plant.GetPositions(self.context), self.plant.GetVelocities(self.context)
             self.build(dt)
-            if kept:
-                self.plant.SetPositions(self.context, kept[0]), self.plant.SetVelocities(self.context, kept[1])
+            self.plant.SetPositions(self.context, q), self.plant.SetVelocities(self.context, v)
         if len(pushes) or self.pushed:
             list_of = []
             for body, *force in pushes.reshape(-1, 4):
