@@ -16,6 +16,8 @@ class Mover {
   virtual ~Mover() = default;
   virtual void push(const Stage& stage, const Push& push) = 0;
   virtual void step(Stage& stage, double dt) = 0;  ///< what is timed
+  /// CPU time of the last step() where another process took it, s; negative: this thread did.
+  virtual double seconds_elsewhere() const { return -1; }
   /// Bring the stage's world to where bodies are.   @return false: they are nowhere, the run is lost
   virtual bool show(Stage&) { return true; }
 };

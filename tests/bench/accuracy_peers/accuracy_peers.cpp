@@ -34,8 +34,10 @@ std::vector<PeerEngine> load(const Options& options) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), module.name) == wanted.end()) continue;
     if (const std::string reason = reason_missing(module.path); !reason.empty())
       std::fprintf(stderr, "%s is left out: %s\n", module.name, reason.c_str());
+    else if (const PeerEngine engine = load_engine(module.path); engine.name)
+      list.push_back(engine);
     else
-      list.push_back(load_engine(module.path));
+      std::fprintf(stderr, "%s is left out: it did not start\n", module.name);
   }
   return list;
 }
@@ -44,10 +46,10 @@ std::vector<Entry> entries_of(const std::vector<PeerEngine>& peers) {
   std::vector<Entry> entries;
   for (const PeerEngine& peer : peers)
     for (const PeerSetting& setting : settings_of(peer.name)) {
-      const auto takes_part = [joints_alone = setting.for_joints_alone](const Challenge& c) {
+      const auto takes_part = [takes = setting.takes](const Challenge& c) {
         const auto& names = scenes_for_peers();
         return std::find(names.begin(), names.end(), c.scene.name) != names.end() &&
-               (!joints_alone || is_of_joints_alone(c.scene.name));
+               (!takes || takes(c.scene.name));
       };
       entries.push_back({peer.name, setting.name, takes_part, {}, [peer, setting](tools::Stage& stage) {
                            return std::make_unique<PeerMover>(stage, peer, setting.dials);
@@ -99,7 +101,7 @@ int main(int argc, char** argv) {
   CLI::App app("Accuracy scenes through every engine that is installed");
   app.add_option("SCENES", options.scenes, "Which; default: all that every engine can run");
   app.add_option("--out", options.out, "Rows, for `carom accuracy report --from`")->type_name("FILE.json")->capture_default_str();
-  app.add_option("--engines", options.engines, "Which, besides Carom: bullet, bullet64, ode, mujoco (Debian's), mujoco_wheel, rapier64");
+  app.add_option("--engines", options.engines, "Which, besides Carom: bullet, bullet64, ode, mujoco (Debian's), mujoco_wheel, drake, rapier64");
   app.add_option("--seconds", options.seconds, "About how long to take")->capture_default_str();
   app.add_option("--per-run", options.per_run, "A run that takes more s of computing is left out")->capture_default_str();
   app.add_flag("--no-maps", options.no_maps, "Leave out the maps of what stands");

@@ -12,7 +12,9 @@ PeerMover::PeerMover(tools::Stage& stage, const PeerEngine& engine, const std::v
   WorldPlan world = plan_.world(false);
   world.dials = list.data(), world.dial_count = list.size();
   world_.reset(engine.make(world));
-  if (!world_) throw tools::Error(std::string(engine.name) + " can't build this scene", "leave it to the others");
+  if (!world_)
+    throw tools::Error(std::string(engine.name) + " can't build this scene", "leave it to the others",
+                       CAROM_E_UNSUPPORTED);
   for (std::size_t i = 0; i < stage.actors.size(); ++i)
     if (stage.actors[i].type == CAROM_BODY_DYNAMIC) moved_.push_back(stage.actors[i].body), places_.push_back(i);
   poses_.resize(7 * moved_.size()), velocities_.resize(6 * moved_.size());

@@ -15,10 +15,11 @@ struct NamedDial {
 
 class PeerMover : public tools::accuracy::Mover {
  public:
-  /// @throws Error if the stage has what not every engine has
+  /// @throws Error if the stage has what not every engine has, or if this engine refuses it (CAROM_E_UNSUPPORTED)
   PeerMover(tools::Stage& stage, const PeerEngine& engine, const std::vector<NamedDial>& dials);
   void push(const tools::Stage& stage, const tools::accuracy::Push& push) override;
   void step(tools::Stage& stage, double dt) override;
+  double seconds_elsewhere() const override { return world_->seconds_elsewhere(); }
   bool show(tools::Stage& stage) override;
 
  private:

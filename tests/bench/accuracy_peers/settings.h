@@ -8,7 +8,7 @@ namespace carom::bench {
 struct PeerSetting {
   std::string name;
   std::vector<NamedDial> dials;
-  bool for_joints_alone = false;  // scenes in which nothing touches
+  bool (*takes)(const std::string& scene) = nullptr;  // null: all that are made of what every engine has
 };
 /// @param engine  the name that its module gives, "Bullet 3.24 (double)"
 std::vector<PeerSetting> settings_of(const std::string& engine);

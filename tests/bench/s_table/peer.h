@@ -75,6 +75,8 @@ class PeerWorld {
   virtual std::size_t contact_points() const = 0;  // after the last step; kNotTold by an engine that doesn't count them
   /// A force on a body's centre of mass for the next step(); no scene of the S-table pushes.   @param force  [3] N, world
   virtual void push(std::size_t body, const double* force) { (void)body, (void)force; }
+  /// CPU time of the last step() where another process took it, s; negative: this thread did.
+  virtual double seconds_elsewhere() const { return -1; }
   /// What each ray meets first.
   /// @param ends       [6 n] m, world: where a ray starts and where it ends
   /// @param fractions  [n] out: of the way, at which something is met; 2: nothing
@@ -87,7 +89,7 @@ class PeerWorld {
 
 /// What a shared object with an engine exports as `carom_bench_engine`.
 struct PeerEngine {
-  const char* name;                           // with version and precision
+  const char* name;                           // with version and precision; null: it did not start, why is on stderr
   /// Null, and why on stderr, if it can't. The plan need not outlive the call; its params and triangles do.
   PeerWorld* (*make)(const WorldPlan& plan);
   std::size_t (*live_bytes)();                // held through the engine's own allocator now
