@@ -57,8 +57,9 @@ extern "C" {
 #define CAROM_DIAL_PRECISION 39u           /* choice: CAROM_PRECISION_*: the numbers in which contacts are solved
  */
 #define CAROM_DIAL_JOINT_ORDER 40u         /* 2, 4, 6: order of the error of islands that joints alone hold, in 1, 5 or 9
-                                              stages a substep, gaps at rounding (odd: the next); 0: they are answered as
-                                              joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4 */
+                                              stages a substep, gaps at rounding (odd: the next); above 2 also of bodies
+                                              that springs, drag and fields alone move; 0: as joints in contact are,
+                                              under CAROM_INTEGRATOR_RK4 to order 4 */
 #define CAROM_DIAL_ACCURACY_PLACE 41u      /* m per second of motion that a host bears to be off, see accuracy.h; 0: not asked for */
 #define CAROM_DIAL_ACCURACY_TURN 42u       /* rad per second, likewise */
 #define CAROM_DIAL_ACCURACY_SUBSTEPS 43u   /* bound of work: substeps of an island in a step */

@@ -124,7 +124,8 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            kPrecisions, 1),
     integer(Dial::joint_order, "joint_order",
             "order 2, 4 or 6 of the error of islands that joints alone hold, with gaps at rounding, in 1, 5 or 9 stages a "
-            "substep (odd: the next); 0: they are answered as joints in contact are",
+            "substep (odd: the next), above 2 also of bodies that springs, drag and fields alone move; 0: as joints in contact "
+            "are",
             0, 6, 2),
     number(Dial::accuracy_place, "accuracy_place", "m/s",
            "error of places that a host bears, a second of motion: islands take the substeps that their estimates ask for; "

@@ -7,6 +7,7 @@
 
 #include "dynamics/accuracy/accuracy.h"
 #include "dynamics/give_back.h"
+#include "dynamics/contact/lone_rollers.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/observe.h"
 #include "dynamics/stages.h"
@@ -103,6 +104,7 @@ void Runner::by_island(std::span<const StageEntry> table) const {
 void World::step(Real dt) {
   accuracy::begin(*this, accuracy);
   if (!rattle && rattle::is_asked(*this)) rattle = make_owned<Rattle>(memory, memory);
+  if (!lone_rollers && scene.colliders.live.size() > 1) lone_rollers = make_owned<LoneRollers>(memory, memory);
   const Runner run(*this, dt);
   begin_report(*this, report, group_views, *events);
   give_back(*this, impulses, pairs, mean_motion);

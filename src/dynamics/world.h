@@ -185,7 +185,7 @@ class World {
   Owned<Plan> plan;
   Owned<Contacts> contacts;
   Owned<MeanMotion> mean_motion;  // null until there are rows
-  Owned<LoneRollers> lone_rollers;
+  Owned<LoneRollers> lone_rollers;  // null until there are two colliders
   Owned<WideContacts> wide;
   Owned<WideJoints> wide_joints;
   Owned<Rattle> rattle;  // null until rattle::is_asked()

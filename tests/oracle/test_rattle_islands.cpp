@@ -211,6 +211,99 @@ static void springs_alone_are_held_too(void**) {
     }
 }
 
+namespace {
+
+void tie(TestWorld& t, std::uint32_t a, std::uint32_t b, const Vec3& at_a, const Vec3& at_b, Real rest, Real stiffness,
+         Real damping = 0) {
+  SpringDef def;
+  def.body_a = a, def.body_b = b, def.anchor_a = at_a, def.anchor_b = at_b;
+  def.rest = rest, def.stiffness = stiffness, def.damping = damping;
+  t.world.add_spring(def);
+}
+
+/// m: by how far two masses between walls, on three springs of 50 N/m, are off after 3 s: the sum of two modes.
+Real masses_on_springs(int order, int steps) {
+  TestWorld t(Vec3::zero());
+  by_rattle(t, order);
+  const std::uint32_t a = add_body(t, Vec3(1.2, 0, 0), 1, Vec3(1, 1, 1)), b = add_body(t, Vec3(2, 0, 0), 1, Vec3(1, 1, 1));
+  tie(t, kInvalid, a, Vec3::zero(), Vec3::zero(), 1, 50), tie(t, a, b, Vec3::zero(), Vec3::zero(), 1, 50);
+  tie(t, kInvalid, b, Vec3(3, 0, 0), Vec3::zero(), 1, 50);
+  t.run(steps, 3.0 / steps);
+  const Real both = 0.1 * std::cos(std::sqrt(Real(50)) * 3), apart = 0.1 * std::cos(std::sqrt(Real(150)) * 3);
+  return std::fabs(t.world.state.x[a].x() - (1 + both + apart)) + std::fabs(t.world.state.x[b].x() - (2 + both - apart));
+}
+
+/// m: a ball that swings on a spring in space, beside its equation of motion in steps of a thousandth.
+Real ball_on_a_spring(int order, int steps) {
+  constexpr Real kStiff = 80, kRest = 0.5, kMass = 2, kTime = 2;
+  TestWorld t;
+  by_rattle(t, order);
+  const std::uint32_t ball = add_body(t, Vec3(0.6, 1, 0.2), kMass, Vec3(1, 1, 1));
+  t.world.set_velocity(ball, Vec3(0, 0.5, 1), Vec3::zero());
+  tie(t, kInvalid, ball, Vec3(0, 2, 0), Vec3::zero(), kRest, kStiff);
+  t.run(steps, kTime / steps);
+  Vec3 x(0.6, 1, 0.2), v(0, 0.5, 1);
+  const auto accel = [&](const Vec3& at) {
+    const Vec3 r = at - Vec3(0, 2, 0);
+    return Vec3(Vec3(0, -kG, 0) - (kStiff / kMass * (1 - kRest / r.norm())) * r);
+  };
+  constexpr int kFine = 20000;
+  for (int i = 0; i < kFine; ++i) {
+    const Real h = kTime / kFine;
+    const Vec3 a = accel(x), b = accel(x + h / 2 * v), c = accel(x + h / 2 * v + h * h / 4 * a),
+               d = accel(x + h * v + h * h / 2 * b);
+    x += h * v + h * h / 6 * (a + b + c), v += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return (t.world.state.x[ball] - x).norm();
+}
+
+/// m/s: what quadratic drag leaves of a speed: v / (1 + c v t / m).
+Real dragged(int order, int steps) {
+  TestWorld t(Vec3::zero());
+  by_rattle(t, order);
+  const std::uint32_t body = add_body(t, Vec3::zero(), 2, Vec3(1, 1, 1));
+  t.world.set_velocity(body, Vec3(8, 0, 0), Vec3::zero());
+  t.world.set_attribute(body, AttributeId::drag, {0, 0.3});
+  t.run(steps, 1.5 / steps);
+  return std::fabs(t.world.state.v[body].x() - 8 / (1 + 0.3 * 8 * 1.5 / 2));
+}
+
+}  // namespace
+
+/// Where a host asks for order 4 or 6, forces have it without any joint; what reads velocities is of third order.
+static void forces_alone_are_of_the_order_asked_for(void**) {
+  struct Case {
+    const char* what;
+    Real (*error)(int order, int steps);
+    int steps;
+    Real order_of_4, order_of_6;
+  };
+  for (const Case& c : {Case{"masses", masses_on_springs, 180, 4, 6}, {"ball", ball_on_a_spring, 120, 4, 6},
+                        {"drag", dragged, 40, 3, 3}})
+    for (const int order : {2, 4, 6}) {
+      const Real coarse = c.error(order, c.steps), fine = c.error(order, 2 * c.steps);
+      std::printf("  %s, order %d: %.2e, halved %.2e\n", c.what, order, coarse, fine);
+      const Real least = order == 2 ? 2 : order == 4 ? c.order_of_4 : c.order_of_6;
+      if (fine > 1e-11) assert_true(std::log2(coarse / fine) > least - 0.4);
+    }
+}
+
+/// A ball on a spring that reaches the ground is the solver's while it touches, and its forces' again in the air.
+static void what_forces_move_may_land(void**) {
+  TestWorld t;
+  by_rattle(t, 4);
+  t.ground();
+  const std::uint32_t ball = t.add(t.keep(sphere(0.2)), Vec3(0, 1.2, 0));
+  tie(t, kInvalid, ball, Vec3(0, 3, 0), Vec3::zero(), 1, 100);
+  std::size_t in_air = 0, touching = 0;
+  for (int i = 0; i < 240; ++i) {
+    t.world.step(1.0 / 60);
+    ++(held(t) ? in_air : touching);
+    assert_true(t.world.state.x[ball].y() > 0.19);
+  }
+  assert_true(in_air > 0 && touching > 0);
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(chains_and_trees_do_not_gape),
@@ -221,6 +314,8 @@ int main() {
       cmocka_unit_test(islands_are_their_own),
       cmocka_unit_test(forces_are_told),
       cmocka_unit_test(springs_alone_are_held_too),
+      cmocka_unit_test(forces_alone_are_of_the_order_asked_for),
+      cmocka_unit_test(what_forces_move_may_land),
   };
   return cmocka_run_group_tests_name("oracle/rattle_islands", tests, nullptr, nullptr);
 }

@@ -246,7 +246,7 @@ export const CAROM_DIAL_JOINT_DAMPING: 37;
 export const CAROM_DIAL_CONTINUOUS: 38;
 /** choice: CAROM_PRECISION_*: the numbers in which contacts are solved */
 export const CAROM_DIAL_PRECISION: 39;
-/** 2, 4, 6: order of the error of islands that joints alone hold, in 1, 5 or 9 stages a substep, gaps at rounding (odd: the next); 0: they are answered as joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4 */
+/** 2, 4, 6: order of the error of islands that joints alone hold, in 1, 5 or 9 stages a substep, gaps at rounding (odd: the next); above 2 also of bodies that springs, drag and fields alone move; 0: as joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4 */
 export const CAROM_DIAL_JOINT_ORDER: 40;
 /** m per second of motion that a host bears to be off, see accuracy.h; 0: not asked for */
 export const CAROM_DIAL_ACCURACY_PLACE: 41;

@@ -311,6 +311,7 @@ void tell_impulse(const World& world, const LoneRoller& of, const Vec3& p) {
 }  // namespace
 
 void find_lone_rollers(const World& world, const StepTime& time) {
+  if (!world.lone_rollers) return;
   LoneRollers& l = *world.lone_rollers;
   l.bodies.clear();
   for (const ContactPair& m : world.contacts->contact_pairs)
@@ -329,6 +330,7 @@ void find_lone_rollers(const World& world, const StepTime& time) {
 }
 
 void roll_alone(const World& world, Poses& poses, Velocities& motion, const StepTime& time) {
+  if (!world.lone_rollers) return;
   for (const LoneRoller& of : world.lone_rollers->bodies) {
     const SweptBody* const swept = world.continuous->find(of.body);
     if (world.state.held_out[of.body] || (swept && swept->is_hit)) continue;

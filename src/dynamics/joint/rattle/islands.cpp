@@ -63,6 +63,24 @@ void unite_bodies(const World& world, Rattle& r) {
       [&](std::uint32_t k) { join(world.scene.springs.def[k].body_a, world.scene.springs.def[k].body_b); });
 }
 
+/// f(body) that forces move which are not constant: springs, drag, fields, magnets, water.
+template <class F>
+void each_forced(const World& world, F&& f) {
+  for (const PlannedEffect& row : world.plan->effects) {
+    const Effect& e = *row.effect;
+    const bool is_constant = e.id == EffectId::gravity || e.id == EffectId::user_force || e.id == EffectId::user_torque ||
+                             e.id == EffectId::gyroscopic;
+    if (!e.force || e.stage != Stage::integrate || is_constant || row.participants.count == 0) continue;
+    if (e.participants == ParticipantKind::bodies) row.participants.each(f);
+    if (e.id == EffectId::springs)
+      row.participants.each([&](std::uint32_t k) {
+        const SpringDef& def = world.scene.springs.def[k];
+        for (const std::uint32_t i : {def.body_a, def.body_b})
+          if (i != kInvalid) f(i);
+      });
+  }
+}
+
 /// Islands by their lowest slot, those that nothing forbids to hold.
 void number_islands(const World& world, Rattle& r) {
   r.islands.clear();
@@ -71,6 +89,10 @@ void number_islands(const World& world, Rattle& r) {
     return r.island_of[root(r.parent, is_moved(world, def.body_a) ? def.body_a : def.body_b)];
   };
   for (const std::uint32_t j : r.all_active) of(world.joints.joint[j].def) = 0;
+  if (moves_by_forces(world))
+    each_forced(world, [&](std::uint32_t i) {
+      if (is_moved(world, i)) r.island_of[root(r.parent, i)] = 0;
+    });
   std::uint32_t count = 0;
   for (std::uint32_t& island : r.island_of)  // only roots are marked yet, and they are ascending
     if (island == 0) island = count++;

@@ -196,7 +196,10 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
 
 // Parts of it.
 namespace rattle {
-/// Whether a world has joints and is to move them so: until then it has no Rattle.
+/// Whether islands without a joint are moved so, too: bodies that springs, drag, fields, magnets or water move. Then a host
+/// asks for more than second order, whatever else there is in the world.
+bool moves_by_forces(const World& world);
+/// Whether a world has what is to be moved so: until then it has no Rattle.
 bool is_asked(const World& world);
 /// Islands, bodies, joints and orders of elimination, where the scene, who is awake or the order of the error has
 /// changed.

@@ -97,10 +97,15 @@ void rattle::move_tried(const World& world, Rattle& r, Real dt, int substeps, in
   exchange_lists(*world.plan, r.of_held);
 }
 
+bool rattle::moves_by_forces(const World& world) {
+  return accuracy::is_on(world.scene.dials) || world.scene.dials.whole(Dial::joint_order) > 2;
+}
+
 bool rattle::is_asked(const World& world) {
   constexpr std::uint32_t kByRk4 = 2;  // of the dial integrator
   const Dials& dials = world.scene.dials;
-  return world.joints.slots.alive_count() > 0 && (dials.whole(Dial::joint_order) > 0 || accuracy::is_on(dials) ||
+  if (moves_by_forces(world)) return true;
+  return world.joints.slots.alive_count() > 0 && (dials.whole(Dial::joint_order) > 0 ||
                                                   static_cast<std::uint32_t>(dials.choice(Dial::integrator)) == kByRk4);
 }
 
