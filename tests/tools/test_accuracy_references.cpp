@@ -244,6 +244,18 @@ struct RollingDisk {
   }
 };
 
+/// By its laws of motion alone its spin turns about the vertical, and does not change otherwise.
+static void a_wheel_keeps_its_lean(void**) {
+  for (const TurningWheel& wheel : {TurningWheel{0.3, 0.006, 1.2, 0.8}, {1, 0.1, 0.7, 2}, {0.05, 0.001, 1.4, 5}}) {
+    const Eigen::Vector3d spin = wheel.spin(kGravity);
+    const RollingDisk disk{wheel.radius, wheel.half, 0, wheel.axis(), spin};
+    const Eigen::Vector3d about(0, wheel.round, 0);
+    assert_true((disk.rim(disk.n) - wheel.to_ground()).norm() < 1e-12);
+    assert_true((disk.spin_rate() - about.cross(spin)).norm() < 1e-5 * spin.norm() * wheel.round);
+    assert_true((spin.cross(disk.n) - about.cross(disk.n)).norm() < 1e-12);  // its axis goes round with it
+  }
+}
+
 static void a_coin_goes_round_as_its_weight_asks_and_falls_as_its_moment_takes(void**) {
   for (double half : {0.01, 0.1}) {
     const Coin coin{0.5, half};
@@ -422,6 +434,7 @@ int main() {
       cmocka_unit_test(the_arch_can_stand),
       cmocka_unit_test(bricards_ring_is_shut_and_its_motion_keeps_energy),
       cmocka_unit_test(a_governor_loses_what_its_dampers_take),
+      cmocka_unit_test(a_wheel_keeps_its_lean),
       cmocka_unit_test(a_coin_goes_round_as_its_weight_asks_and_falls_as_its_moment_takes),
       cmocka_unit_test(a_leaning_rod_has_one_answer),
   };

@@ -121,4 +121,24 @@ Vector3d HeavyTop::middle(const Vector3d& state) {
   return kArm * Vector3d(s * std::cos(state[2]), std::cos(state[0]), -s * std::sin(state[2]));
 }
 
+Eigen::Vector3d TurningWheel::axis() const { return {std::sin(lean), std::cos(lean), 0}; }
+
+Eigen::Vector3d TurningWheel::to_ground() const {
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ().cross(axis());  // in the disk
+  return -radius * up - half * axis();
+}
+
+Eigen::Vector3d TurningWheel::spin(double g) const {
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ().cross(axis()), about = round * Eigen::Vector3d::UnitY(), r = to_ground();
+  const double axial = radius * radius / 2, across = radius * radius / 4 + half * half / 3;
+  const auto omega = [&](double own) { return Eigen::Vector3d(about.dot(up) * up + own * axis()); };
+  // N m a kg about the level line, linear in the spin about the axis: what the ground's push has beyond what turns it.
+  const auto rest = [&](double own) {
+    const Eigen::Vector3d w = omega(own), momentum = across * about.dot(up) * up + axial * own * axis();
+    const Eigen::Vector3d push = about.cross(-w.cross(r)) + g * Eigen::Vector3d::UnitY();
+    return (r.cross(push) - about.cross(momentum)).z();
+  };
+  return omega(-rest(0) / (rest(1) - rest(0)));
+}
+
 }  // namespace carom::tools::accuracy

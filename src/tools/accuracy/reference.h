@@ -78,6 +78,9 @@ struct Coin {
   double tilt_of(double energy, double g) const;  ///< rad
 };
 
+/// rad/s: a uniform ball that rolls on a level table which turns at `rate` goes round at this, on a circle.
+constexpr double turntable_round(double rate) { return 2.0 / 7 * rate; }
+
 /// A thin rod, 1 kg, that stands on its lower end and leans by `angle` from the ground, while that end slides over
 /// ground of friction mu away from where the rod leans to.
 struct LeaningRod {
