@@ -6,8 +6,8 @@
 #include <span>
 
 #include "dynamics/accuracy/accuracy.h"
-#include "dynamics/give_back.h"
 #include "dynamics/contact/lone_rollers.h"
+#include "dynamics/give_back.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/observe.h"
 #include "dynamics/stages.h"

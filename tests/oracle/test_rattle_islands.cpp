@@ -225,12 +225,14 @@ void tie(TestWorld& t, std::uint32_t a, std::uint32_t b, const Vec3& at_a, const
 Real masses_on_springs(int order, int steps) {
   TestWorld t(Vec3::zero());
   by_rattle(t, order);
-  const std::uint32_t a = add_body(t, Vec3(1.2, 0, 0), 1, Vec3(1, 1, 1)), b = add_body(t, Vec3(2, 0, 0), 1, Vec3(1, 1, 1));
+  const std::uint32_t a = add_body(t, Vec3(1.2, 0, 0), 1, Vec3(1, 1, 1)),
+                      b = add_body(t, Vec3(2, 0, 0), 1, Vec3(1, 1, 1));
   tie(t, kInvalid, a, Vec3::zero(), Vec3::zero(), 1, 50), tie(t, a, b, Vec3::zero(), Vec3::zero(), 1, 50);
   tie(t, kInvalid, b, Vec3(3, 0, 0), Vec3::zero(), 1, 50);
   t.run(steps, 3.0 / steps);
   const Real both = 0.1 * std::cos(std::sqrt(Real(50)) * 3), apart = 0.1 * std::cos(std::sqrt(Real(150)) * 3);
-  return std::fabs(t.world.state.x[a].x() - (1 + both + apart)) + std::fabs(t.world.state.x[b].x() - (2 + both - apart));
+  return std::fabs(t.world.state.x[a].x() - (1 + both + apart)) +
+         std::fabs(t.world.state.x[b].x() - (2 + both - apart));
 }
 
 /// m: a ball that swings on a spring in space, beside its equation of motion in steps of a thousandth.
@@ -278,7 +280,8 @@ static void forces_alone_are_of_the_order_asked_for(void**) {
     int steps;
     Real order_of_4, order_of_6;
   };
-  for (const Case& c : {Case{"masses", masses_on_springs, 180, 4, 6}, {"ball", ball_on_a_spring, 120, 4, 6},
+  for (const Case& c : {Case{"masses", masses_on_springs, 180, 4, 6},
+                        {"ball", ball_on_a_spring, 120, 4, 6},
                         {"drag", dragged, 40, 3, 3}})
     for (const int order : {2, 4, 6}) {
       const Real coarse = c.error(order, c.steps), fine = c.error(order, 2 * c.steps);

@@ -129,7 +129,8 @@ Eigen::Vector3d TurningWheel::to_ground() const {
 }
 
 Eigen::Vector3d TurningWheel::spin(double g) const {
-  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ().cross(axis()), about = round * Eigen::Vector3d::UnitY(), r = to_ground();
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ().cross(axis()), about = round * Eigen::Vector3d::UnitY(),
+                        r = to_ground();
   const double axial = radius * radius / 2, across = radius * radius / 4 + half * half / 3;
   const auto omega = [&](double own) { return Eigen::Vector3d(about.dot(up) * up + own * axis()); };
   // N m a kg about the level line, linear in the spin about the axis: what the ground's push has beyond what turns it.

@@ -1,4 +1,5 @@
-// Equations of motion that mechanisms of accuracy scenes are judged by: Bricard's, the governor, the heavy top, a wheel that leans.
+// Equations of motion that mechanisms of accuracy scenes are judged by: Bricard's, the governor, the heavy top, a wheel
+// that leans.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -74,11 +75,12 @@ struct HeavyTop {
 
 /// A wheel that rolls round on level ground and leans, its axis at a constant angle to the vertical; a uniform disk.
 struct TurningWheel {
-  double radius, half;  ///< m; half its thickness
-  double lean, round;   ///< rad, of its axis from the vertical, in (0, pi/2); rad/s about the vertical
-  Eigen::Vector3d axis() const;         ///< as it begins: it leans towards +x
-  Eigen::Vector3d to_ground() const;    ///< m, from its middle to the point that touches
-  Eigen::Vector3d spin(double g) const; ///< rad/s, as it begins: the one with which it goes on so   @oracle its laws of motion
+  double radius, half;                ///< m; half its thickness
+  double lean, round;                 ///< rad, of its axis from the vertical, in (0, pi/2); rad/s about the vertical
+  Eigen::Vector3d axis() const;       ///< as it begins: it leans towards +x
+  Eigen::Vector3d to_ground() const;  ///< m, from its middle to the point that touches
+  Eigen::Vector3d spin(
+      double g) const;  ///< rad/s, as it begins: the one with which it goes on so   @oracle its laws of motion
   Eigen::Vector3d velocity(double g) const { return -spin(g).cross(to_ground()); }
 };
 

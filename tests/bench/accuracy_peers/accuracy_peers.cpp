@@ -48,8 +48,7 @@ std::vector<Entry> entries_of(const std::vector<PeerEngine>& peers) {
     for (const PeerSetting& setting : settings_of(peer.name)) {
       const auto takes_part = [takes = setting.takes](const Challenge& c) {
         const auto& names = scenes_for_peers();
-        return std::find(names.begin(), names.end(), c.scene.name) != names.end() &&
-               (!takes || takes(c.scene.name));
+        return std::find(names.begin(), names.end(), c.scene.name) != names.end() && (!takes || takes(c.scene.name));
       };
       entries.push_back({peer.name, setting.name, takes_part, {}, [peer, setting](tools::Stage& stage) {
                            return std::make_unique<PeerMover>(stage, peer, setting.dials);
@@ -101,7 +100,8 @@ int main(int argc, char** argv) {
   CLI::App app("Accuracy scenes through every engine that is installed");
   app.add_option("SCENES", options.scenes, "Which; default: all that every engine can run");
   app.add_option("--out", options.out, "Rows, for `carom accuracy report --from`")->type_name("FILE.json")->capture_default_str();
-  app.add_option("--engines", options.engines, "Which, besides Carom: bullet, bullet64, ode, mujoco (Debian's), mujoco_wheel, drake, rapier64");
+  app.add_option("--engines", options.engines,
+                 "Which, besides Carom: bullet, bullet64, ode, mujoco (Debian's), mujoco_wheel, drake, rapier64");
   app.add_option("--seconds", options.seconds, "About how long to take")->capture_default_str();
   app.add_option("--per-run", options.per_run, "A run that takes more s of computing is left out")->capture_default_str();
   app.add_flag("--no-maps", options.no_maps, "Leave out the maps of what stands");

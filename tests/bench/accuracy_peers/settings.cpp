@@ -97,7 +97,8 @@ std::string note_on(const std::string& engine) {
            "comparison's (a bounce is a spring and damper over 20 steps)";
   if (engine.starts_with("Drake"))
     return "the Python wheel drake, a process of its own that tells its CPU time; joints as trees of ball joints in "
-           "reduced coordinates; boxes by hydroelastic patches, balls by points; friction the comparison's; restitution "
+           "reduced coordinates; boxes by hydroelastic patches, balls by points; friction the comparison's; "
+           "restitution "
            "by a spring and damper (SAP) over 10 steps; where an integrator has its own steps by a spring alone, over "
            "1 ms (CENIC: 10 ms), and none but 0 and 1";
   if (engine.starts_with("Rapier"))

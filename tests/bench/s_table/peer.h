@@ -89,7 +89,7 @@ class PeerWorld {
 
 /// What a shared object with an engine exports as `carom_bench_engine`.
 struct PeerEngine {
-  const char* name;                           // with version and precision; null: it did not start, why is on stderr
+  const char* name;  // with version and precision; null: it did not start, why is on stderr
   /// Null, and why on stderr, if it can't. The plan need not outlive the call; its params and triangles do.
   PeerWorld* (*make)(const WorldPlan& plan);
   std::size_t (*live_bytes)();                // held through the engine's own allocator now

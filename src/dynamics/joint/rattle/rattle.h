@@ -196,8 +196,8 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
 
 // Parts of it.
 namespace rattle {
-/// Whether islands without a joint are moved so, too: bodies that springs, drag, fields, magnets or water move. Then a host
-/// asks for more than second order, whatever else there is in the world.
+/// Whether islands without a joint are moved so, too: bodies that springs, drag, fields, magnets or water move. Then a
+/// host asks for more than second order, whatever else there is in the world.
 bool moves_by_forces(const World& world);
 /// Whether a world has what is to be moved so: until then it has no Rattle.
 bool is_asked(const World& world);

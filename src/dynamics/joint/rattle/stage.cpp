@@ -105,8 +105,8 @@ bool rattle::is_asked(const World& world) {
   constexpr std::uint32_t kByRk4 = 2;  // of the dial integrator
   const Dials& dials = world.scene.dials;
   if (moves_by_forces(world)) return true;
-  return world.joints.slots.alive_count() > 0 && (dials.whole(Dial::joint_order) > 0 ||
-                                                  static_cast<std::uint32_t>(dials.choice(Dial::integrator)) == kByRk4);
+  return world.joints.slots.alive_count() > 0 &&
+         (dials.whole(Dial::joint_order) > 0 || static_cast<std::uint32_t>(dials.choice(Dial::integrator)) == kByRk4);
 }
 
 bool rattle::is_given_up(const World& world, std::uint32_t body) {

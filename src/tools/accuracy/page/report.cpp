@@ -95,7 +95,8 @@ void add_peers(Document& page, const Sweep& sweep, const View& view) {
   page.paragraph(
       "The same bodies, the same judge, one process, one thread, the same clock. A row is red where some setting of "
       "another engine errs less than every setting of Carom that costs as much or less, and costs less than every one "
-      "that is as exact, by more than a quarter; the ratio is the smaller of the two. Errors below 1e-12 count as equal: "
+      "that is as exact, by more than a quarter; the ratio is the smaller of the two. Errors below 1e-12 count as "
+      "equal: "
       "that is rounding. Those above a thousand times the scene's bound are no answer, and lead nowhere.");
   std::vector<std::vector<std::string>> rows;
   std::vector<bool> red;
