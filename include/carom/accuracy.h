@@ -1,12 +1,12 @@
 /** @file accuracy.h
- *  Accuracy in, steps out: a host says what error it bears, and each island takes the substeps that its own error estimate asks
- *  for. An island is what hangs together by contacts, joints and springs. What lies still takes one substep, what moves fast many.
+ *  Accuracy in, steps out: a host sets an error tolerance, and each island takes the substeps that its own error estimate asks
+ *  for. An island is a set of bodies connected by contacts, joints and springs. A resting one takes one substep, a fast one many.
  *
  *  The error is that of a step: of poses at its end, and of velocities there, as far as they become an error of poses within
  *  a second. It is told per second of motion, so that a motion of T seconds is off by about T times the tolerance, where errors do
  *  not grow by themselves. In a chaotic scene they do; there it is what each step adds that is held. The estimate is the difference
  *  between the step taken and the same step with half its substeps. An error over the tolerance repeats the step with more.
- *  Islands that joints alone hold choose the order of their errors, too: 2, 4 or 6, CAROM_DIAL_JOINT_ORDER at least. Contacts are searched
+ *  Islands without contacts choose the order of their errors, too: 2, 4 or 6, CAROM_DIAL_JOINT_ORDER at least. Contacts are searched
  *  for once a step, whatever is asked. A step in which something is swept (carom_body_set_continuous()) takes the substeps
  *  of CAROM_DIAL_SUBSTEPS.
  *
@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-/** What error is borne. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that snapshots, recordings and
+/** An error tolerance. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that snapshots, recordings and
  *  scene files have them. Fill with carom_accuracy_init(). */
 typedef struct carom_accuracy {
   uint32_t struct_size;

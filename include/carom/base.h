@@ -5,7 +5,7 @@
  *  every call returns an int32_t result (CAROM_OK is 0, errors are negative) and, where its last argument is a
  *  carom_error*, writes the details there if it is not NULL. A call that fails has changed nothing.
  *  A struct that a call reads is filled with defaults by its *_init(&it, sizeof it) first: the size says which version of it the
- *  caller knows, and is STRUCT_SIZE where no version has it.
+ *  caller knows, and is STRUCT_SIZE where no version has it. Of a struct that a call fills, set struct_size to its sizeof before.
  *  The same checks run in Release and Debug builds. Nothing aborts, throws or prints across this boundary.
  */
 #ifndef CAROM_BASE_H
@@ -46,7 +46,7 @@ extern "C" {
 #define CAROM_E_STALE_HANDLE (-9)       /* the object behind the handle was destroyed */
 #define CAROM_E_WRONG_KIND (-10)        /* a handle of another kind (a shape where a body is wanted, ...) */
 #define CAROM_E_WRONG_WORLD (-11)       /* a handle of another world or engine */
-#define CAROM_E_BUSY (-12)              /* the world is being stepped */
+#define CAROM_E_BUSY (-12)              /* another thread is stepping, changing or reading this world */
 #define CAROM_E_REENTRANT (-13)         /* called from inside a callback (a support function, allocator or log) */
 #define CAROM_E_IN_USE (-14)            /* the object is still referred to by others */
 #define CAROM_E_OUT_OF_MEMORY (-15)     /* the allocator returned NULL */

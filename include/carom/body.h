@@ -70,7 +70,8 @@ typedef struct carom_body_desc {
   double orientation[4];      /**< x, y, z, w, unit within 1e-6, body to world; default identity */
   double linear_velocity[3];  /**< m/s, world, of the centre of mass; 0 for static */
   double angular_velocity[3]; /**< rad/s, world; 0 for static */
-  double mass;                /**< kg, at least 1e-300 for dynamic. A dynamic body without mass from here or from a
+  double mass;                /**< kg, read where fields has CAROM_BODY_FIELD_MASS, else 0; at least
+                                   1e-300 for dynamic. A dynamic body without mass from here or from a
                                    collider weighs 1 kg and does not rotate (a particle) */
   double center[3];           /**< m, body frame: centre of mass; each within 1e15 */
   double inertia[9];          /**< kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite;
@@ -225,7 +226,7 @@ typedef struct carom_attribute_info {
   const char *summary; /**< one line */
   double min;          /**< bounds of each number, inclusive */
   double max;
-  double usual[4];     /**< what a body has when it is created; numbers that the attribute does not have are 0 */
+  double usual[4];     /**< default, of a body when it is created; numbers that the attribute does not have are 0 */
 } carom_attribute_info;
 
 /** @param attribute CAROM_ATTRIBUTE_*   @param info out
@@ -322,7 +323,8 @@ CAROM_API int32_t carom_collider_create(carom_world *world, carom_body body, con
                                         carom_collider *collider, carom_error *error);
 /** The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the same
  *  parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
- *  Where a part of it fails nothing has changed, but for a plugin that was loaded.
+ *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its friction
+ *  0.5, its restitution 0. carom_body_get_colliders() tells its collider.
  *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
  *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */

@@ -50,7 +50,7 @@ extern "C" {
 #define CAROM_DIAL_DIRECT_RATIO 33u        /* or where touching bodies' masses are further apart than this */
 #define CAROM_DIAL_DIRECT_WORK 34u         /* unless they take more block products a step than this */
 #define CAROM_DIAL_HOLD_ANGLE 35u          /* rad: arms of contacts turn with a body only when it has turned by this */
-#define CAROM_DIAL_JOINT_FREQUENCY 36u     /* Hz: stiffness of joints that are not answered directly */
+#define CAROM_DIAL_JOINT_FREQUENCY 36u     /* Hz: stiffness of joints that the direct solver does not solve */
 #define CAROM_DIAL_JOINT_DAMPING 37u       /* their damping ratio */
 #define CAROM_DIAL_CONTINUOUS 38u          /* choice: CAROM_SWEEP_*: what is swept from pose to pose, so that it passes
                                               through nothing; see carom_body_set_continuous() */
@@ -81,9 +81,9 @@ extern "C" {
 #define CAROM_ROTATION_SPLITTING_4 6u  /* five of them (Suzuki) */
 #define CAROM_ROTATION_SPLITTING_6 7u  /* seven of them (Yoshida) */
 
-#define CAROM_SOLVER_SEVERITY 0u   /* most severe contact first, by group: the paper's */
+#define CAROM_SOLVER_SEVERITY 0u   /* most severe contact first, by group: that of the paper of 2011 */
 #define CAROM_SOLVER_SEQUENTIAL 1u /* warm-started sweeps over all contacts (projected Gauss-Seidel) */
-#define CAROM_SOLVER_SOFT_STEP 2u  /* one sweep a substep over soft contacts, one that relaxes them: wants 4 substeps */
+#define CAROM_SOLVER_SOFT_STEP 2u  /* one sweep a substep over soft contacts, one that relaxes them: needs about 4 substeps */
 #define CAROM_SOLVER_DIRECT 3u     /* each contact group as one problem, solved to a residual: small hard groups */
 #define CAROM_SOLVER_AUTO 4u       /* soft_step, but direct for groups that it would not hold; says which and why */
 
@@ -152,7 +152,7 @@ CAROM_API int32_t carom_dial_get_info(uint32_t dial, carom_dial_info *info, caro
 CAROM_API int32_t carom_dial_get_count(uint32_t *count);
 
 /** @param name as in carom_dial_info.name
- *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (the name of a constant, since 1.8)   @thread any */
+ *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial)   @thread any */
 CAROM_API int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
 
 /* ---- constants: numbers of the library that trade nothing, so that none can be set; read them to know why ---- */

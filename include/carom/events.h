@@ -109,7 +109,7 @@ typedef struct carom_fault_event {
   uint32_t kind;             /**< CAROM_FAULT_* */
   uint32_t reserved;
   carom_shape shape;         /**< that is disabled, or CAROM_NULL_HANDLE */
-  carom_body body;           /**< a body it hangs on, or the one in quarantine, or CAROM_NULL_HANDLE */
+  carom_body body;           /**< a body with this shape, or the one in quarantine, or CAROM_NULL_HANDLE */
   carom_particles particles; /**< the set, of CAROM_FAULT_PARTICLE_STATE, or CAROM_NULL_HANDLE */
   uint64_t particle;         /**< the first of it that was put in quarantine in this step: its index then */
   double dir[3];             /**< of a support function: the direction given */

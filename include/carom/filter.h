@@ -26,8 +26,8 @@ CAROM_API int32_t carom_collider_get_filter(carom_world *world, carom_collider c
 CAROM_API int32_t carom_body_set_filter(carom_world *world, carom_body body, uint64_t category, uint64_t mask,
                                         int32_t group, carom_error *error);
 
-/** Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. What is held
- *  apart twice has to be let go twice; letting go of what is not held does nothing.
+/** Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. Calls are
+ *  counted: undo each one. Undoing more does nothing.
  *  @param apart 1 or 0
  *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_hold_apart(carom_world *world, carom_body body_a, carom_body body_b, uint32_t apart,

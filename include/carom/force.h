@@ -139,7 +139,7 @@ CAROM_API int32_t carom_spring_destroy(carom_world *world, carom_spring spring, 
 /** All of space where normal . x <= level is water. What of a body's colliders is in it (not sensors, not scenery) is
  *  pushed by the weight of what it displaces, at the middle of that part, against the world's gravity, and is taken along
  *  by the current: F = -drag * density * volume * (v - current). Balls, ellipsoids, boxes and hulls displace exactly what
- *  they cover, other shapes what a hull of 256 of their support points covers, blown up to their volume. Fill with
+ *  they cover, other shapes what a hull of 256 of their support points covers, scaled to their volume. Fill with
  *  carom_water_init(). */
 typedef struct carom_water {
   uint32_t struct_size;

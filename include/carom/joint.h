@@ -85,7 +85,10 @@ extern "C" {
 #define CAROM_JOINT_FIELD_LENGTH 0x4u /**< length is given; else it is the distance of the points as they stand now */
 /** @} */
 
-/** Fill with carom_joint_desc_init(). */
+/** Fill with carom_joint_desc_init(): a ball joint, frames at the origins of both bodies, unbreakable. A door on a hinge that stands
+ *  upright, the joint's x axis along the world's y:
+ *      desc.kind = CAROM_JOINT_HINGE, desc.fields = CAROM_JOINT_WORLD_FRAME, desc.body_b = door;
+ *      desc.position_a[0] = 1, desc.orientation_a[2] = desc.orientation_a[3] = 0.70710678118654752; */
 typedef struct carom_joint_desc {
   uint32_t struct_size;
   uint32_t kind;           /**< CAROM_JOINT_* */
@@ -189,7 +192,7 @@ typedef struct carom_joint_orientation_drive {
 typedef struct carom_joint_state {
   uint32_t struct_size;
   uint32_t broken;      /**< 1: it bore too much, and holds nothing any more */
-  double force[3];      /**< N, world, on B at its point, mean over the last step; on A the opposite, but of a pulley
+  double force[3];      /**< N, world, on B at its point, of locks, limits, motors and springs, mean over the last step; on A the opposite, but of a pulley
                              1 / ratio of it, along A's own part of the rope */
   double torque[3];     /**< N m, world, on B about its point, likewise */
   double gap;           /**< m, how far the points are from where they should be, limits included */
@@ -200,7 +203,8 @@ typedef struct carom_joint_state {
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_desc_init(carom_joint_desc *desc, uint32_t struct_size);
-/** Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+/** Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_limit_init(carom_joint_limit *limit, uint32_t struct_size);
 CAROM_API int32_t carom_joint_motor_init(carom_joint_motor *motor, uint32_t struct_size);
 CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t struct_size);

@@ -12,7 +12,7 @@
  *    host        what was done between steps: bodies made, removed, placed, pushed; gravity set
  *    contact     normal impulses of the solver: a landing without a bounce
  *    friction    also that of surfaces that move, and of impacts
- *    restitution impacts that are answered before the solver, at the moment of the step at which they happen
+ *    restitution impacts that are solved before the solver runs, at the moment of the step at which they happen
  *    resistance  to rolling and spinning
  *    joints      what joints lock
  *    drives      motors, springs and limits of joints

@@ -1,6 +1,6 @@
 /** @file particles.h
  *  Point masses by the thousand: position, velocity, a mass, gravity and drag, and nothing else. They touch nothing,
- *  turn nowhere and have no handle each: a set has one, and its particles are told apart by their place in it. A step
+ *  do not rotate and have no handle each: a set has one, and its particles are told apart by their place in it. A step
  *  takes a nanosecond or a few for each; one is 48 bytes, where a body without a shape is 730.
  */
 #ifndef CAROM_PARTICLES_H

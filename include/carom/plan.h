@@ -1,6 +1,6 @@
 /** @file plan.h
  *  The plan of a step: which effects run, for which participants, why, and what they cost; what was left out, and why. And
- *  the host's last word: forbid an effect, or force it.
+ *  what a host overrides: an effect is forbidden, or forced.
  *
  *  An effect runs for its participants alone. Without participants it executes nothing and allocates nothing, and the world
  *  has the bits of a world in which it is forbidden.

@@ -16,8 +16,8 @@ extern "C" {
 #define CAROM_PLUGIN_ABI_MINOR 0u
 
 /** Support function of a bounded convex set: the point of the set farthest along dir, in the shape's own frame.
- *  Contract: pure (same bits in, same bits out), callable from several threads at once; dir is finite and nonzero but
- *  of ANY length; ties may be broken either way, but repeatably; no allocation, lock, I/O, change of the
+ *  Contract: pure (same bits in, same bits out), callable from several threads at once; dir is finite and nonzero, of a
+ *  length of 5e-324 to 1e308: divide it by its largest component before multiplying or squaring it; ties may be broken either way, but repeatably; no allocation, lock, I/O, change of the
  *  floating-point environment, or carom_* call.
  *  @param user       as the plugin has it: state of a host's function; NULL for a file's
  *  @param params     [param_len] the shape's parameters; owned by the engine, immutable

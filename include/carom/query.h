@@ -15,7 +15,7 @@ extern "C" {
 #define CAROM_QUERY_ROUNDING 2u      /* rounding stopped it; the bracket still holds */
 #define CAROM_QUERY_FAULT 3u         /* a support function misbehaved; nothing else is meaningful */
 
-/** How to answer; fill with carom_distance_desc_init(). Values as the dials of the same name. */
+/** Settings of a query; fill with carom_distance_desc_init(). Values as the dials of the same name. */
 typedef struct carom_distance_desc {
   uint32_t struct_size;
   uint32_t simplex;         /**< CAROM_SIMPLEX_*, default VORONOI_LAST */

@@ -1,6 +1,6 @@
 /** @file record.h
- *  A session as bytes: what a host did with a world, call by call, so that it can be done again elsewhere, and what then
- *  came out otherwise can be found: `carom replay FILE` names the first step that differs, the calls before it, and what
+ *  A session as bytes: what a host did with a world, call by call, so that it can be done again elsewhere, and what
+ *  differs then can be found: `carom replay FILE` names the first step that differs, the calls before it, and what
  *  of the world differs first.
  *
  *      carom_world_record_begin(world, CAROM_RECORD_HASHES, to_a_file, file, &error);

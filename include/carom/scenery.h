@@ -1,12 +1,12 @@
 /** @file scenery.h
  *  Scenery: surfaces of many triangles (a mesh, a height field) as one shape, for static and kinematic bodies.
  *
- *  Scenery is met where it is, and only there: bodies slide over sides between triangles as over one surface, and a sharp
+ *  Scenery collides only at its surface: bodies slide over sides between triangles as over one surface, and a sharp
  *  edge or a boundary edge is an edge. A one-sided surface is met from the side from which its triangles' corners run
  *  counter-clockwise, by bodies whose centre is on that side; from behind it is passed through, by rays too. A two-sided one
  *  is met from both.
  *
- *  Worlds answer all questions about scenery (world_query.h). carom_ray_cast, carom_shape_cast, carom_shape_time_of_impact,
+ *  All queries of a world support scenery (world_query.h). carom_ray_cast, carom_shape_cast, carom_shape_time_of_impact,
  *  carom_shape_overlap and carom_shape_distance do too, with the scenery as the second shape where one moves. Functions that
  *  need convex shapes (carom_shape_support, carom_rays_cast; shapes that ask a world) say UNSUPPORTED.
  *

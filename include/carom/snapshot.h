@@ -57,7 +57,7 @@ CAROM_API int32_t carom_world_save(carom_world *world, uint32_t flags, void *buf
 
 /** Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
  *  anything of the world changes.
- *  A world in which nothing was ever made is built anew of a snapshot that is whole; `user` values come with it, a ledger
+ *  An empty world is rebuilt from a snapshot that is whole; `user` values come with it, a ledger
  *  begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's, as
  *  if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one that
  *  is not whole.

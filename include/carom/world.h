@@ -1,6 +1,6 @@
 /** @file world.h
  *  The second root: a world owns materials, bodies and colliders, and steps them.
- *  One writer per world; reads may run concurrently between steps; a call that changes the world during a step is BUSY.
+ *  One writer per world: a step or a change is BUSY while another thread steps, changes or reads it. Reads may run concurrently.
  */
 #ifndef CAROM_WORLD_H
 #define CAROM_WORLD_H
@@ -107,11 +107,11 @@ typedef struct carom_step_report {
   uint64_t particles;             /**< in all sets */
   uint64_t quarantined_particles; /**< of them, held still since their state left the world */
   uint64_t swept_bodies;       /**< swept from pose to pose, see carom_body_set_continuous() */
-  uint64_t sweep_hits;         /**< what they met in the step's substeps, answered at its moment */
+  uint64_t sweep_hits;         /**< what they met in the step's substeps, resolved at the time of impact */
   uint64_t wedged_groups;      /**< groups of the direct solver, counted a substep, that no velocity could satisfy, as
-                                    where two surfaces close on a body: answered by contacts that yield */
-  uint64_t refused_answers;    /**< answers of the direct solver by which contacts would have given energy, counted a
-                                    substep: answered again by sweeps, which can't */
+                                    where two surfaces close on a body: resolved by soft contacts */
+  uint64_t rejected_solutions; /**< solutions of the direct solver by which contacts would have added energy, counted a
+                                    substep: solved again by sweeps, which cannot */
 } carom_step_report;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
@@ -145,13 +145,13 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 #define CAROM_REASON_MASS_RATIO 1u /* bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO */
 #define CAROM_REASON_SINK 2u       /* soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
 #define CAROM_REASON_TOO_MUCH 3u   /* too many bodies for the direct solver, or it exceeded its work limit recently */
-#define CAROM_REASON_BOUNCE 4u     /* not given any more: impacts are solved before every solver */
+#define CAROM_REASON_BOUNCE 4u     /* unused: impacts are solved before every solver */
 #define CAROM_REASON_IMPACT 5u     /* it would sink, but is under impact: soft contacts take that */
 #define CAROM_REASON_STILL 6u      /* a few bodies that lie still */
 #define CAROM_REASON_JOINED 7u     /* some bodies that joints hold together */
 #define CAROM_REASON_ROLLS 8u      /* a few bodies, of which a cylinder, a cone's rim or a spheroid rolls */
 
-/** A contact group of the last step, and how CAROM_SOLVER_AUTO answered it. */
+/** A contact group of the last step, and which solver CAROM_SOLVER_AUTO chose for it. */
 typedef struct carom_group {
   carom_body body;     /**< one of its bodies; CAROM_NULL_HANDLE if that was destroyed since */
   uint32_t bodies;     /**< that contacts move */
@@ -162,7 +162,7 @@ typedef struct carom_group {
   double sink;         /**< how deep soft contacts would let a body sink, over the thickness of the thinner of the two */
 } carom_group;
 
-/** Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO answer
+/** Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO treat
  *  all groups alike: then there are none.
  *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride   sizeof(carom_group) as the caller knows it
@@ -183,7 +183,7 @@ typedef struct carom_fault {
   uint32_t kind;           /**< CAROM_FAULT_* */
   uint32_t reserved;
   carom_shape shape;       /**< shape in quarantine, or CAROM_NULL_HANDLE */
-  carom_body body;         /**< a body it hangs on, or the quarantined body */
+  carom_body body;         /**< a body with this shape, or the quarantined body */
   double dir[3];           /**< bits of the direction given */
   double out[3];           /**< bits of what came back */
   carom_particles particles; /**< the set, of PARTICLE_STATE, or CAROM_NULL_HANDLE */

@@ -29,7 +29,7 @@ extern "C" {
 #define CAROM_ASK_GENERIC 1u /* support functions only, no routine for declared forms */
 #define CAROM_ASK_SENSORS 2u /* sensors are found, too */
 
-/** How to ask a world; fill with carom_query_desc_init(). The same for all questions of a call. */
+/** Settings of a query; fill with carom_query_desc_init(). The same for all queries of a call. */
 typedef struct carom_query_desc {
   uint32_t struct_size;
   uint32_t flags;      /**< CAROM_ASK_* bits, default 0 */

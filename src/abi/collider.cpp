@@ -80,7 +80,8 @@ carom_collider_desc describe_collider(const World& world, std::uint32_t slot) {
 
 bool shape_fits(Call& call, int argument, BodyType type, bool has_mass, const Shape& shape, double density) {
   if (shape.form == Form::half_space && type != BodyType::fixed)
-    return call.fail(CAROM_E_OUT_OF_RANGE, argument, "a half-space is unbounded: it fits static bodies only");
+    return call.fail(CAROM_E_OUT_OF_RANGE, argument, "a half-space is unbounded: it fits static bodies only") ||
+           call.advise("make the body static, or give it a box");
   if (is_scenery(shape) && type == BodyType::dynamic)
     return call.fail(
         CAROM_E_OUT_OF_RANGE, argument,

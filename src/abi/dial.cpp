@@ -1,6 +1,10 @@
 // Dials as a host sees them: the one table of the dynamics floor, and the proof that both number it alike.
 #include <carom/dial.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "abi/check.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/constants.h"
@@ -55,6 +59,29 @@ static_assert(same(Preset::fast, CAROM_PRESET_FAST) && same(Preset::balanced, CA
 static_assert(DialRow::number == CAROM_DIAL_KIND_NUMBER && DialRow::integer == CAROM_DIAL_KIND_INTEGER &&
               DialRow::choice == CAROM_DIAL_KIND_CHOICE);
 
+/// Letters to be added, left out or changed until one name is the other, of the first 40.
+std::size_t letters_apart(std::string_view a, std::string_view b) {
+  constexpr std::size_t kMost = 40;
+  a = a.substr(0, kMost), b = b.substr(0, kMost);
+  std::array<std::size_t, kMost + 1> row{};
+  for (std::size_t k = 0; k <= b.size(); ++k) row[k] = k;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t corner = row[0];
+    row[0] = i;
+    for (std::size_t k = 1; k <= b.size(); ++k) {
+      const std::size_t changed = corner + (a[i - 1] != b[k - 1]);
+      corner = row[k];
+      row[k] = std::min({row[k] + 1, row[k - 1] + 1, changed});
+    }
+  }
+  return row[b.size()];
+}
+
+const char* nearest_dial(const char* name) {
+  const auto apart = [&](const DialRow& row) { return letters_apart(name, row.name); };
+  return std::ranges::min_element(dial_table(), {}, apart)->name;
+}
+
 }  // namespace
 }  // namespace carom::abi
 
@@ -101,7 +128,8 @@ int32_t carom_dial_find(const char* name, uint32_t* dial, carom_error* error) {
         call.fail(CAROM_E_READ_ONLY, 1, "%s is no dial but a constant: %g", row.name, row.value);
         return;
       }
-    call.fail(CAROM_E_NOT_FOUND, 1, "there is no dial \"%.180s\"", name);
+    call.fail(CAROM_E_NOT_FOUND, 1, "there is no dial \"%.120s\"; did you mean %s?", name, nearest_dial(name));
+    call.advise("names are those of carom/dial.h in small letters, without CAROM_DIAL_; carom_dial_get_info() tells them");
   });
 }
 

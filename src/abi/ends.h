@@ -27,9 +27,11 @@ bool read_ends(Call& call, const World& world, const Desc& d, const char* what, 
       !read_end(call, world, "desc->body_b", d.body_b, def.body_b))
     return false;
   if (def.body_a == def.body_b)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc %s %s to itself", what, d.body_a ? "a body" : "the world");
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc %s %s to itself", what, d.body_a ? "a body" : "the world") ||
+           call.advise("set body_a and body_b to two different bodies, one of them dynamic");
   return is_dynamic(world, def.body_a) || is_dynamic(world, def.body_b) ||
-         call.fail(CAROM_E_OUT_OF_RANGE, 2, "neither of the two bodies is dynamic; one must be");
+         call.fail(CAROM_E_OUT_OF_RANGE, 2, "neither of the two bodies is dynamic; one must be") ||
+         call.advise("make one of the two bodies dynamic");
 }
 
 inline carom_body handle_of_end(const World& world, std::uint32_t slot) {

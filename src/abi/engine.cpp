@@ -102,6 +102,7 @@ void set_jobs(Call& call, carom_engine* engine, const carom_jobs_desc* given) {
   const std::lock_guard lock(engine->mutex);
   if (const std::uint32_t worlds = engine->worlds.load(std::memory_order_relaxed)) {
     call.fail(CAROM_E_IN_USE, 1, "%u worlds of this engine are alive", worlds);
+    call.advise("set jobs before the first world is made, or destroy the worlds first");
     return;
   }
   Owned<Jobs> jobs;
@@ -135,6 +136,7 @@ int32_t carom_engine_destroy(carom_engine* engine, carom_error* error) {
     if (!present(call, 1, "engine", engine)) return;
     if (const std::uint32_t worlds = engine->worlds.load(std::memory_order_acquire)) {
       call.fail(CAROM_E_IN_USE, 1, "%u worlds of this engine are alive", worlds);
+      call.advise("destroy its worlds first");
       return;
     }
     const std::uint32_t tag = engine->tag;

@@ -29,6 +29,11 @@ bool Call::fail(std::int32_t code, std::int32_t argument, const char* format, ..
   return false;
 }
 
+bool Call::advise(const char* remedy) {
+  if (!remedy_) remedy_ = remedy;
+  return false;
+}
+
 void Call::witness(const double dir[3], const double out[3]) {
   has_witness_ = true;
   std::memcpy(dir_, dir, sizeof dir_);
@@ -44,7 +49,7 @@ std::int32_t Call::finish() const {
   std::memcpy(full.witness_dir, dir_, sizeof dir_);
   std::memcpy(full.witness_out, out_, sizeof out_);
   std::memcpy(full.message, message_, sizeof message_);
-  std::snprintf(full.remedy, sizeof full.remedy, "%s", carom_result_remedy(code_));
+  std::snprintf(full.remedy, sizeof full.remedy, "%s", remedy_ ? remedy_ : carom_result_remedy(code_));
 
   const std::size_t skip = sizeof full.struct_size;  // the caller's own
   const std::size_t size = std::min<std::size_t>(error_->struct_size, sizeof full);

@@ -24,6 +24,10 @@ class Call {
   /// @return false
   bool fail(std::int32_t code, std::int32_t argument, const char* format, ...) __attribute__((format(printf, 4, 5)));
 
+  /// What to do about it, where the remedy of the result's code does not fit; after fail(). @param remedy  outlives the call
+  /// @return false, so that it chains: check || call.fail(...) || call.advise(...)
+  bool advise(const char* remedy);
+
   /// Attach what a support function was given and gave back.
   void witness(const double dir[3], const double out[3]);
 
@@ -38,6 +42,7 @@ class Call {
   carom_error* error_;
   std::int32_t code_ = CAROM_OK;
   std::int32_t argument_ = 0;
+  const char* remedy_ = nullptr;  // null: of the code
   bool has_witness_ = false;
   double dir_[3] = {0, 0, 0};
   double out_[3] = {0, 0, 0};

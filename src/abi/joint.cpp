@@ -167,7 +167,8 @@ bool free_coordinate(Call& call, const Joint& joint, std::uint32_t coordinate) {
   return known(call, 3, "coordinate", coordinate, CAROM_COORDINATE_COUNT) &&
          (has(joint.def.kind, static_cast<Coordinate>(coordinate)) ||
           call.fail(CAROM_E_UNSUPPORTED, 3, "coordinate %u is none that a %s joint leaves free", coordinate,
-                    row_of(joint.def.kind).name));
+                    row_of(joint.def.kind).name) ||
+          call.advise("use a coordinate that this kind leaves free: carom/joint.h has them, a hinge's is TWIST"));
 }
 bool drivable(Call& call, const Joint& joint, std::uint32_t coordinate) {
   return free_coordinate(call, joint, coordinate) &&

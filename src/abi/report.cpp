@@ -62,7 +62,7 @@ void fill_report(const StepReport& from, carom_step_report& to) {
   to.swept_bodies = from.swept_bodies;
   to.sweep_hits = from.sweep_hits;
   to.wedged_groups = from.wedged_groups;
-  to.refused_answers = from.refused_answers;
+  to.rejected_solutions = from.rejected_solutions;
 }
 
 carom_contact contact(const World& world, const ContactView& view) {

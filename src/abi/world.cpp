@@ -88,7 +88,8 @@ void step(const Changing& changing, double dt) {
 bool check_dial(Call& call, std::uint32_t dial, double value) {
   if (!known(call, 2, "dial", dial, kDialCount)) return false;
   const DialRow& row = dial_table()[dial];
-  if (!in_range(call, 3, row.name, value, row.min, row.max)) return false;
+  if (!in_range(call, 3, row.name, value, row.min, row.max))
+    return call.advise("pass a number within the bounds of the dial; carom_dial_get_info() tells them");
   return row.kind == DialRow::number || value == std::floor(value) ||
          call.fail(CAROM_E_OUT_OF_RANGE, 3, "%s is %.17g, must be a whole number", row.name, value);
 }
@@ -169,7 +170,7 @@ int32_t carom_world_destroy(carom_world* world, carom_error* error) {
 int32_t carom_world_step(carom_world* world, double dt, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Changing changing(call, world);
-    if (!changing || !in_range(call, 2, "dt", dt, kShortestStep, kLongestStep)) return;
+    if (!changing || !is_step(call, 2, dt)) return;
     if (world->budget) set_substeps(changing, *world->budget);
     step(changing, dt);
     if (world->budget) learn_costs(*changing, *world->budget);

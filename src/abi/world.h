@@ -132,6 +132,12 @@ class Recorded : public Changing {
 inline constexpr double kLongestStep = 1;      // s
 inline constexpr double kShortestStep = 1e-9;  // s: below it forces = impulses / dt overflow sooner than anything moves
 
+/// s
+inline bool is_step(Call& call, int argument, double dt) {
+  return in_range(call, argument, "dt", dt, kShortestStep, kLongestStep) ||
+         call.advise("pass a step of 1e-9 s to 1 s; most scenes take 1/60 s");
+}
+
 /// Make a world of an engine, in which there is nothing, with a tag of its own. @return null: noted
 carom_world* make_world(Call& call, carom_engine& engine, const Vec3& gravity, std::size_t body_capacity);
 /// Make a world of the same engine that goes on as this one does, bit for bit. @return null: noted

@@ -861,7 +861,7 @@ void each_is_refused(const Row (&rows)[N]) {
     assert_int_equal(e.code, row.code);
     assert_int_equal(e.argument, row.argument);
     assert_true(std::strlen(e.message) > 8);
-    assert_string_equal(e.remedy, carom_result_remedy(row.code));
+    assert_true(std::strlen(e.remedy) > 8);
     assert_int_equal(row.call(b, nullptr), row.code);
     assert_true(bench_hash(b.world) == hash);
     assert_memory_equal(&b, &before, sizeof b);  // nothing written to an output

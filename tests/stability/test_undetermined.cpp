@@ -50,7 +50,7 @@ void a_door_opens(Real width, Real height, Real density, Real friction, Real tor
     for (int i = 0; i < 60; ++i) {
       door.t.world.step(1.0 / 60);
       most = std::max(most, force_on(door.t, door.hinge));
-      assert_true(door.t.world.report.refused_answers == 0);
+      assert_true(door.t.world.report.rejected_solutions == 0);
     }
     const Real inertia = door.mass * width * width / 3;
     const Real least = torque - friction * door.mass * kG * width;  // N m

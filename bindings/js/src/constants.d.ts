@@ -25,7 +25,7 @@ export const CAROM_E_STALE_HANDLE: -9;
 export const CAROM_E_WRONG_KIND: -10;
 /** a handle of another world or engine */
 export const CAROM_E_WRONG_WORLD: -11;
-/** the world is being stepped */
+/** another thread is stepping, changing or reading this world */
 export const CAROM_E_BUSY: -12;
 /** called from inside a callback (a support function, allocator or log) */
 export const CAROM_E_REENTRANT: -13;
@@ -238,7 +238,7 @@ export const CAROM_DIAL_DIRECT_RATIO: 33;
 export const CAROM_DIAL_DIRECT_WORK: 34;
 /** rad: arms of contacts turn with a body only when it has turned by this */
 export const CAROM_DIAL_HOLD_ANGLE: 35;
-/** Hz: stiffness of joints that are not answered directly */
+/** Hz: stiffness of joints that the direct solver does not solve */
 export const CAROM_DIAL_JOINT_FREQUENCY: 36;
 /** their damping ratio */
 export const CAROM_DIAL_JOINT_DAMPING: 37;
@@ -276,11 +276,11 @@ export const CAROM_ROTATION_SPLITTING: 5;
 export const CAROM_ROTATION_SPLITTING_4: 6;
 /** seven of them (Yoshida) */
 export const CAROM_ROTATION_SPLITTING_6: 7;
-/** most severe contact first, by group: the paper's */
+/** most severe contact first, by group: that of the paper of 2011 */
 export const CAROM_SOLVER_SEVERITY: 0;
 /** warm-started sweeps over all contacts (projected Gauss-Seidel) */
 export const CAROM_SOLVER_SEQUENTIAL: 1;
-/** one sweep a substep over soft contacts, one that relaxes them: wants 4 substeps */
+/** one sweep a substep over soft contacts, one that relaxes them: needs about 4 substeps */
 export const CAROM_SOLVER_SOFT_STEP: 2;
 /** each contact group as one problem, solved to a residual: small hard groups */
 export const CAROM_SOLVER_DIRECT: 3;
@@ -580,7 +580,7 @@ export const CAROM_REASON_MASS_RATIO: 1;
 export const CAROM_REASON_SINK: 2;
 /** too many bodies for the direct solver, or it exceeded its work limit recently */
 export const CAROM_REASON_TOO_MUCH: 3;
-/** not given any more: impacts are solved before every solver */
+/** unused: impacts are solved before every solver */
 export const CAROM_REASON_BOUNCE: 4;
 /** it would sink, but is under impact: soft contacts take that */
 export const CAROM_REASON_IMPACT: 5;

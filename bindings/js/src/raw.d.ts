@@ -185,7 +185,8 @@ export interface Raw {
   carom_collider_create(world: number, body: bigint, desc: number, collider: number, error: number): number;
   /** The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the same
    *  parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
-   *  Where a part of it fails nothing has changed, but for a plugin that was loaded.
+   *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its friction
+   *  0.5, its restitution 0. carom_body_get_colliders() tells its collider.
    *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
    *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
@@ -272,7 +273,7 @@ export interface Raw {
   /** Number of dials this library has.   @status OK; NULL_ARGUMENT   @thread any */
   carom_dial_get_count(count: number): number;
   /** @param name as in carom_dial_info.name
-   *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (the name of a constant, since 1.8)   @thread any */
+   *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial)   @thread any */
   carom_dial_find(name: number, dial: number, error: number): number;
   /** Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any */
   carom_constant_get_count(count: number): number;
@@ -364,8 +365,8 @@ export interface Raw {
   carom_collider_get_filter(world: number, collider: bigint, category: number, mask: number, group: number, error: number): number;
   /** The same for all colliders that a body has now.   @status as carom_collider_set_filter() */
   carom_body_set_filter(world: number, body: bigint, category: bigint, mask: bigint, group: number, error: number): number;
-  /** Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. What is held
-   *  apart twice has to be let go twice; letting go of what is not held does nothing.
+  /** Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. Calls are
+   *  counted: undo each one. Undoing more does nothing.
    *  @param apart 1 or 0
    *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_hold_apart(world: number, body_a: bigint, body_b: bigint, apart: number, error: number): number;
@@ -442,11 +443,14 @@ export interface Raw {
   carom_world_get_water(world: number, water: number, present: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_desc_init(desc: number, struct_size: number): number;
-  /** Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  /** Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_limit_init(limit: number, struct_size: number): number;
-  /** Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  /** Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_motor_init(motor: number, struct_size: number): number;
-  /** Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  /** Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_spring_init(spring: number, struct_size: number): number;
   /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_transmission_init(transmission: number, struct_size: number): number;
@@ -653,9 +657,9 @@ export interface Raw {
    *  @cost linear in contact points, joints and bodies */
   carom_world_get_residuals(world: number, residuals: number, error: number): number;
   /** Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
-   *  last steps; one that took too long is answered at once, room that opens by one substep more a step. Trajectories then
+   *  last steps; if one took too long, substeps drop at once; if there is time left, one is added a step. Trajectories then
    *  depend on the machine's speed: two runs are not the same to the bit. Off (as a world is created) for lockstep and tests.
-   *  The steps of a scene that is too dear even with `fewest` take longer. A budget is the host's: no snapshot holds it, a
+   *  The steps of a scene that is too expensive even with `fewest` take longer. A budget is the host's: no snapshot holds it, a
    *  copy begins without one, and a record (carom/record.h) has the substeps that it chose.
    *  @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
    *  @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
@@ -727,7 +731,7 @@ export interface Raw {
   carom_world_save(world: number, flags: number, buffer: number, capacity: bigint, needed: number, error: number): number;
   /** Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
    *  anything of the world changes.
-   *  A world in which nothing was ever made is built anew of a snapshot that is whole; `user` values come with it, a ledger
+   *  An empty world is rebuilt from a snapshot that is whole; `user` values come with it, a ledger
    *  begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's, as
    *  if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one that
    *  is not whole.
@@ -787,7 +791,7 @@ export interface Raw {
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
    *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_get_contacts(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
-  /** Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO answer
+  /** Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO treat
    *  all groups alike: then there are none.
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_group) as the caller knows it

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+import functools
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Sequence, TypeVar, Union
 
 from . import raw
@@ -32,15 +33,28 @@ def enum(prefix: str, value: str | int) -> int:
     """"hinge" with prefix "JOINT" is raw.CAROM_JOINT_HINGE; numbers pass."""
     if not isinstance(value, str):
         return int(value)
-    found: int | None = getattr(raw, f"CAROM_{prefix}_{value.upper()}", None)
-    if found is None:
+    if value.lower() not in words(prefix):
         raise ValueError(f"{value!r} is not one of {', '.join(words(prefix))}")
+    found: int = getattr(raw, f"CAROM_{prefix}_{value.upper()}")
     return found
 
 
+# Of constants that begin with a prefix, those of other enumerations.
+_OTHERS = {
+    "BODY": ("field_", "stays_awake", "disabled"),
+    "JOINT": ("field_", "read_", "world_frame", "collide"),
+    "AXIS": ("mode_",),
+    "DIAL": ("kind_",),
+    "DRAW": ("by_",),
+    "FIELD": (),
+}
+
+
+@functools.lru_cache(maxsize=None)
 def words(prefix: str) -> list[str]:
     start = f"CAROM_{prefix}_"
-    return [name[len(start):].lower() for name in dir(raw) if name.startswith(start)]
+    names = (name[len(start):].lower() for name in dir(raw) if name.startswith(start))
+    return [name for name in names if name != "count" and not name.startswith(_OTHERS.get(prefix, ()))]
 
 
 def word(prefix: str, value: int, among: tuple[str, ...]) -> str:

@@ -164,7 +164,7 @@ class Bulk:
     def positions(self, out: T) -> T: ...
 
     def positions(self, out: Any = None) -> Any:
-        """m, (n, 3)"""
+        """m, (n, 3): one row for each body of `world.bodies`, static ones included. `world.read("position", bodies)` reads some."""
         return self.read("position", out=out)
 
     @overload

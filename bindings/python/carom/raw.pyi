@@ -384,7 +384,7 @@ class carom_error(ctypes.Structure):
     message: builtins.bytes
     remedy: builtins.bytes
 class carom_accuracy(ctypes.Structure):
-    """What error is borne. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that snapshots, recordings and
+    """An error tolerance. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that snapshots, recordings and
     scene files have them. Fill with carom_accuracy_init()."""
     struct_size: int
     substeps: int
@@ -689,7 +689,7 @@ class carom_water(ctypes.Structure):
     """All of space where normal . x <= level is water. What of a body's colliders is in it (not sensors, not scenery) is
     pushed by the weight of what it displaces, at the middle of that part, against the world's gravity, and is taken along
     by the current: F = -drag * density * volume * (v - current). Balls, ellipsoids, boxes and hulls displace exactly what
-    they cover, other shapes what a hull of 256 of their support points covers, blown up to their volume. Fill with
+    they cover, other shapes what a hull of 256 of their support points covers, scaled to their volume. Fill with
     carom_water_init()."""
     struct_size: int
     reserved: int
@@ -699,7 +699,10 @@ class carom_water(ctypes.Structure):
     current: Any
     drag: float
 class carom_joint_desc(ctypes.Structure):
-    """Fill with carom_joint_desc_init()."""
+    """Fill with carom_joint_desc_init(): a ball joint, frames at the origins of both bodies, unbreakable. A door on a hinge that stands
+    upright, the joint's x axis along the world's y:
+        desc.kind = CAROM_JOINT_HINGE, desc.fields = CAROM_JOINT_WORLD_FRAME, desc.body_b = door;
+        desc.position_a[0] = 1, desc.orientation_a[2] = desc.orientation_a[3] = 0.70710678118654752;"""
     struct_size: int
     kind: int
     fields: int
@@ -894,7 +897,7 @@ class carom_shape_plugin(ctypes.Structure):
     reserved: int
     user: Any
 class carom_distance_desc(ctypes.Structure):
-    """How to answer; fill with carom_distance_desc_init(). Values as the dials of the same name."""
+    """Settings of a query; fill with carom_distance_desc_init(). Values as the dials of the same name."""
     struct_size: int
     simplex: int
     narrow_phase: int
@@ -926,7 +929,7 @@ class carom_difference(ctypes.Structure):
     sections: builtins.bytes
 class carom_residuals(ctypes.Structure):
     """What is left undone. Contacts are those of the last step, with the velocities that it ended with; joints and energy are
-    those of the present poses and velocities. Offences against Coulomb's law are in m/s: by how much the velocity at the
+    those of the present poses and velocities. Violations of Coulomb's law are in m/s: by how much the velocity at the
     worst contact would have to be another for its impulse to be right."""
     struct_size: int
     ledger_is_kept: int
@@ -1036,7 +1039,7 @@ class carom_step_report(ctypes.Structure):
     swept_bodies: int
     sweep_hits: int
     wedged_groups: int
-    refused_answers: int
+    rejected_solutions: int
 class carom_contact(ctypes.Structure):
     """A contact point of the last step."""
     collider_a: int
@@ -1049,7 +1052,7 @@ class carom_contact(ctypes.Structure):
     normal_impulse: float
     friction_impulse: float
 class carom_group(ctypes.Structure):
-    """A contact group of the last step, and how CAROM_SOLVER_AUTO answered it."""
+    """A contact group of the last step, and which solver CAROM_SOLVER_AUTO chose for it."""
     body: int
     bodies: int
     points: int
@@ -1068,7 +1071,7 @@ class carom_fault(ctypes.Structure):
     particles: int
     particle: int
 class carom_query_desc(ctypes.Structure):
-    """How to ask a world; fill with carom_query_desc_init(). The same for all questions of a call."""
+    """Settings of a query; fill with carom_query_desc_init(). The same for all queries of a call."""
     struct_size: int
     flags: int
     category: int
@@ -1356,7 +1359,8 @@ def carom_collider_create(world: Any, body: Any, desc: Any, collider: Any, error
 def carom_body_create_named(world: Any, type: Any, name: Any, params: Any, count: Any, position: Any, body: Any, error: Any) -> int:
     """The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the same
     parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
-    Where a part of it fails nothing has changed, but for a plugin that was loaded.
+    Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its friction
+    0.5, its restitution 0. carom_body_get_colliders() tells its collider.
     @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
             PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
@@ -1463,7 +1467,7 @@ def carom_dial_get_count(count: Any) -> int:
     ...
 def carom_dial_find(name: Any, dial: Any, error: Any) -> int:
     """@param name as in carom_dial_info.name
-    @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (the name of a constant, since 1.8)   @thread any"""
+    @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial)   @thread any"""
     ...
 def carom_constant_get_count(count: Any) -> int:
     """Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any"""
@@ -1582,8 +1586,8 @@ def carom_body_set_filter(world: Any, body: Any, category: Any, mask: Any, group
     """The same for all colliders that a body has now.   @status as carom_collider_set_filter()"""
     ...
 def carom_body_hold_apart(world: Any, body_a: Any, body_b: Any, apart: Any, error: Any) -> int:
-    """Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. What is held
-    apart twice has to be let go twice; letting go of what is not held does nothing.
+    """Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. Calls are
+    counted: undo each one. Undoing more does nothing.
     @param apart 1 or 0
     @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
@@ -1686,13 +1690,16 @@ def carom_joint_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_limit_init(limit: Any, struct_size: Any) -> int:
-    """Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    """Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_motor_init(motor: Any, struct_size: Any) -> int:
-    """Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    """Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_spring_init(spring: Any, struct_size: Any) -> int:
-    """Not enabled.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    """Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_transmission_init(transmission: Any, struct_size: Any) -> int:
     """Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -1949,9 +1956,9 @@ def carom_world_get_residuals(world: Any, residuals: Any, error: Any) -> int:
     ...
 def carom_world_set_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
     """Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
-    last steps; one that took too long is answered at once, room that opens by one substep more a step. Trajectories then
+    last steps; if one took too long, substeps drop at once; if there is time left, one is added a step. Trajectories then
     depend on the machine's speed: two runs are not the same to the bit. Off (as a world is created) for lockstep and tests.
-    The steps of a scene that is too dear even with `fewest` take longer. A budget is the host's: no snapshot holds it, a
+    The steps of a scene that is too expensive even with `fewest` take longer. A budget is the host's: no snapshot holds it, a
     copy begins without one, and a record (carom/record.h) has the substeps that it chose.
     @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
     @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
@@ -2039,7 +2046,7 @@ def carom_world_save(world: Any, flags: Any, buffer: Any, capacity: Any, needed:
 def carom_world_restore(world: Any, bytes: Any, size: Any, error: Any) -> int:
     """Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
     anything of the world changes.
-    A world in which nothing was ever made is built anew of a snapshot that is whole; `user` values come with it, a ledger
+    An empty world is rebuilt from a snapshot that is whole; `user` values come with it, a ledger
     begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's, as
     if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one that
     is not whole.
@@ -2114,7 +2121,7 @@ def carom_world_get_contacts(world: Any, dst: Any, stride: Any, capacity: Any, c
     @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_world_get_groups(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO answer
+    """Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO treat
     all groups alike: then there are none.
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_group) as the caller knows it

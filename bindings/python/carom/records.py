@@ -360,7 +360,7 @@ class StepReportRecord(Record):
     swept_bodies: int
     sweep_hits: int
     wedged_groups: int
-    refused_answers: int
+    rejected_solutions: int
 
 
 class ContactRecord(Record):
@@ -388,7 +388,7 @@ class GroupRecord(Record):
 
 
 class AccuracyRecord(Record):
-    """What error is borne"""
+    """An error tolerance"""
     substeps: int
     place: float
     turn: float

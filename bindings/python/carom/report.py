@@ -68,7 +68,7 @@ class Reports:
         return array
 
     def groups(self) -> list[GroupRecord]:
-        """Contact groups, and how solver "auto" answered each."""
+        """Contact groups, and which solver "auto" chose for each."""
         return self._records(GroupRecord, raw.carom_world_get_groups, raw.carom_group)
 
     def faults(self) -> list[FaultRecord]:
@@ -107,7 +107,7 @@ class Reports:
     # ---- accuracy in, steps out ----
 
     def ask(self, **about: Unpack[AccuracyKeywords]) -> None:
-        """What error is borne, from the next step on: place (m/s), turn (rad/s), substeps (the bound of work)."""
+        """Set an error tolerance, from the next step on: place (m/s), turn (rad/s), substeps (the bound of work)."""
         self._call(raw.carom_world_set_accuracy, ctypes.byref(describe(raw.carom_accuracy, about)))
 
     def ask_nothing(self) -> None:
@@ -126,14 +126,14 @@ class Reports:
         """Islands of the last step, worst first: errors by the last estimate, substeps, work, flags. Of a world that asks."""
         return self._records(IslandRecord, raw.carom_world_get_islands, raw.carom_island)
 
-    def measure_growth(self, steps: int, dt: float = 1 / 60) -> GrowthRecord:
+    def measure_growth(self, *, steps: int, dt: float = 1 / 60) -> GrowthRecord:
         """How errors grow from here, by two copies of the world that begin a little apart; the world itself stays as it is.
 
         `sensitive` tells chaos: errors grow e-fold, `rate` a second. Choose steps for several e-foldings of what is looked for."""
         growth = raw.carom_growth()
         growth.struct_size = ctypes.sizeof(growth)
         self._call(raw.carom_world_measure_growth, dt, steps, ctypes.byref(growth))
-        return record(GrowthRecord, growth, sensitive=bool(growth.sensitive))
+        return record(GrowthRecord, growth, self._wrap, sensitive=bool(growth.sensitive))
 
     # ---- which effects run, for whom, why ----
 

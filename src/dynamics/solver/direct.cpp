@@ -92,7 +92,7 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].repeats > 0) continue;
     report.velocity_impulses += d.solution[g].factorisations;
-    report.wedged_groups += d.solution[g].is_wedged, report.refused_answers += d.solution[g].is_by_sweeps;
+    report.wedged_groups += d.solution[g].is_wedged, report.rejected_solutions += d.solution[g].is_by_sweeps;
     report.solver_residual = std::max<double>(report.solver_residual, d.solution[g].residual);
   }
 }

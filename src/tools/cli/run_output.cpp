@@ -126,10 +126,10 @@ void print_cost(const RunSummary& run) {
   if (run.last.direct_groups || run.last.solver_residual > 0)
     std::printf("direct solver: %llu islands at the end, residual %.2g m/s\n", count(run.last.direct_groups),
                 run.last.solver_residual);
-  if (run.wedged_groups || run.refused_answers)
+  if (run.wedged_groups || run.rejected_solutions)
     std::printf(
         "solved otherwise, over the run: %llu islands that surfaces close on, %llu that would have gained energy\n",
-        count(run.wedged_groups), count(run.refused_answers));
+        count(run.wedged_groups), count(run.rejected_solutions));
 }
 
 }  // namespace

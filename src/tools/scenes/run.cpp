@@ -25,7 +25,7 @@ RunSummary simulate(Stage& stage, Observer* observer, double seconds, double dt,
     slowest = std::max(slowest, run.last.total_seconds);
     run.most_contact_points = std::max(run.most_contact_points, run.last.contact_points);
     run.worst_penetration = std::max(run.worst_penetration, run.last.max_penetration);
-    run.wedged_groups += run.last.wedged_groups, run.refused_answers += run.last.refused_answers;
+    run.wedged_groups += run.last.wedged_groups, run.rejected_solutions += run.last.rejected_solutions;
     if (run.last.faults && run.faults == 0) run.first_faults = stage.world.faults();
     run.faults += run.last.faults;
     if (observer) observer->watch(stage, run.last.time);

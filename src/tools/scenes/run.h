@@ -17,7 +17,7 @@ struct RunSummary {
   carom_step_report last{};                             ///< of the last step
   std::uint64_t most_contact_points = 0;
   double worst_penetration = 0;           ///< m, over all steps
-  std::uint64_t wedged_groups = 0, refused_answers = 0;  ///< over all steps
+  std::uint64_t wedged_groups = 0, rejected_solutions = 0;  ///< over all steps
   std::uint64_t faults = 0;               ///< of shapes, over all steps
   std::vector<carom_fault> first_faults;  ///< of the first step that had any
   std::uint64_t hash = 0;                 ///< of the end state
