@@ -21,7 +21,8 @@ static std::vector<char> bytes_of(const fs::path& path) {
 }
 
 static void packed_scenes_go_on_as_told(void**) {
-  const fs::path folder = fs::temp_directory_path() / ("carom_pack_" + std::to_string(getpid()));
+  const fs::path own = fs::temp_directory_path() / ("carom_pack_" + std::to_string(getpid()));
+  const fs::path folder = own / "scenes";  // neither is there before
   const Outcome packed =
       run_carom("pack " + folder.string() + " stacks ragdoll weather falling:n=8,layers=2 --steps 12");
   assert_int_equal(packed.code, 0);
@@ -41,7 +42,7 @@ static void packed_scenes_go_on_as_told(void**) {
       world.step(row["dt"]);
     }
   }
-  fs::remove_all(folder);
+  fs::remove_all(own);
 }
 
 static void what_cannot_be_packed_is_told(void**) {

@@ -40,7 +40,7 @@ SceneChoice choice_of(const std::string& text) {
 
 void pack(const PackOptions& options, Context& context) {
   std::error_code ignored;
-  std::filesystem::create_directory(options.folder, ignored);
+  std::filesystem::create_directories(options.folder, ignored);
   nlohmann::json index = nlohmann::json::array();
   std::vector<std::string> names = options.scenes;
   if (names.empty())
