@@ -59,6 +59,16 @@ class Refusals(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "position takes 3 numbers, got 2"):
             self.world.body(position=(1, 2))
 
+
+    def test_words_of_other_enumerations_are_none_of_this_one(self):
+        for wrong in ("field_mass", "stays_awake", "disabled", "count"):
+            with self.assertRaisesRegex(ValueError, "is not one of dynamic, kinematic, static$"):
+                self.world.body(type=wrong)
+        body = self.world.body()
+        for wrong in ("read_axes", "collide", "field_length", "world_frame"):
+            with self.assertRaisesRegex(ValueError, "is not one of ball, "):
+                self.world.joint(wrong, None, body)
+
     def test_invalid_shape_has_a_witness(self):
         with self.assertRaises(errors.PluginInvalid) as caught:
             self.engine.support_plugin(lambda p, d: (d[0] ** 3, d[1], d[2]), "test.invalid_plugin")()

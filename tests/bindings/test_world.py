@@ -14,6 +14,27 @@ class Face(unittest.TestCase):
         self.world = self.engine.world()
         self.addCleanup(self.engine.close)
 
+    def test_chaos_is_told_from_what_is_regular(self):
+        def rods(angles):
+            world = self.engine.world()
+            before, at = None, (0.0, 0.0)
+            for angle in angles:
+                down = (math.sin(angle), -math.cos(angle))
+                rod = world.body(position=(at[0] + down[0] / 4, at[1] + down[1] / 4, 0), mass=1, inertia=(0.02, 0, 0, 0, 0.02, 0, 0, 0, 0.02))
+                world.joint("hinge", before, rod, position=(*at, 0), orientation=(0, -math.sqrt(0.5), 0, math.sqrt(0.5)))
+                before, at = rod, (at[0] + down[0] / 2, at[1] + down[1] / 2)
+            world.ask(place=1e-5, turn=1e-5)
+            hash_before = world.hash
+            growth = world.measure_growth(steps=1200)
+            self.assertEqual(world.hash, hash_before)
+            return growth
+
+        wild, calm = rods((2.0, 2.5)), rods((1.0,))
+        self.assertTrue(wild.sensitive and wild.rate > 1 and wild.body is not None)
+        self.assertFalse(calm.sensitive)
+        with self.assertRaises(carom.errors.OutOfRange):
+            self.world.measure_growth(steps=0)
+
     def test_defaults_are_the_descriptors(self):
         desc = self.world.body().desc
         self.assertEqual((desc.type, desc.position, desc.orientation, desc.mass), ("dynamic", (0, 0, 0), (0, 0, 0, 1), 1))
