@@ -177,6 +177,14 @@ static void valid_plugins_pass_the_check(void**) {
   assert_int_equal(carom("check box 0.5 2 0.25").code, 0);
 }
 
+/// A folder of strangers' plugins: each is listed or refused, whatever one of them does.
+static void a_plugin_that_hangs_or_crashes_keeps_no_other_from_the_list(void**) {
+  const Outcome o = carom("--plugins " CAROM_INVALIDS " shapes");
+  assert_int_equal(o.code, 1);
+  assert_true(says(o, "hang  REFUSED") && says(o, "did not return within 5 s") && says(o, "run `carom check"));
+  assert_true(says(o, "valid  (") && says(o, "sphere  (carom.sphere") && says(o, "half_space  (built in"));
+}
+
 static void a_plugin_that_hangs_is_stopped_and_the_direction_named(void**) {
   invalid_plugin("hang", "did not come back within 1 s");
   invalid_plugin("hang", "direction:  (");
@@ -209,6 +217,7 @@ int main() {
       cmocka_unit_test(a_plan_tells_what_runs_for_whom_and_what_is_left_out),
       cmocka_unit_test(a_run_shows_its_plan_and_minds_what_is_forbidden_or_forced),
       cmocka_unit_test(valid_plugins_pass_the_check),
+      cmocka_unit_test(a_plugin_that_hangs_or_crashes_keeps_no_other_from_the_list),
       cmocka_unit_test(a_plugin_that_hangs_is_stopped_and_the_direction_named),
       cmocka_unit_test(a_plugin_that_crashes_takes_only_the_child_with_it),
       cmocka_unit_test(a_plugin_that_leaves_the_call_is_told_how),

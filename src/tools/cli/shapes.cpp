@@ -1,4 +1,9 @@
 // `carom shapes`: the shape plugins that were found, what they take and what they declare.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <cstdio>
 
 #include "cli/commands.h"
@@ -35,17 +40,45 @@ void print_plugin(Engine& engine, const std::string& name, const std::string& fi
   std::printf("    declares %s\n\n", declarations(plugin).c_str());
 }
 
+constexpr rlim_t kSeconds = 5;  // of computing, that a plugin may take to be loaded and told of
+
+/// A plugin is a file of a stranger's: it is loaded in a child, which may hang or crash alone.
+/// @param print  -> exit code   @return likewise
+template <class Print>
+int print_in_child(const std::string& name, const std::string& file, Print&& print) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit most = {kSeconds, kSeconds + 1};
+    setrlimit(RLIMIT_CPU, &most);
+    const int code = print();
+    std::fflush(stdout);
+    _exit(code);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child)
+    throw Error("cannot start a process of its own for " + name, "free memory or processes, and try again");
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  std::printf("%s  REFUSED: %s %s\n  what to do: run `carom check %s`\n\n", name.c_str(), file.c_str(),
+              WTERMSIG(status) == SIGXCPU ? "did not return within 5 s" : "crashed", file.c_str());
+  return kExitBadNews;
+}
+
 void print_shapes(Context& context) {
   Engine engine(context.plugins());
   const std::map<std::string, std::string> files = engine.path().all();
   if (files.empty()) engine.path().find("sphere");  // throws the error that says where we looked
   for (const auto& [name, file] : files) {
-    try {
-      print_plugin(engine, name, file);
-    } catch (const Error& error) {
-      std::printf("%s  REFUSED: %s\n  what to do: %s\n\n", name.c_str(), error.what(), error.remedy.c_str());
-      context.exit_code = kExitBadNews;
-    }
+    const int code = print_in_child(name, file, [&] {
+      try {
+        print_plugin(engine, name, file);
+        return 0;
+      } catch (const Error& error) {
+        std::printf("%s  REFUSED: %s\n  what to do: %s\n\n", name.c_str(), error.what(), error.remedy.c_str());
+        return kExitBadNews;
+      }
+    });
+    if (code != 0) context.exit_code = code;
   }
   std::printf("half_space  (built in, static bodies only: it is not bounded)\n");
 }

@@ -152,9 +152,9 @@ void print_chaos(const Answer& a) {
 }
 
 void print_counts(const Question& q, const Answer& a) {
-  std::printf("%d settings tried, %d given up for their time", a.tried, a.too_dear);
-  if (a.let_fall) std::printf(", %d left out since they let fall what stands", a.let_fall);
-  if (a.left_out) std::printf(", for %d no time was left (--within %g)", a.left_out, q.patience);
+  std::printf("%d settings tried, %d stopped as too slow", a.tried, a.too_dear);
+  if (a.let_fall) std::printf(", %d rejected because a standing object fell", a.let_fall);
+  if (a.left_out) std::printf(", %d skipped (--within %g)", a.left_out, q.patience);
   std::printf(".\n");
   if (a.seconds < q.seconds)
     std::printf("Judged by the first %.2g of %g s: all of it takes more than %g s (--within, or --seconds).\n",
@@ -170,7 +170,7 @@ void print_answer(const Question& q, const Answer& a) {
     print_chaos(a);
   else if (a.floor > 0)
     std::printf(
-        "Errors below %.2g %s are not told apart: so far the reference is from its half, or nearer than counts.\n",
+        "Differences below %.2g %s cannot be resolved: that is the error of the reference run.\n",
         a.floor, tune::unit_of(a.kind));
   print_front(q, a);
   print_counts(q, a);
