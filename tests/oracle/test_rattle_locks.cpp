@@ -11,7 +11,7 @@ using namespace carom::test;
 
 namespace {
 
-constexpr Real kX = 1, kY = 2, kZ = 4, kAboutX = 8, kAboutY = 16, kAboutZ = 32, kAbout = kAboutX + kAboutY + kAboutZ;
+constexpr Real kY = 2, kZ = 4, kAboutX = 8, kAboutY = 16, kAboutZ = 32, kAbout = kAboutX + kAboutY + kAboutZ;
 
 void lock(TestWorld& t, std::uint32_t body, Real axes) { t.world.set_attribute(body, AttributeId::locks, {axes}); }
 

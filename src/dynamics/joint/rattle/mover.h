@@ -153,9 +153,9 @@ class Mover {
     return false;
   }
 
-  std::span<RattleBody> bodies() const { return {&r_.bodies[island_.body], island_.bodies}; }
-  std::span<RattleBody> movers() const { return {&r_.bodies[island_.body], island_.movers}; }
-  std::span<RattleJoint> joints() const { return {&r_.joints[island_.joint], island_.joints}; }
+  std::span<RattleBody> bodies() const { return {r_.bodies.data() + island_.body, island_.bodies}; }
+  std::span<RattleBody> movers() const { return {r_.bodies.data() + island_.body, island_.movers}; }
+  std::span<RattleJoint> joints() const { return {r_.joints.data() + island_.joint, island_.joints}; }
   template <class F>
   void each_row(F&& f) const {
     for (const RattleJoint& j : joints())
@@ -163,7 +163,7 @@ class Mover {
   }
   Real* of(Array<Real>& by_joint, std::uint32_t joint) const {  // in the order of elimination
     const std::size_t at = r_.elimination.place[joint] - island_.joint;
-    return &by_joint[kMostRows * island_.joint + n * at];
+    return by_joint.data() + kMostRows * island_.joint + n * at;
   }
   std::uint32_t index(const RattleJoint& j) const { return static_cast<std::uint32_t>(&j - r_.joints.data()); }
 
@@ -217,7 +217,7 @@ class Mover {
   /// x of A x = right; f(row, x) for each.
   template <class F>
   void solve(F&& f) const {
-    blocks_.solve(&r_.right[kMostRows * island_.joint]);
+    blocks_.solve(r_.right.data() + kMostRows * island_.joint);
     for (const RattleJoint& j : joints()) {
       const Real* const x = of(r_.right, index(j));
       for (std::uint32_t k = 0; k < j.rows; ++k) f(r_.rows[j.row + k], x[k]);
@@ -303,7 +303,7 @@ class Mover {
   /// J1 M^-1 J0^T and its factors.   @param rates  joint -> its rows of J1
   template <class Rates>
   void couple(Rates&& rates, bool is_symmetric) const {
-    Real* const own = &r_.left[kMostRows * island_.joint];
+    Real* const own = r_.left.data() + kMostRows * island_.joint;
     for (const RattleJoint& j : joints()) {
       Real* const block = blocks_.at_diagonal(r_.elimination.place[index(j)]);
       const auto rows = rates(j);
