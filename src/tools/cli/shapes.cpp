@@ -68,7 +68,8 @@ void print_shapes(Context& context) {
   Engine engine(context.plugins());
   const std::map<std::string, std::string> files = engine.path().all();
   if (files.empty()) engine.path().find("sphere");  // throws the error that says where we looked
-  for (const auto& [name, file] : files) {
+  for (const auto& found : files) {
+    const std::string &name = found.first, &file = found.second;
     const int code = print_in_child(name, file, [&] {
       try {
         print_plugin(engine, name, file);
