@@ -318,14 +318,17 @@ void find_lone_rollers(const World& world, const StepTime& time) {
     if (m.moves_a != m.moves_b && m.one_normal && may_roll_alone(world, m) && touches_at_one_point(*world.contacts, m))
       l.bodies.push_back(as_begun(world, m));
   if (l.bodies.empty()) return;
-  for (const Resistance& r : world.contacts->resisting)
-    for (LoneRoller& of : l.bodies)
-      if (of.row == r.row) of.rolling = r.rolling, of.spinning = r.spinning;
+  auto of = l.bodies.begin();
+  for (const Resistance& r : world.contacts->resisting) {  // both ascend by row
+    while (of != l.bodies.end() && of->row < r.row) ++of;
+    if (of != l.bodies.end() && of->row == r.row) of->rolling = r.rolling, of->spinning = r.spinning;
+  }
   count_touches(world, l);
-  std::erase_if(l.bodies, [&](const LoneRoller& of) {
-    const Real far = time.dt * (of.v.norm() + of.omega.norm() * shape_of(world, of.collider).bounding_radius);
-    return l.touches[of.body] != 1 || !only_known_forces_act(world, of.body) ||
-           !is_flat(world, of.surface, of.n, of.on_plane, far);
+  std::erase_if(l.bodies, [&](const LoneRoller& roller) {
+    const Real far =
+        time.dt * (roller.v.norm() + roller.omega.norm() * shape_of(world, roller.collider).bounding_radius);
+    return l.touches[roller.body] != 1 || !only_known_forces_act(world, roller.body) ||
+           !is_flat(world, roller.surface, roller.n, roller.on_plane, far);
   });
 }
 
