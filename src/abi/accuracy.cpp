@@ -133,8 +133,8 @@ int32_t carom_world_measure_growth(carom_world* world, double dt, uint32_t steps
                                    carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
-    if (!reading || !is_step(call, 2, dt) ||
-        !in_range(call, 3, "steps", steps, 1, kMostGrowthSteps) || !fillable(call, 4, "growth", growth))
+    if (!reading || !is_step(call, 2, dt) || !in_range(call, 3, "steps", steps, 1, kMostGrowthSteps) ||
+        !fillable(call, 4, "growth", growth))
       return;
     carom_growth full{};
     if (measure_growth(call, reading, dt, steps, full)) write_struct(full, growth);

@@ -37,8 +37,10 @@ bool check_mass(Call& call, const carom_body_desc& d) {
   if ((d.fields & about_mass) && !(d.fields & CAROM_BODY_FIELD_MASS))
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->fields is 0x%x: CENTER and INERTIA need MASS", d.fields);
   if (!(d.fields & CAROM_BODY_FIELD_MASS) && d.mass != 0)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->mass is %g, and desc->fields lacks CAROM_BODY_FIELD_MASS", d.mass) ||
-           call.advise("set CAROM_BODY_FIELD_MASS in desc->fields, or leave desc->mass 0: then densities give the mass");
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->mass is %g, and desc->fields lacks CAROM_BODY_FIELD_MASS",
+                     d.mass) ||
+           call.advise(
+               "set CAROM_BODY_FIELD_MASS in desc->fields, or leave desc->mass 0: then densities give the mass");
   if (d.fields & CAROM_BODY_FIELD_MASS) {
     if (!in_range(call, 2, "desc->mass", d.mass, 0, kInfinity)) return false;
     if (d.type == CAROM_BODY_DYNAMIC && d.mass < kLeastMass)

@@ -24,7 +24,8 @@ class Call {
   /// @return false
   bool fail(std::int32_t code, std::int32_t argument, const char* format, ...) __attribute__((format(printf, 4, 5)));
 
-  /// What to do about it, where the remedy of the result's code does not fit; after fail(). @param remedy  outlives the call
+  /// What to do about it, where the remedy of the result's code does not fit; after fail(). @param remedy  outlives the
+  /// call
   /// @return false, so that it chains: check || call.fail(...) || call.advise(...)
   bool advise(const char* remedy);
 

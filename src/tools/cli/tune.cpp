@@ -169,9 +169,8 @@ void print_answer(const Question& q, const Answer& a) {
   if (a.chaotic)
     print_chaos(a);
   else if (a.floor > 0)
-    std::printf(
-        "Differences below %.2g %s cannot be resolved: that is the error of the reference run.\n",
-        a.floor, tune::unit_of(a.kind));
+    std::printf("Differences below %.2g %s cannot be resolved: that is the error of the reference run.\n", a.floor,
+                tune::unit_of(a.kind));
   print_front(q, a);
   print_counts(q, a);
   if (a.pick < 0) {
