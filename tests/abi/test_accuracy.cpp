@@ -56,6 +56,21 @@ void what_is_asked_can_be_read_and_taken_back(void**) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
+/// A world that was saved, on so many threads.
+Bench bench_of(const Bytes& whole, std::uint32_t threads) {
+  carom_jobs_desc jobs;
+  assert_int_equal(carom_jobs_desc_init(&jobs, sizeof jobs), CAROM_OK);
+  jobs.threads = threads;
+  Bench b;
+  std::memset(&b, 0, sizeof b);
+  assert_int_equal(carom_engine_create(nullptr, &b.engine, nullptr), CAROM_OK);
+  if (threads > 1) assert_int_equal(carom_engine_set_jobs(b.engine, &jobs, nullptr), CAROM_OK);
+  assert_int_equal(bench_shapes(&b, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_create(b.engine, nullptr, &b.world, nullptr), CAROM_OK);
+  assert_int_equal(restore(b.world, whole), CAROM_OK);
+  return b;
+}
+
 /// Copies are measured: the world keeps its bits, and the same answer comes again, on any number of threads.
 void growth_is_measured_beside_the_world(void**) {
   carom_growth first{};
@@ -64,16 +79,7 @@ void growth_is_measured_beside_the_world(void**) {
   const Bytes whole = save(made.world, CAROM_SNAPSHOT_WHOLE);
   assert_int_equal(bench_free(&made), CAROM_OK);
   for (const std::uint32_t threads : {1u, 2u}) {
-    carom_jobs_desc jobs;
-    assert_int_equal(carom_jobs_desc_init(&jobs, sizeof jobs), CAROM_OK);
-    jobs.threads = threads;
-    Bench b;
-    std::memset(&b, 0, sizeof b);
-    assert_int_equal(carom_engine_create(nullptr, &b.engine, nullptr), CAROM_OK);
-    if (threads > 1) assert_int_equal(carom_engine_set_jobs(b.engine, &jobs, nullptr), CAROM_OK);
-    assert_int_equal(bench_shapes(&b, nullptr), CAROM_OK);
-    assert_int_equal(carom_world_create(b.engine, nullptr, &b.world, nullptr), CAROM_OK);
-    assert_int_equal(restore(b.world, whole), CAROM_OK);
+    Bench b = bench_of(whole, threads);
     ask(b.world, 1e-3);
     step(b.world, 3);
     const std::uint64_t before = hash_of(b.world);
@@ -134,16 +140,7 @@ void the_same_bits_come_again_on_any_number_of_threads(void**) {
   assert_int_equal(bench_free(&made), CAROM_OK);
   std::uint64_t first = 0;
   for (const std::uint32_t threads : {1u, 4u, 1u}) {
-    carom_jobs_desc jobs;
-    assert_int_equal(carom_jobs_desc_init(&jobs, sizeof jobs), CAROM_OK);
-    jobs.threads = threads;
-    Bench b;
-    std::memset(&b, 0, sizeof b);
-    assert_int_equal(carom_engine_create(nullptr, &b.engine, nullptr), CAROM_OK);
-    if (threads > 1) assert_int_equal(carom_engine_set_jobs(b.engine, &jobs, nullptr), CAROM_OK);
-    assert_int_equal(bench_shapes(&b, nullptr), CAROM_OK);
-    assert_int_equal(carom_world_create(b.engine, nullptr, &b.world, nullptr), CAROM_OK);
-    assert_int_equal(restore(b.world, whole), CAROM_OK);
+    Bench b = bench_of(whole, threads);
     ask(b.world, 1e-4);
     step(b.world, 90);
     const std::uint64_t hash = hash_of(b.world);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/accuracy/measure.h"
 #include "dynamics/body_state.h"
 
 namespace carom::dynamics::accuracy {

@@ -37,14 +37,7 @@ void unite(const World& world, Passes& p) {
 
 /// Whether nothing acts on a body but what turns it as a top, and what is constant.
 bool is_top(const World& world, std::uint32_t body) {
-  for (const PlannedEffect& row : world.plan->effects) {
-    const Effect& e = *row.effect;
-    if (e.stage != Stage::integrate || e.participants != ParticipantKind::bodies || row.participants.count == 0)
-      continue;
-    if (e.id == EffectId::gravity || e.id == EffectId::user_force || e.id == EffectId::gyroscopic) continue;
-    if (row.participants.has(body)) return false;
-  }
-  return !world.plan->sprung.has(body);
+  return only_constant_forces_act(world, body) && !world.plan->effects[+EffectId::user_torque].participants.has(body);
 }
 
 }  // namespace

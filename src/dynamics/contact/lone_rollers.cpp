@@ -5,6 +5,7 @@
 #include "collision/support.h"
 #include "dynamics/body_state.h"
 #include "dynamics/ccd/continuous.h"
+#include "dynamics/force/force.h"
 #include "dynamics/ledger/accounts.h"
 
 namespace carom::dynamics {
@@ -14,22 +15,6 @@ using collision::Form;
 using collision::Shape;
 
 const Shape& shape_of(const World& world, std::uint32_t collider) { return *world.scene.colliders.shape[collider]; }
-
-/// Effects whose forces a roller's equation has: constant within a step.
-bool is_known_force(const Effect& e) {
-  return e.id == EffectId::gravity || e.id == EffectId::user_force || e.id == EffectId::user_torque ||
-         e.id == EffectId::gyroscopic;
-}
-
-bool only_known_forces_act(const World& world, std::uint32_t body) {
-  for (const PlannedEffect& row : world.plan->effects) {
-    const Effect& e = *row.effect;
-    if (e.stage == Stage::integrate && e.participants == ParticipantKind::bodies && !is_known_force(e) &&
-        row.participants.has(body))
-      return false;
-  }
-  return !world.plan->sprung.has(body);
-}
 
 /// Whether the surface below is flat as far as a step may lead, about a point of it.   @param n  unit, world, out of it
 bool is_flat(const World& world, std::uint32_t collider, const Vec3& n, const Vec3& at, Real far) {
@@ -105,8 +90,9 @@ class Roll {
 
   /// s: how long it takes to turn, or for its point to travel, by a radian; at rest infinite.
   bool pace(const At& at, Real& seconds) const {
-    Vec3 r, travel;
-    if (!arm(at.q, r) || !travels(at, r, travel)) return false;
+    Touch touch;
+    if (!touches(at, touch)) return false;
+    const auto& [r, travel] = touch;
     const Real far = r.norm(), rate = std::max(at.omega.norm(), far > 0 ? travel.norm() / far : 0);
     seconds = rate > 0 ? 1 / rate : kInfinity;
     return true;
@@ -115,14 +101,15 @@ class Roll {
   /// By the classical fourth-order method. @return whether friction bears it and its point travels as foreseen
   bool advance(At& at, Real h) const {
     Rate a, b, c, d;
-    Vec3 r, travel, next;
-    if (!arm(at.q, r) || !travels(at, r, travel)) return false;
-    if (!rate(at, a) || !rate(ahead(at, a, h / 2), b) || !rate(ahead(at, b, h / 2), c) || !rate(ahead(at, c, h), d))
+    Touch touch;
+    Vec3 next;
+    if (!touches(at, touch) || !rate(at, touch, a) || !rate(ahead(at, a, h / 2), b) || !rate(ahead(at, b, h / 2), c) ||
+        !rate(ahead(at, c, h), d))
       return false;
     const auto mean = [&](auto Rate::*part) { return (1.0 / 6) * (a.*part + d.*part + 2.0 * (b.*part + c.*part)); };
     at = ahead(at, {mean(&Rate::x), mean(&Rate::v), mean(&Rate::omega), mean(&Rate::q)}, h);
     if (!(at.x.all_finite() && at.omega.all_finite()) || !arm(at.q, next)) return false;
-    return (next - (r + h * travel)).norm() <= kRollJump * (h * travel.norm() + kRollStep * size_);
+    return (next - (touch.r + h * touch.travel)).norm() <= kRollJump * (h * touch.travel.norm() + kRollStep * size_);
   }
 
  private:
@@ -143,17 +130,21 @@ class Roll {
   }
   Vec3 surface_at(const Vec3& p) const { return of_.surface_v + of_.surface_spin.cross(p - of_.surface_x); }
 
-  /// m/s, of the lowest point as the body turns, from the centre of mass.
-  bool travels(const At& at, const Vec3& r, Vec3& travel) const {
+  /// The lowest point from the centre of mass, m, and how it moves as the body turns, m/s.
+  struct Touch {
+    Vec3 r, travel;
+  };
+  bool touches(const At& at, Touch& to) const {
     const Real spin = at.omega.norm();
-    travel = Vec3::zero();
+    to.travel = Vec3::zero();
+    if (!arm(at.q, to.r)) return false;
     if (!(spin > 0)) return true;
     const Vec3 turn = (kRollProbe / spin) * at.omega;
     Vec3 before, after;
     if (!arm(exp_map(-1 * turn) * at.q, before) || !arm(exp_map(turn) * at.q, after)) return false;
-    const Real far = (after - before).norm(), bend = ((after - r) - (r - before)).norm();
+    const Real far = (after - before).norm(), bend = ((after - to.r) - (to.r - before)).norm();
     if (!(far <= 2 * kRollTravel * kRollProbe * size_) || !(bend <= kRollBend * far + kRounding * size_)) return false;
-    travel = (spin / (2 * kRollProbe)) * (after - before);
+    to.travel = (spin / (2 * kRollProbe)) * (after - before);
     return true;
   }
 
@@ -169,8 +160,11 @@ class Roll {
   }
 
   bool rate(const At& at, Rate& to) const {
-    Vec3 r, travel;
-    if (!arm(at.q, r) || !travels(at, r, travel)) return false;
+    Touch touch;
+    return touches(at, touch) && rate(at, touch, to);
+  }
+  bool rate(const At& at, const Touch& touch, Rate& to) const {
+    const auto& [r, travel] = touch;
     const Mat3 turn = at.q.matrix(), inv = turn * inv_inertia_ * turn.transpose();
     const Vec3 spun = turn * (inertia_ * (turn.transpose() * at.omega));
     const Vec3 free = inv * (of_.torque - at.omega.cross(spun));
@@ -327,7 +321,7 @@ void find_lone_rollers(const World& world, const StepTime& time) {
   std::erase_if(l.bodies, [&](const LoneRoller& roller) {
     const Real far =
         time.dt * (roller.v.norm() + roller.omega.norm() * shape_of(world, roller.collider).bounding_radius);
-    return l.touches[roller.body] != 1 || !only_known_forces_act(world, roller.body) ||
+    return l.touches[roller.body] != 1 || !only_constant_forces_act(world, roller.body) ||
            !is_flat(world, roller.surface, roller.n, roller.on_plane, far);
   });
 }

@@ -27,6 +27,21 @@ void serve(const World& world, PlannedEffect& row, const Participants& whom, F&&
 
 }  // namespace
 
+bool is_constant_in_a_step(const Effect& e) {
+  return e.id == EffectId::gravity || e.id == EffectId::user_force || e.id == EffectId::user_torque ||
+         e.id == EffectId::gyroscopic;
+}
+
+bool only_constant_forces_act(const World& world, std::uint32_t body) {
+  for (const PlannedEffect& row : world.plan->effects) {
+    const Effect& e = *row.effect;
+    if (e.stage == Stage::integrate && e.participants == ParticipantKind::bodies && !is_constant_in_a_step(e) &&
+        row.participants.has(body))
+      return false;
+  }
+  return !world.plan->sprung.has(body);
+}
+
 void evaluate_forces(const World& world, const Motion& given, const Accelerate& out) {
   Motion at = given;
   if (world.plan->reads_velocities && at.v == out.v) {

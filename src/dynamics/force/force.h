@@ -9,6 +9,12 @@
 
 namespace carom::dynamics {
 
+/// Whether what an effect does to a body is the same all step long, in body or world axes: gravity, the host's force
+/// and torque, and how a body turns by itself.
+bool is_constant_in_a_step(const Effect& effect);
+/// Whether nothing but such effects acts on a body.
+bool only_constant_forces_act(const World& world, std::uint32_t body);
+
 namespace gravity {
 void find(const Scene&, const State&, Participants&);
 void force(const Scene&, const State&, const Participants&, const Motion& at, const Accelerate& out);

@@ -68,9 +68,7 @@ template <class F>
 void each_forced(const World& world, F&& f) {
   for (const PlannedEffect& row : world.plan->effects) {
     const Effect& e = *row.effect;
-    const bool is_constant = e.id == EffectId::gravity || e.id == EffectId::user_force ||
-                             e.id == EffectId::user_torque || e.id == EffectId::gyroscopic;
-    if (!e.force || e.stage != Stage::integrate || is_constant || row.participants.count == 0) continue;
+    if (!e.force || e.stage != Stage::integrate || is_constant_in_a_step(e) || row.participants.count == 0) continue;
     if (e.participants == ParticipantKind::bodies) row.participants.each(f);
     if (e.id == EffectId::springs)
       row.participants.each([&](std::uint32_t k) {
