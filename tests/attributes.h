@@ -20,6 +20,7 @@ inline carom_attribute_info attribute_info(std::uint32_t attribute) {
 inline std::array<double, CAROM_ATTRIBUTE_NUMBERS> unusual_value(const carom_attribute_info& info) {
   std::array<double, CAROM_ATTRIBUTE_NUMBERS> value{};
   for (std::uint32_t k = 0; k < info.numbers; ++k)
-    value[k] = info.is_whole ? std::min(info.usual[k] + 2 + k, info.max) : std::clamp(info.usual[k] + 0.375 + k, info.min, info.max);
+    value[k] = info.is_whole ? std::min(info.usual[k] + 2 + k, info.max)
+                             : std::clamp(info.usual[k] + 0.375 + k, info.min, info.max);
   return value;
 }

@@ -12,7 +12,8 @@ inline constexpr int kEverySolver[] = {kSequentialChoice, kSoftChoice, kDirectCh
 inline constexpr Real kStep = 1.0 / 60;
 inline const Quat kOblique = normalized(Quat(0.7, 0.3, -0.5, 0.4));
 
-inline std::uint32_t join_axes(TestWorld& t, std::uint32_t a, std::uint32_t b, const Vec3& at, const Quat& axes = kOblique) {
+inline std::uint32_t join_axes(TestWorld& t, std::uint32_t a, std::uint32_t b, const Vec3& at,
+                               const Quat& axes = kOblique) {
   return join(t, JointKind::six_axis, a, b, at, axes);
 }
 inline JointAxis locked_at(Real offset = 0) {

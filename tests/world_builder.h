@@ -20,7 +20,8 @@ struct TestWorld {
   const Shape* keep(Shape shape) {
     shapes.push_back(std::move(shape));
     Shape& s = shapes.back();
-    if (s.form != Form::half_space && s.form != Form::scenery) s.mass = mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices);
+    if (s.form != Form::half_space && s.form != Form::scenery)
+      s.mass = mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices);
     return &s;
   }
 

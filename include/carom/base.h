@@ -4,9 +4,10 @@
  *  Conventions of the whole interface: SI units (m, kg, s, rad); right-handed frames; quaternions cross as x, y, z, w;
  *  every call returns an int32_t result (CAROM_OK is 0, errors are negative) and, where its last argument is a
  *  carom_error*, writes the details there if it is not NULL. A call that fails has changed nothing.
- *  A struct that a call reads is filled with defaults by its *_init(&it, sizeof it) first: the size says which version of it the
- *  caller knows, and is STRUCT_SIZE where no version has it. Of a struct that a call fills, set struct_size to its sizeof before.
- *  The same checks run in Release and Debug builds. Nothing aborts, throws or prints across this boundary.
+ *  A struct that a call reads is filled with defaults by its *_init(&it, sizeof it) first: the size says which version
+ *  of it the caller knows, and is STRUCT_SIZE where no version has it. Of a struct that a call fills, set struct_size
+ *  to its sizeof before. The same checks run in Release and Debug builds. Nothing aborts, throws or prints across this
+ *  boundary.
  */
 #ifndef CAROM_BASE_H
 #define CAROM_BASE_H
@@ -14,15 +15,15 @@
 #include <stdint.h>
 
 #if defined(_WIN32)
-#  if defined(CAROM_BUILDING_LIBRARY)
-#    define CAROM_API __declspec(dllexport)
-#  else
-#    define CAROM_API __declspec(dllimport)
-#  endif
-#elif defined(__GNUC__)
-#  define CAROM_API __attribute__((visibility("default")))
+#if defined(CAROM_BUILDING_LIBRARY)
+#define CAROM_API __declspec(dllexport)
 #else
-#  define CAROM_API
+#define CAROM_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define CAROM_API __attribute__((visibility("default")))
+#else
+#define CAROM_API
 #endif
 
 #ifdef __cplusplus
@@ -35,13 +36,15 @@ extern "C" {
 
 /* ---- results: each has a name and a remedy, see carom_result_name() and carom_result_remedy() ---- */
 #define CAROM_OK 0
+/* clang-format off */
 #define CAROM_E_NULL_ARGUMENT (-1)      /* a required pointer is NULL */
 #define CAROM_E_NOT_FINITE (-2)         /* a number is NaN or infinite */
 #define CAROM_E_OUT_OF_RANGE (-3)       /* a number is finite but outside its documented bounds */
 #define CAROM_E_NOT_UNIT (-4)           /* a quaternion or normal is further than 1e-6 from unit length */
 #define CAROM_E_UNKNOWN_ENUM (-5)       /* an enumeration value this library does not know */
 #define CAROM_E_STRUCT_SIZE (-6)        /* struct_size is smaller than the smallest version of the struct */
-#define CAROM_E_UNSUPPORTED (-7)        /* the request comes from a newer header, or asks for what this build cannot do */
+#define CAROM_E_UNSUPPORTED (-7)        /* the request comes from a newer header, or asks for what this build cannot
+                                           do */
 #define CAROM_E_INVALID_HANDLE (-8)     /* the handle was never issued */
 #define CAROM_E_STALE_HANDLE (-9)       /* the object behind the handle was destroyed */
 #define CAROM_E_WRONG_KIND (-10)        /* a handle of another kind (a shape where a body is wanted, ...) */
@@ -55,7 +58,7 @@ extern "C" {
 #define CAROM_E_PLUGIN_PATH (-18)       /* the path is not absolute, or nothing readable is there */
 #define CAROM_E_PLUGIN_LOAD (-19)       /* the dynamic loader refused the file, or the entry symbol is missing */
 #define CAROM_E_PLUGIN_ABI (-20)        /* the plugin was built against an incompatible plugin.h */
-#define CAROM_E_PLUGIN_INVALID (-21)  /* the support function is not one of a bounded convex set; see the witness */
+#define CAROM_E_PLUGIN_INVALID (-21)    /* the support function is not one of a bounded convex set; see the witness */
 #define CAROM_E_DECLARATION_FALSE (-22) /* a declaration disagrees with the support function; see the witness */
 #define CAROM_E_NO_VOLUME (-23)         /* the body is flat, so no mass follows from a density */
 #define CAROM_E_ALREADY_EXISTS (-24)    /* a plugin with this id is already loaded */
@@ -65,6 +68,7 @@ extern "C" {
 #define CAROM_E_MISMATCH (-28)          /* a snapshot of a world with other things in it */
 #define CAROM_E_WRITE_FAILED (-29)      /* a function that the host gave to write with said that it failed */
 #define CAROM_E_READ_ONLY (-30)         /* a number of the library that is fixed, no dial */
+/* clang-format on */
 
 /** Details of the last failure of one call. Owned by the caller; start from CAROM_ERROR_INIT.
  *  Written only on failure, never past struct_size. */
@@ -79,7 +83,9 @@ typedef struct carom_error {
   char remedy[256];      /**< what to do next, zero-terminated */
 } carom_error;
 
+/* clang-format off */
 #define CAROM_ERROR_INIT { sizeof(carom_error), 0, 0, 0, {0, 0, 0}, {0, 0, 0}, {0}, {0} }
+/* clang-format on */
 
 /* ---- handles: 64 bits of kind, owner tag, generation, slot; 0 is never issued; validated on every call ---- */
 typedef uint64_t carom_plugin;
@@ -109,8 +115,8 @@ CAROM_API const char *carom_result_remedy(int32_t result);
  *      carom_error 0 576 struct              name, offset, size in bytes, kind
  *      carom_error.struct_size 0 4 u32
  *      carom_error.witness_dir 16 24 f64[3]
- *  Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array. Newer
- *  libraries have more lines, and a struct may be larger; a field stays as it is.
+ *  Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array.
+ *  Newer libraries have more lines, and a struct may be larger; a field stays as it is.
  *  Static storage.   @thread any */
 CAROM_API const char *carom_abi_manifest(void);
 

@@ -79,70 +79,77 @@ typedef struct carom_body_desc {
   double linear_damping;      /**< 1/s, [0, 1e6], default 0: dv/dt = -c v */
   double angular_damping;     /**< 1/s, [0, 1e6], default 0 */
   uint64_t user;              /**< anything; the engine does not look */
-  double gravity_factor;      /**< share of the world's gravity that acts on it, default 1: carom_body_set_gravity_factor() */
-  uint32_t locks;             /**< CAROM_LOCK_* bits, of a dynamic body, default 0: carom_body_set_locks() */
-  uint32_t continuous;        /**< CAROM_CONTINUOUS_*, default AUTO: carom_body_set_continuous() */
-  double linear_drag;         /**< kg/s, at least 0, default 0: carom_body_set_drag() */
-  double quadratic_drag;      /**< kg/m, at least 0, default 0 */
-  uint32_t force_field_mask;  /**< default 1: carom_body_set_force_field_mask() */
-  uint32_t reserved2;         /**< 0 */
-  double magnetic_moment[3];  /**< A m^2, axes of the body, of a dynamic body, default 0 */
+  double
+      gravity_factor;  /**< share of the world's gravity that acts on it, default 1: carom_body_set_gravity_factor() */
+  uint32_t locks;      /**< CAROM_LOCK_* bits, of a dynamic body, default 0: carom_body_set_locks() */
+  uint32_t continuous; /**< CAROM_CONTINUOUS_*, default AUTO: carom_body_set_continuous() */
+  double linear_drag;  /**< kg/s, at least 0, default 0: carom_body_set_drag() */
+  double quadratic_drag;     /**< kg/m, at least 0, default 0 */
+  uint32_t force_field_mask; /**< default 1: carom_body_set_force_field_mask() */
+  uint32_t reserved2;        /**< 0 */
+  double magnetic_moment[3]; /**< A m^2, axes of the body, of a dynamic body, default 0 */
 } carom_body_desc;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_body_desc_init(carom_body_desc *desc, uint32_t struct_size);
-/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; REENTRANT; LIMIT;
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY;
+ *  REENTRANT; LIMIT;
  *          OUT_OF_MEMORY */
-CAROM_API int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body, carom_error *error);
+CAROM_API int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body,
+                                    carom_error *error);
 /** Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_body_destroy(carom_world *world, carom_body body, carom_error *error);
 
-/** Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a body that
- *  cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
+/** Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a
+ *  body that cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get(carom_world *world, carom_body body, carom_body_desc *desc, carom_error *error);
 
-/** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY; REENTRANT */
+/** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY;
+ *  REENTRANT */
 CAROM_API int32_t carom_body_set_pose(carom_world *world, carom_body body, const double position[3],
                                       const double orientation[4], carom_error *error);
 /** @param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
  *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double linear[3],
                                           const double angular[3], carom_error *error);
-/** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z, w, body
- *  to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+/** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z,
+ *  w, body to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_pose(carom_world *world, carom_body body, double position[3], double orientation[4],
                                       carom_error *error);
 /** @param linear [3] out, or NULL: m/s, world, of the centre of mass   @param angular [3] out, or NULL: rad/s, world
  *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_velocity(carom_world *world, carom_body body, double linear[3], double angular[3],
                                           carom_error *error);
-/** Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
- *  that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
+/** Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept
+ *  as that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
  *  @param mass kg, at least 1e-300; or 0: from the densities of its colliders, with center and inertia NULL
  *  @param center [3] m, body frame, or NULL: from its colliders
- *  @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
+ *  @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero;
+ *  or NULL:
  *                 from its colliders, scaled to the mass
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0, and a
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0,
+ *  and a
  *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_mass(carom_world *world, carom_body body, double mass, const double center[3],
                                       const double inertia[9], carom_error *error);
 /** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
- *  @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg m^2, body
- *  frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+ *  @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg
+ *  m^2, body frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_mass(carom_world *world, carom_body body, double *mass, double center[3],
                                       double inertia[9], carom_error *error);
-/** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
- *  longer loses the mass that it was given, pending forces and what only dynamic bodies may have
+/** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic
+ *  no longer loses the mass that it was given, pending forces and what only dynamic bodies may have
  *  (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
  *  @param type CAROM_BODY_*
- *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that
+ *  is not
  *          dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_type(carom_world *world, carom_body body, uint32_t type, carom_error *error);
 /** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_type(carom_world *world, carom_body body, uint32_t *type, carom_error *error);
-/** @param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
- *  OUT_OF_RANGE; BUSY; REENTRANT */
+/** @param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE;
+ *  NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_damping(carom_world *world, carom_body body, double linear, double angular,
                                          carom_error *error);
 /** @param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
@@ -153,7 +160,8 @@ CAROM_API int32_t carom_body_set_user(carom_world *world, carom_body body, uint6
 /** @param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_user(carom_world *world, carom_body body, uint64_t *user, carom_error *error);
 /** Number of a body's colliders, and their handles in the order of the slots.
- *  @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are written)
+ *  @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are
+ *  written)
  *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_colliders(carom_world *world, carom_body body, carom_collider *colliders,
                                            uint64_t capacity, uint64_t *count, carom_error *error);
@@ -187,9 +195,9 @@ CAROM_API int32_t carom_body_get_gravity_factor(carom_world *world, carom_body b
 #define CAROM_LOCK_ALL 0x3fu
 #define CAROM_LOCK_PLANE 0x1cu /* LINEAR_Z, ANGULAR_X, ANGULAR_Y: a body of a flat world, the plane of x and y */
 
-/** Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move it
- *  along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of it
- *  later is dropped; a pose that a host sets is taken, and kept from then on. Wakes the body and its island.
+/** Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move
+ *  it along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of
+ *  it later is dropped; a pose that a host sets is taken, and kept from then on. Wakes the body and its island.
  *
  *  Every solver but CAROM_SOLVER_SEVERITY knows locks: a world with that dial refuses them, and a world with a locked
  *  body refuses that dial.
@@ -202,16 +210,20 @@ CAROM_API int32_t carom_body_set_locks(carom_world *world, carom_body body, uint
 CAROM_API int32_t carom_body_get_locks(carom_world *world, carom_body body, uint32_t *locks, carom_error *error);
 
 /* ---- attributes: what may be said of a body beside its descriptor, each by its number ----
- * The calls above and those of force.h set the same numbers. These here serve programs that go through all attributes, as
- * scene files and editors do, and attributes that have no call of their own. */
+ * The calls above and those of force.h set the same numbers. These here serve programs that go through all attributes,
+ * as scene files and editors do, and attributes that have no call of their own. */
 
+/* clang-format off */
 #define CAROM_ATTRIBUTE_GRAVITY_FACTOR 0u   /* carom_body_set_gravity_factor() */
-#define CAROM_ATTRIBUTE_LOCKS 1u            /* carom_body_set_locks(); as the host gave them, whether or not they are forbidden */
+#define CAROM_ATTRIBUTE_LOCKS 1u            /* carom_body_set_locks(); as the host gave them, whether or not they are
+                                               forbidden */
 #define CAROM_ATTRIBUTE_DRAG 2u             /* carom_body_set_drag(): linear, quadratic */
 #define CAROM_ATTRIBUTE_FORCE_FIELD_MASK 3u /* carom_body_set_force_field_mask() */
-#define CAROM_ATTRIBUTE_MAGNETIC_MOMENT 4u  /* A m^2, axes of the body: magnetic fields turn it, see CAROM_FORCE_FIELD_MAGNETIC */
+#define CAROM_ATTRIBUTE_MAGNETIC_MOMENT 4u  /* A m^2, axes of the body: magnetic fields turn it, see
+                                               CAROM_FORCE_FIELD_MAGNETIC */
 #define CAROM_ATTRIBUTE_COUNT 5u
-#define CAROM_ATTRIBUTE_NUMBERS 4u /* what every attribute has room for */
+#define CAROM_ATTRIBUTE_NUMBERS 4u          /* what every attribute has room for */
+/* clang-format on */
 
 /** What an attribute is. Strings have static storage. */
 typedef struct carom_attribute_info {
@@ -226,7 +238,7 @@ typedef struct carom_attribute_info {
   const char *summary; /**< one line */
   double min;          /**< bounds of each number, inclusive */
   double max;
-  double usual[4];     /**< default, of a body when it is created; numbers that the attribute does not have are 0 */
+  double usual[4]; /**< default, of a body when it is created; numbers that the attribute does not have are 0 */
 } carom_attribute_info;
 
 /** @param attribute CAROM_ATTRIBUTE_*   @param info out
@@ -234,10 +246,11 @@ typedef struct carom_attribute_info {
 CAROM_API int32_t carom_attribute_get_info(uint32_t attribute, carom_attribute_info *info, carom_error *error);
 /** Set an attribute. Another value than it has wakes the body and its island.
  *  @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are whole; a
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are
+ *  whole; a
  *          body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY */
-CAROM_API int32_t carom_body_set_attribute(carom_world *world, carom_body body, uint32_t attribute, const double value[4],
-                                           carom_error *error);
+CAROM_API int32_t carom_body_set_attribute(carom_world *world, carom_body body, uint32_t attribute,
+                                           const double value[4], carom_error *error);
 /** @param value [4] out: numbers that the attribute does not have are 0
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_attribute(carom_world *world, carom_body body, uint32_t attribute, double value[4],
@@ -251,9 +264,10 @@ CAROM_API int32_t carom_body_get_attribute(carom_world *world, carom_body body, 
  *  - in the step in which a body that moves touches it (comes within the contact distance), before contacts are made;
  *  - when a host writes to one of its bodies (create or destroy a collider, pose, and velocity, force or impulse other
  *    than 0), or calls carom_body_wake();
- *  - when the material of it or of what it touches is updated, or a static or kinematic body that it touches is moved by
- *    the host, changed or destroyed;
- *  - with all others when gravity or a dial but CAROM_DIAL_SUBSTEPS changes, a shape is disabled, or a body is quarantined.
+ *  - when the material of it or of what it touches is updated, or a static or kinematic body that it touches is moved
+ *    by the host, changed or destroyed;
+ *  - with all others when gravity or a dial but CAROM_DIAL_SUBSTEPS changes, a shape is disabled, or a body is
+ *    quarantined.
  * Its contacts are not among those of carom_world_get_contacts(), nor in the residuals of the report. */
 
 /** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
@@ -264,7 +278,8 @@ CAROM_API int32_t carom_body_wake(carom_world *world, carom_body body, carom_err
 /* ---- continuous collision ----
  * A step looks at where bodies stand, and ahead as far as they move in it, but no farther than their size. What moves
  * farther would pass through what is thin. Such bodies are swept instead: from pose to pose in every substep, by their
- * shape, along a straight line and about an axis. CAROM_DIAL_CONTINUOUS says which bodies are. By default a body is swept if
+ * shape, along a straight line and about an axis. CAROM_DIAL_CONTINUOUS says which bodies are. By default a body is
+ * swept if
  *  - it moves farther in a step than the bounding radius of its largest collider, or
  *  - it turns by more than a quarter of a radian, and thereby the ends of a collider by more than its thickness, or
  *  - a host names it here.
@@ -284,9 +299,9 @@ CAROM_API int32_t carom_body_set_continuous(carom_world *world, carom_body body,
 /** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_continuous(carom_world *world, carom_body body, uint32_t *mode, carom_error *error);
 
-/** Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing moves
- *  it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on it wake.
- *  It costs a step nothing. A host may still read and write it.
+/** Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing
+ *  moves it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on
+ *  it wake. It costs a step nothing. A host may still read and write it.
  *  @param enabled 1 or 0
  *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (enabled: pass 0 or 1); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_enabled(carom_world *world, carom_body body, uint32_t enabled, carom_error *error);
@@ -300,36 +315,40 @@ CAROM_API int32_t carom_body_is_enabled(carom_world *world, carom_body body, uin
 /** A shape on a body. Fill with carom_collider_desc_init(). */
 typedef struct carom_collider_desc {
   uint32_t struct_size;
-  uint32_t reserved;      /**< 0 */
+  uint32_t reserved; /**< 0 */
   carom_shape shape;
   carom_material material; /**< CAROM_NULL_HANDLE: friction 0.5, restitution 0 */
-  double position[3];     /**< m, body frame: origin of the shape; each within 1e15 */
-  double orientation[4];  /**< x, y, z, w, shape to body; default identity */
-  double density;         /**< kg/m^3, [0, 1e9], default 1000; counts unless the body's mass is given */
-  uint64_t category;      /**< bits, default CAROM_FILTER_CATEGORY: carom_collider_set_filter() */
-  uint64_t mask;          /**< bits, default CAROM_FILTER_MASK */
-  int32_t group;          /**< default 0: none */
-  uint32_t sensor;        /**< 1: tells what overlaps it and touches nothing; default 0: carom_collider_set_sensor() */
+  double position[3];      /**< m, body frame: origin of the shape; each within 1e15 */
+  double orientation[4];   /**< x, y, z, w, shape to body; default identity */
+  double density;          /**< kg/m^3, [0, 1e9], default 1000; counts unless the body's mass is given */
+  uint64_t category;       /**< bits, default CAROM_FILTER_CATEGORY: carom_collider_set_filter() */
+  uint64_t mask;           /**< bits, default CAROM_FILTER_MASK */
+  int32_t group;           /**< default 0: none */
+  uint32_t sensor;         /**< 1: tells what overlaps it and touches nothing; default 0: carom_collider_set_sensor() */
   double surface_linear[3];  /**< m/s, axes of the shape, default 0: carom_collider_set_surface_velocity() */
   double surface_angular[3]; /**< rad/s, axes of the shape, about its origin, default 0 */
 } carom_collider_desc;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_collider_desc_init(carom_collider_desc *desc, uint32_t struct_size);
-/** Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new centre.
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a half-space on a
- *          body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT; OUT_OF_MEMORY */
+/** Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new
+ *  centre.
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a
+ *  half-space on a
+ *          body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT;
+ *          OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_create(carom_world *world, carom_body body, const carom_collider_desc *desc,
                                         carom_collider *collider, carom_error *error);
-/** The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the same
- *  parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
- *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its friction
- *  0.5, its restitution 0. carom_body_get_colliders() tells its collider.
+/** The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the
+ *  same parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
+ *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
+ *  friction 0.5, its restitution 0. carom_body_get_colliders() tells its collider.
  *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
  *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_create_named(carom_world *world, uint32_t type, const char *name, const double *params,
-                                          uint64_t count, const double position[3], carom_body *body, carom_error *error);
+                                          uint64_t count, const double position[3], carom_body *body,
+                                          carom_error *error);
 /** @status OK; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_collider_destroy(carom_world *world, carom_collider collider, carom_error *error);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
@@ -345,7 +364,8 @@ CAROM_API int32_t carom_collider_set_material(carom_world *world, carom_collider
 CAROM_API int32_t carom_collider_set_density(carom_world *world, carom_collider collider, double density,
                                              carom_error *error);
 /** Move a shape on its body; the body's mass follows. What is remembered of its contacts is dropped.
- *  @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape to body
+ *  @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape
+ *  to body
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_set_pose(carom_world *world, carom_collider collider, const double position[3],
                                           const double orientation[4], carom_error *error);
@@ -393,7 +413,8 @@ CAROM_API int32_t carom_world_get_bodies(carom_world *world, carom_body *handles
  *  @param handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
  *  @param dst     n records of the field's scalars, `stride` bytes apart
  *  @param stride  bytes from one record to the next; 0: tightly packed
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+ *  BUSY */
 CAROM_API int32_t carom_world_read(carom_world *world, uint32_t field, uint32_t scalar, const carom_body *handles,
                                    uint64_t n, void *dst, uint64_t stride, carom_error *error);
 /** Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().

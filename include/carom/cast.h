@@ -15,36 +15,41 @@
 extern "C" {
 #endif
 
-#define CAROM_CAST_MISS 0u       /* no contact within the motion, proven */
-#define CAROM_CAST_HIT 1u        /* contact begins within the motion */
-#define CAROM_CAST_OVERLAP 2u    /* in contact already at the start: time 0 */
-#define CAROM_CAST_UNDECIDED 3u  /* grazing within rounding, or the cap came first: neither was proven. `lower` holds */
-#define CAROM_CAST_BAD_RAY 4u    /* of a batch: this ray is not finite, or its max is negative; it was not cast */
+/* clang-format off */
+#define CAROM_CAST_MISS 0u      /* no contact within the motion, proven */
+#define CAROM_CAST_HIT 1u       /* contact begins within the motion */
+#define CAROM_CAST_OVERLAP 2u   /* in contact already at the start: time 0 */
+#define CAROM_CAST_UNDECIDED 3u /* grazing within rounding, or the cap came first: neither was proven. `lower`
+                                   holds */
+#define CAROM_CAST_BAD_RAY 4u   /* of a batch: this ray is not finite, or its max is negative; it was not cast */
+/* clang-format on */
 
 /** How to cast; fill with carom_cast_desc_init(). */
 typedef struct carom_cast_desc {
   uint32_t struct_size;
-  uint32_t iterations; /**< cap, 1 to 10000, default 128: support calls of a ray or linear cast, distances of a time of impact */
-  double tolerance;    /**< width of the bracket as length of path, relative to the (smaller) bounding radius; of a time of
-                            impact: separation that counts as contact, likewise; bounds of the dial gjk_tolerance, default 1e-6 */
-  double target;       /**< m, 0 to 1e9, default 0: separation that counts as contact (a ray becomes a ball of this radius) */
+  /** cap, 1 to 10000, default 128: support calls of a ray or linear cast, distances of a time of impact */
+  uint32_t iterations;
+  /** width of the bracket as length of path, relative to the (smaller) bounding radius; of a time of impact: separation
+   *  that counts as contact, likewise; bounds of the dial gjk_tolerance, default 1e-6 */
+  double tolerance;
+  double target; /**< m, 0 to 1e9, default 0: separation that counts as contact (a ray becomes a ball of this radius) */
 } carom_cast_desc;
 
 /** The answer. Numbers of a fault (status CAROM_QUERY_FAULT) mean nothing. */
 typedef struct carom_cast {
   uint32_t struct_size;
-  uint32_t outcome;       /**< CAROM_CAST_* */
-  uint32_t status;        /**< CAROM_QUERY_*: is the bracket as narrow as was asked */
+  uint32_t outcome; /**< CAROM_CAST_* */
+  uint32_t status;  /**< CAROM_QUERY_*: is the bracket as narrow as was asked */
   uint32_t iterations;
-  double time;            /**< in [lower, upper]; fraction of the direction or motion, s for a time of impact */
-  double lower;           /**< a miss: end of the motion */
-  double upper;           /**< infinite unless in contact */
-  double separation;      /**< m, at `time`; the depth (negative) of shapes that overlap at the start */
-  double slack;           /**< m, see above: rounding, or the tolerance where a time of impact found a mere touch */
-  double normal[3];       /**< unit, world, from A (or the ray) to B, so opposed to the surface that a ray meets; a ray that
+  double time;       /**< in [lower, upper]; fraction of the direction or motion, s for a time of impact */
+  double lower;      /**< a miss: end of the motion */
+  double upper;      /**< infinite unless in contact */
+  double separation; /**< m, at `time`; the depth (negative) of shapes that overlap at the start */
+  double slack;      /**< m, see above: rounding, or the tolerance where a time of impact found a mere touch */
+  double normal[3];  /**< unit, world, from A (or the ray) to B, so opposed to the surface that a ray meets; a ray that
                                starts inside: its direction; zero for a miss */
-  double point_a[3];      /**< m, world, at `time`: on the surface of A; of a ray: where it is */
-  double point_b[3];      /**< m, world, at `time`: on the surface of B */
+  double point_a[3]; /**< m, world, at `time`: on the surface of A; of a ray: where it is */
+  double point_b[3]; /**< m, world, at `time`: on the surface of B */
   uint32_t support_calls;
   uint32_t reserved;
 } carom_cast;
@@ -61,10 +66,13 @@ typedef struct carom_motion {
   double angular_velocity[3]; /**< rad/s, world */
 } carom_motion;
 
+/* clang-format off */
 #define CAROM_OVERLAP_APART 0u       /* proven by `normal`: along it the shapes are at least separation_bound apart */
 #define CAROM_OVERLAP_OVERLAPPING 1u /* proven by `point`, which is in both */
-#define CAROM_OVERLAP_TOUCHING 2u    /* within rounding (slack) of touching, or the cap came first: neither was proven */
+#define CAROM_OVERLAP_TOUCHING 2u    /* within rounding (slack) of touching, or the cap came first: neither was
+                                        proven */
 #define CAROM_OVERLAP_FAULT 3u       /* a support function misbehaved; nothing else is meaningful */
+/* clang-format on */
 
 typedef struct carom_overlap {
   uint32_t struct_size;
@@ -102,8 +110,8 @@ CAROM_API int32_t carom_shape_cast(carom_engine *engine, carom_shape shape_a, co
                                    const double position_b[3], const double orientation_b[4],
                                    const carom_cast_desc *desc, carom_cast *result, carom_error *error);
 
-/** First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing touches
- *  before `lower`.
+/** First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing
+ *  touches before `lower`.
  *  @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
  *  @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
@@ -118,49 +126,49 @@ CAROM_API int32_t carom_shape_time_of_impact(carom_engine *engine, carom_shape s
  *  @thread any */
 CAROM_API int32_t carom_shape_overlap(carom_engine *engine, carom_shape shape_a, const double position_a[3],
                                       const double orientation_a[4], carom_shape shape_b, const double position_b[3],
-                                      const double orientation_b[4], const carom_cast_desc *desc,
-                                      carom_overlap *result, carom_error *error);
+                                      const double orientation_b[4], const carom_cast_desc *desc, carom_overlap *result,
+                                      carom_error *error);
 
 /* ---- many rays ---- */
 #define CAROM_NO_SHAPE 0xFFFFFFFFu
 
-/** Rays in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and scalar set by the
- *  caller, what is not set zero. */
+/** Rays in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and scalar set by
+ *  the caller, what is not set zero. */
 typedef struct carom_rays {
   uint32_t struct_size;
-  uint32_t scalar;           /**< CAROM_SCALAR_* of all three */
+  uint32_t scalar; /**< CAROM_SCALAR_* of all three */
   uint64_t count;
-  const void *origins;       /**< [count] 3 scalars each, m */
-  const void *directions;    /**< [count] 3 scalars each, any length */
-  const void *max;           /**< [count] or NULL: 1 each */
-  uint64_t origin_stride;    /**< bytes */
+  const void *origins;    /**< [count] 3 scalars each, m */
+  const void *directions; /**< [count] 3 scalars each, any length */
+  const void *max;        /**< [count] or NULL: 1 each */
+  uint64_t origin_stride; /**< bytes */
   uint64_t direction_stride;
   uint64_t max_stride;
 } carom_rays;
 
 /** What one ray met. */
 typedef struct carom_ray_hit {
-  uint32_t outcome;   /**< CAROM_CAST_*, BAD_RAY too */
-  uint32_t status;    /**< CAROM_QUERY_* */
-  uint32_t shape;     /**< index in the list of shapes; CAROM_NO_SHAPE: none */
+  uint32_t outcome; /**< CAROM_CAST_*, BAD_RAY too */
+  uint32_t status;  /**< CAROM_QUERY_* */
+  uint32_t shape;   /**< index in the list of shapes; CAROM_NO_SHAPE: none */
   uint32_t reserved;
-  double time;        /**< as in carom_cast */
+  double time; /**< as in carom_cast */
   double lower;
   double upper;
   double normal[3];
-  double point[3];    /**< m, world, on the shape's surface */
+  double point[3]; /**< m, world, on the shape's surface */
 } carom_ray_hit;
 
 /** Where answers go: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly packed. */
 typedef struct carom_ray_hits {
   uint32_t struct_size;
-  uint32_t scalar;         /**< CAROM_SCALAR_* of times, normals and points */
-  carom_ray_hit *records;  /**< [count]; a stride shorter than a record gets its prefix */
-  uint32_t *outcomes;      /**< [count] */
-  uint32_t *shapes;        /**< [count] */
-  void *times;             /**< [count] 1 scalar; a miss: max; a bad ray: 0 */
-  void *normals;           /**< [count] 3 scalars; a miss: 0 */
-  void *points;            /**< [count] 3 scalars; a miss: 0 */
+  uint32_t scalar;        /**< CAROM_SCALAR_* of times, normals and points */
+  carom_ray_hit *records; /**< [count]; a stride shorter than a record gets its prefix */
+  uint32_t *outcomes;     /**< [count] */
+  uint32_t *shapes;       /**< [count] */
+  void *times;            /**< [count] 1 scalar; a miss: max; a bad ray: 0 */
+  void *normals;          /**< [count] 3 scalars; a miss: 0 */
+  void *points;           /**< [count] 3 scalars; a miss: 0 */
   uint64_t record_stride;
   uint64_t outcome_stride;
   uint64_t shape_stride;

@@ -21,8 +21,8 @@ typedef struct carom_engine carom_engine;
 typedef struct carom_engine_desc {
   uint32_t struct_size;
   uint32_t reserved; /**< 0 */
-  /** Host allocator, both or neither; NULL for the C library's. alloc returns NULL when out of memory; alignment is a power
-   *  of two. Called on whichever threads use the engine and its worlds, at once. */
+  /** Host allocator, both or neither; NULL for the C library's. alloc returns NULL when out of memory; alignment is a
+   *  power of two. Called on whichever threads use the engine and its worlds, at once. */
   void *(*alloc)(void *user, uint64_t size, uint64_t alignment);
   void (*free)(void *user, void *pointer, uint64_t size, uint64_t alignment);
   void *alloc_user;
@@ -39,7 +39,8 @@ CAROM_API int32_t carom_engine_desc_init(carom_engine_desc *desc, uint32_t struc
  *  @thread any */
 CAROM_API int32_t carom_engine_create(const carom_engine_desc *desc, carom_engine **engine, carom_error *error);
 
-/** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first); REENTRANT */
+/** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+ *  REENTRANT */
 CAROM_API int32_t carom_engine_destroy(carom_engine *engine, carom_error *error);
 
 /** Do the parts [begin, end) of a loop. Does not call back, throw or block. */
@@ -49,14 +50,15 @@ typedef void (*carom_job_fn)(void *context, uint32_t begin, uint32_t end);
  *  Fill with carom_jobs_desc_init(), then change what you need. */
 typedef struct carom_jobs_desc {
   uint32_t struct_size;
-  /** Threads in a step, the one that calls carom_world_step() included: 0 or 1, the default, is that one alone; more are a
-   *  pool that the engine owns, at most 256. Worlds that step at the same time do not wait for it: one of them has it. */
+  /** Threads in a step, the one that calls carom_world_step() included: 0 or 1, the default, is that one alone; more
+   *  are a pool that the engine owns, at most 256. Worlds that step at the same time do not wait for it: one of them
+   *  has it. */
   uint32_t threads;
   /** Or the host's own threads (threads is then 0): see to it that job(context, begin, end) is called for ranges that
    *  cover [0, count), on any threads at once, and return when all these calls have returned. Called on the thread that
-   *  steps, and tens of times a step: waking a thread should not take longer than some microseconds. Parts that are left
-   *  out are done when it returns, those that are asked for twice are done once. Calls of carom_* from inside a part, or
-   *  from run itself, are REENTRANT. */
+   *  steps, and tens of times a step: waking a thread should not take longer than some microseconds. Parts that are
+   *  left out are done when it returns, those that are asked for twice are done once. Calls of carom_* from inside a
+   *  part, or from run itself, are REENTRANT. */
   void (*run)(void *user, carom_job_fn job, void *context, uint32_t count);
   void *user;
 } carom_jobs_desc;
@@ -64,11 +66,12 @@ typedef struct carom_jobs_desc {
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_jobs_desc_init(carom_jobs_desc *desc, uint32_t struct_size);
 
-/** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support functions are then
- *  called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
+/** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support
+ *  functions are then called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked
+ *  on the stepping one.
  *  @param desc may be NULL: the stepping thread alone
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more
- *  threads); OUT_OF_MEMORY; REENTRANT   @thread any */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+ *  no more threads); OUT_OF_MEMORY; REENTRANT   @thread any */
 CAROM_API int32_t carom_engine_set_jobs(carom_engine *engine, const carom_jobs_desc *desc, carom_error *error);
 
 /** Load a shape plugin from a shared object. @param path absolute.
@@ -83,8 +86,8 @@ CAROM_API int32_t carom_plugin_load(carom_engine *engine, const char *path, caro
 CAROM_API int32_t carom_plugin_register(carom_engine *engine, const carom_shape_plugin *description,
                                         carom_plugin *plugin, carom_error *error);
 
-/** Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in WebAssembly, and
- *  where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
+/** Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in
+ *  WebAssembly, and where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
  *  @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY
  *  @thread any, also while worlds step */
 CAROM_API int32_t carom_plugins_register_standard(carom_engine *engine, carom_error *error);
@@ -95,8 +98,8 @@ CAROM_API int32_t carom_plugin_unload(carom_engine *engine, carom_plugin plugin,
 /** Find a loaded plugin by its id.   @status OK; NULL_ARGUMENT; NOT_FOUND (load it first) */
 CAROM_API int32_t carom_plugin_find(carom_engine *engine, const char *id, carom_plugin *plugin, carom_error *error);
 
-/** The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within its
- *  struct_size are there. Valid while the engine lives.
+/** The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within
+ *  its struct_size are there. Valid while the engine lives.
  *  @status OK; NULL_ARGUMENT; *_HANDLE */
 CAROM_API int32_t carom_plugin_describe(carom_engine *engine, carom_plugin plugin,
                                         const carom_shape_plugin **description, carom_error *error);

@@ -1,10 +1,10 @@
 /** @file events.h
- *  What happened in the last step, as arrays: contacts that began, ended or were hit, sensors entered and left, bodies that
- *  fell asleep or woke, joints that broke, faults. A world collects only the kinds that a host asked for.
+ *  What happened in the last step, as arrays: contacts that began, ended or were hit, sensors entered and left, bodies
+ *  that fell asleep or woke, joints that broke, faults. A world collects only the kinds that a host asked for.
  *
  *  Arrays are replaced by the next step. Their order is that of slots, and the same for any number of threads. What was
- *  destroyed keeps its handle in them, which is stale by then. Where it takes memory, a step asks for it before it moves
- *  anything.
+ *  destroyed keeps its handle in them, which is stale by then. Where it takes memory, a step asks for it before it
+ *  moves anything.
  */
 #ifndef CAROM_EVENTS_H
 #define CAROM_EVENTS_H
@@ -28,23 +28,27 @@ extern "C" {
  *  @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_world_collect_events(carom_world *world, uint32_t kinds, double hit_speed, carom_error *error);
 
+/* clang-format off */
 #define CAROM_CONTACT_BEGIN 0u /* the first step in which the two press on each other */
-#define CAROM_CONTACT_END 1u   /* the first after that in which they are farther apart than the contact distance, or one
-                                  of them is gone, filtered out, disabled or in quarantine; point, normal, impulse, speed: 0 */
-#define CAROM_CONTACT_HIT 2u   /* they press, and approached faster than hit_speed as the step began, or when a sweep met them */
+#define CAROM_CONTACT_END 1u   /* the first after that in which they are farther apart than the contact distance, or
+                                  one of them is gone, filtered out, disabled or in quarantine; point, normal,
+                                  impulse, speed: 0 */
+#define CAROM_CONTACT_HIT 2u   /* they press, and approached faster than hit_speed as the step began, or when a sweep
+                                  met them */
+/* clang-format on */
 
 /** Of two colliders; all their contact points together. Sleepers stay in touch. */
 typedef struct carom_contact_event {
-  uint32_t kind;             /**< CAROM_CONTACT_* */
+  uint32_t kind; /**< CAROM_CONTACT_* */
   uint32_t reserved;
   carom_collider collider_a;
   carom_collider collider_b;
   carom_body body_a;
   carom_body body_b;
-  double point[3];           /**< m, world: the point that bore most */
-  double normal[3];          /**< unit, world, from A to B, there */
-  double impulse;            /**< N s, normal, of all points, over the step */
-  double approach_speed;     /**< m/s, along the normal, of the point that approached fastest as the step began */
+  double point[3];       /**< m, world: the point that bore most */
+  double normal[3];      /**< unit, world, from A to B, there */
+  double impulse;        /**< N s, normal, of all points, over the step */
+  double approach_speed; /**< m/s, along the normal, of the point that approached fastest as the step began */
 } carom_contact_event;
 
 /** Copy them out, by the slots of the two colliders; of one pair END before BEGIN before HIT.
@@ -61,7 +65,7 @@ CAROM_API int32_t carom_world_get_contact_events(carom_world *world, carom_conta
 /** What a sensor overlaps at the end of the step and did not at the end of the one before, or the reverse. Sleepers are
  *  within what they sleep in. */
 typedef struct carom_sensor_event {
-  uint32_t kind;             /**< CAROM_SENSOR_* */
+  uint32_t kind; /**< CAROM_SENSOR_* */
   uint32_t reserved;
   carom_collider sensor;
   carom_collider other;
@@ -78,7 +82,7 @@ CAROM_API int32_t carom_world_get_sensor_events(carom_world *world, carom_sensor
 
 /** A body that sleeps at the end of the step and did not at the end of the one before, or the reverse. */
 typedef struct carom_sleep_event {
-  uint32_t kind;             /**< CAROM_SLEEP_* */
+  uint32_t kind; /**< CAROM_SLEEP_* */
   uint32_t reserved;
   carom_body body;
 } carom_sleep_event;
@@ -91,22 +95,22 @@ CAROM_API int32_t carom_world_get_sleep_events(carom_world *world, carom_sleep_e
  *  it is destroyed. */
 typedef struct carom_joint_event {
   carom_joint joint;
-  carom_body body_a;  /**< CAROM_NULL_HANDLE: the world */
+  carom_body body_a; /**< CAROM_NULL_HANDLE: the world */
   carom_body body_b;
-  double force[3];    /**< N, world, on B: mean over the step in which it broke, as carom_joint_state tells it */
-  double torque[3];   /**< N m, world, on B about its point, likewise */
-  uint64_t step;      /**< which step that was: carom_step_report.steps after it */
+  double force[3];  /**< N, world, on B: mean over the step in which it broke, as carom_joint_state tells it */
+  double torque[3]; /**< N m, world, on B about its point, likewise */
+  uint64_t step;    /**< which step that was: carom_step_report.steps after it */
 } carom_joint_event;
 
 /** By the slots of the joints; arguments as carom_world_get_contact_events(). */
 CAROM_API int32_t carom_world_get_joint_events(carom_world *world, carom_joint_event *dst, uint64_t stride,
                                                uint64_t capacity, uint64_t *count, carom_error *error);
 
-/** A support function that answered falsely: its shape is disabled from the next step on. Or a body or particles whose state
- *  was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
+/** A support function that answered falsely: its shape is disabled from the next step on. Or a body or particles whose
+ *  state was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
  *  that keep their names when what they name is destroyed. */
 typedef struct carom_fault_event {
-  uint32_t kind;             /**< CAROM_FAULT_* */
+  uint32_t kind; /**< CAROM_FAULT_* */
   uint32_t reserved;
   carom_shape shape;         /**< that is disabled, or CAROM_NULL_HANDLE */
   carom_body body;           /**< a body with this shape, or the one in quarantine, or CAROM_NULL_HANDLE */

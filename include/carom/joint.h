@@ -1,9 +1,9 @@
 /** @file joint.h
- *  Joints: what holds two bodies together, or one to the world. A kind says what of their relative motion is locked; what
- *  is left may be limited, driven by a motor and pulled by a spring.
+ *  Joints: what holds two bodies together, or one to the world. A kind says what of their relative motion is locked;
+ *  what is left may be limited, driven by a motor and pulled by a spring.
  *
- *  A joint has a frame on each body. Its x axis is the axis of a hinge and of a slider, and the one that twist and swing
- *  are told by. Coordinates, forces and torques are those of B relative to A.
+ *  A joint has a frame on each body. Its x axis is the axis of a hinge and of a slider, and the one that twist and
+ *  swing are told by. Coordinates, forces and torques are those of B relative to A.
  *
  *  Solver CAROM_SOLVER_SEVERITY knows no joints: a world with that dial refuses them, and a world with joints refuses
  *  that dial (CAROM_E_UNSUPPORTED).
@@ -17,46 +17,57 @@
 extern "C" {
 #endif
 
+/* clang-format off */
 #define CAROM_JOINT_BALL 0u      /* the points stay together; twist and swing are free */
 #define CAROM_JOINT_HINGE 1u     /* so do the x axes; twist is free */
 #define CAROM_JOINT_SLIDER 2u    /* the frames stay parallel and B's point on A's x axis; slide is free */
 #define CAROM_JOINT_WELD 3u      /* nothing is free */
-#define CAROM_JOINT_DISTANCE 4u  /* the points stay `length` apart: a rod. With a limit a rope, with a spring a spring */
-#define CAROM_JOINT_UNIVERSAL 5u /* the points stay together, B's z axis at right angles to A's y axis: a cross of two pins */
-#define CAROM_JOINT_PULLEY 6u    /* a rope from A's point over two anchors to B's, as carom_joint_set_transmission() says; until
-                                    then it holds nothing. Without a limit the rope neither stretches nor gives way; with one it
-                                    may be slack */
-#define CAROM_JOINT_GEAR 7u      /* A's angle about the x axis of its frame, plus `ratio` times B's about its own, stays what it is;
-                                    each relative to the world, where bearings of their own hold the wheels. Ratio 1 until
-                                    carom_joint_set_transmission() says another: they turn against each other */
-#define CAROM_JOINT_SIX_AXIS 8u  /* each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then
-                                    all are free */
+#define CAROM_JOINT_DISTANCE 4u  /* the points stay `length` apart: a rod. With a limit a rope, with a spring a
+                                    spring */
+#define CAROM_JOINT_UNIVERSAL 5u /* the points stay together, B's z axis at right angles to A's y axis: a cross of two
+                                    pins */
+#define CAROM_JOINT_PULLEY 6u    /* a rope from A's point over two anchors to B's, as carom_joint_set_transmission()
+                                    says; until then it holds nothing. Without a limit the rope neither stretches nor
+                                    gives way; with one it may be slack */
+#define CAROM_JOINT_GEAR 7u      /* A's angle about the x axis of its frame, plus `ratio` times B's about its own,
+                                    stays what it is; each relative to the world, where bearings of their own hold the
+                                    wheels. Ratio 1 until carom_joint_set_transmission() says another: they turn
+                                    against each other */
+#define CAROM_JOINT_SIX_AXIS 8u  /* each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says;
+                                    until then all are free */
 #define CAROM_JOINT_COUNT 9u
+/* clang-format on */
 
 /** What may be limited, driven or sprung. */
+/* clang-format off */
 #define CAROM_COORDINATE_TWIST 0u    /* rad, (-pi, pi], of B about the x axes: ball, hinge */
 #define CAROM_COORDINATE_SWING 1u    /* rad, [0, pi], between the x axes: ball, universal */
 #define CAROM_COORDINATE_SLIDE 2u    /* m, of B's point along A's x axis: slider */
-#define CAROM_COORDINATE_DISTANCE 3u /* m, between the points: distance; of the rope, |a - anchor_a| + ratio |b - anchor_b|: pulley */
+#define CAROM_COORDINATE_DISTANCE 3u /* m, between the points: distance; of the rope, |a - anchor_a| + ratio |b -
+                                        anchor_b|: pulley */
 #define CAROM_COORDINATE_COUNT 4u
+/* clang-format on */
 
 /** @name Axes of a six-axis joint: where B's frame is in A's
- *  B's orientation in A's frame is a twist about x, then a swing about an axis across x, q = swing * twist. TURN_X is the
- *  twist, 2 atan2(q.x, q.w). TURN_Y and TURN_Z are the components of the swing's rotation vector: axis times angle. Where one
- *  turn alone is not 0, it is the angle about that axis. Near a swing of pi the three are no coordinates any more: keep limits
- *  and drives off it by 0.01 rad. All three turns together may be locked anywhere.
+ *  B's orientation in A's frame is a twist about x, then a swing about an axis across x, q = swing * twist. TURN_X is
+ *  the twist, 2 atan2(q.x, q.w). TURN_Y and TURN_Z are the components of the swing's rotation vector: axis times angle.
+ *  Where one turn alone is not 0, it is the angle about that axis. Near a swing of pi the three are no coordinates any
+ *  more: keep limits and drives off it by 0.01 rad. All three turns together may be locked anywhere.
  *  @{ */
-#define CAROM_AXIS_X 0u         /* m, B's point along A's x axis */
-#define CAROM_AXIS_Y 1u         /* m */
-#define CAROM_AXIS_Z 2u         /* m */
-#define CAROM_AXIS_TURN_X 3u    /* rad, (-pi, pi] */
-#define CAROM_AXIS_TURN_Y 4u    /* rad, [-pi, pi] */
-#define CAROM_AXIS_TURN_Z 5u    /* rad, [-pi, pi] */
+/* clang-format off */
+#define CAROM_AXIS_X 0u            /* m, B's point along A's x axis */
+#define CAROM_AXIS_Y 1u            /* m */
+#define CAROM_AXIS_Z 2u            /* m */
+#define CAROM_AXIS_TURN_X 3u       /* rad, (-pi, pi] */
+#define CAROM_AXIS_TURN_Y 4u       /* rad, [-pi, pi] */
+#define CAROM_AXIS_TURN_Z 5u       /* rad, [-pi, pi] */
 #define CAROM_AXIS_COUNT 6u
 #define CAROM_AXIS_MODE_FREE 0u
 #define CAROM_AXIS_MODE_LOCKED 1u  /* at `lower` */
-#define CAROM_AXIS_MODE_LIMITED 2u /* from `lower` to `upper`; where both are the same and the stops hard, it is locked */
+#define CAROM_AXIS_MODE_LIMITED 2u /* from `lower` to `upper`; where both are the same and the stops hard, it is
+                                      locked */
 #define CAROM_AXIS_MODE_COUNT 3u
+/* clang-format on */
 /** @} */
 
 /** @name What a drive aims at
@@ -68,8 +79,8 @@ extern "C" {
 #define CAROM_DRIVE_COUNT 4u
 /** @} */
 
-/** @name In what a stiffness and a damping are given. m: what the joint's bodies weigh along the axis, were they alone and what
- *  is locked staying so
+/** @name In what a stiffness and a damping are given. m: what the joint's bodies weigh along the axis, were they alone
+ *  and what is locked staying so
  *  @{ */
 #define CAROM_GAINS_FREQUENCY 0u    /* Hz and a ratio: force = -m (w^2 x + 2 damping w x'), w = 2 pi stiffness */
 #define CAROM_GAINS_FORCE 1u        /* N/m and N s/m, or N m/rad and N m s/rad: force = -(stiffness x + damping x') */
@@ -79,14 +90,16 @@ extern "C" {
 
 /** @name Bits of carom_joint_desc.fields
  *  @{ */
-#define CAROM_JOINT_WORLD_FRAME 0x1u /**< position_a and orientation_a are in world coordinates and hold for both
-                                          bodies as they stand now; those of B are not read */
-#define CAROM_JOINT_COLLIDE 0x2u     /**< the two bodies may touch each other; else they do not */
+/* clang-format off */
+#define CAROM_JOINT_WORLD_FRAME 0x1u  /**< position_a and orientation_a are in world coordinates and hold for both
+                                           bodies as they stand now; those of B are not read */
+#define CAROM_JOINT_COLLIDE 0x2u      /**< the two bodies may touch each other; else they do not */
 #define CAROM_JOINT_FIELD_LENGTH 0x4u /**< length is given; else it is the distance of the points as they stand now */
+/* clang-format on */
 /** @} */
 
-/** Fill with carom_joint_desc_init(): a ball joint, frames at the origins of both bodies, unbreakable. A door on a hinge that stands
- *  upright, the joint's x axis along the world's y:
+/** Fill with carom_joint_desc_init(): a ball joint, frames at the origins of both bodies, unbreakable. A door on a
+ *  hinge that stands upright, the joint's x axis along the world's y:
  *      desc.kind = CAROM_JOINT_HINGE, desc.fields = CAROM_JOINT_WORLD_FRAME, desc.body_b = door;
  *      desc.position_a[0] = 1, desc.orientation_a[2] = desc.orientation_a[3] = 0.70710678118654752; */
 typedef struct carom_joint_desc {
@@ -122,8 +135,9 @@ typedef struct carom_joint_motor {
   double max_force; /**< N or N m, [0, 1e30]: how hard it pushes at most */
 } carom_joint_motor;
 
-/** A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi frequency
- *  and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x'). */
+/** A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi
+ *  frequency and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w
+ *  x'). */
 typedef struct carom_joint_spring {
   uint32_t struct_size;
   uint32_t enabled;
@@ -136,32 +150,35 @@ typedef struct carom_joint_spring {
 /** By what a pulley or a gear turns the motion of A into that of B. Fill with carom_joint_transmission_init(). */
 typedef struct carom_joint_transmission {
   uint32_t struct_size;
-  uint32_t fields;    /**< CAROM_JOINT_FIELD_LENGTH: length is given; else it is that of the rope as the bodies stand now */
-  double ratio;       /**< [0.001, 1000]: B's part of the rope counts so many times, as if it ran to and fro so often: B is
-                           pulled ratio times as hard as A, and moves 1 / ratio as far. Of a gear B's angle, likewise, of
-                           either sign: negative where they turn the same way, as in a ring gear. 1 at first */
-  double anchor_a[3]; /**< m, world: the place that A's part of the rope runs over. A gear has neither anchors nor length */
+  /** CAROM_JOINT_FIELD_LENGTH: length is given; else it is that of the rope as the bodies stand now */
+  uint32_t fields;
+  /** [0.001, 1000]: B's part of the rope counts so many times, as if it ran to and fro so often: B is pulled ratio
+   *  times as hard as A, and moves 1 / ratio as far. Of a gear B's angle, likewise, of either sign: negative where they
+   *  turn the same way, as in a ring gear. 1 at first */
+  double ratio;
+  double anchor_a
+      [3]; /**< m, world: the place that A's part of the rope runs over. A gear has neither anchors nor length */
   double anchor_b[3]; /**< m, world: likewise of B's */
   double length;      /**< m, [0, 1e9]: |a - anchor_a| + ratio |b - anchor_b| is kept at it, a and b the joint's points.
                            A part of the rope without length pulls nowhere: keep points off anchors */
 } carom_joint_transmission;
 
-/** What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside each other; of
- *  what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it. */
+/** What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+ *  each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it. */
 typedef struct carom_joint_axis {
   uint32_t struct_size;
-  uint32_t mode;           /**< CAROM_AXIS_MODE_* */
-  double lower;            /**< m, [-1e9, 1e9], or rad, [-pi, pi] */
-  double upper;            /**< likewise, at least lower */
-  uint32_t stop_gains;     /**< CAROM_GAINS_*: of the stops of a limit */
-  uint32_t drive_gains;    /**< of a drive to a position */
-  uint32_t spring_gains;   /**< of the spring beside the drive */
-  uint32_t drive;          /**< CAROM_DRIVE_* */
-  double stop_stiffness;   /**< of a spring that pushes back from beyond a limit; in Hz [0, 1e4], else [0, 1e30]; it and
+  uint32_t mode;         /**< CAROM_AXIS_MODE_* */
+  double lower;          /**< m, [-1e9, 1e9], or rad, [-pi, pi] */
+  double upper;          /**< likewise, at least lower */
+  uint32_t stop_gains;   /**< CAROM_GAINS_*: of the stops of a limit */
+  uint32_t drive_gains;  /**< of a drive to a position */
+  uint32_t spring_gains; /**< of the spring beside the drive */
+  uint32_t drive;        /**< CAROM_DRIVE_* */
+  double stop_stiffness; /**< of a spring that pushes back from beyond a limit; in Hz [0, 1e4], else [0, 1e30]; it and
                                 stop_damping 0: the stops are hard */
-  double stop_damping;     /**< beyond a limit; a ratio [0, 1e3], else [0, 1e30] */
-  double target;           /**< m or rad, as lower: of a drive to a position */
-  double speed;            /**< m/s or rad/s, [-1e6, 1e6]: of a drive to a velocity; of a drive to a position that of its target */
+  double stop_damping;   /**< beyond a limit; a ratio [0, 1e3], else [0, 1e30] */
+  double target;         /**< m or rad, as lower: of a drive to a position */
+  double speed; /**< m/s or rad/s, [-1e6, 1e6]: of a drive to a velocity; of a drive to a position that of its target */
   double effort;           /**< N or N m, [-1e30, 1e30]: of a drive by effort */
   double max_force;        /**< N or N m, [0, 1e30]: how hard the drive pushes at most */
   double drive_stiffness;  /**< as stop_stiffness */
@@ -171,32 +188,34 @@ typedef struct carom_joint_axis {
   double spring_damping;   /**< as stop_damping */
 } carom_joint_axis;
 
-/** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is locked (else
- *  it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's frame is, its torque is
- *  stiffness (-e) + damping (velocity - omega), about each of A's axes `max_force` at most. Fill with
- *  carom_joint_orientation_drive_init(). */
+/** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
+ *  locked (else it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's
+ *  frame is, its torque is stiffness (-e) + damping (velocity - omega), about each of A's axes `max_force` at most.
+ *  Fill with carom_joint_orientation_drive_init(). */
 typedef struct carom_joint_orientation_drive {
   uint32_t struct_size;
-  uint32_t drive;     /**< CAROM_DRIVE_* */
-  uint32_t gains;     /**< CAROM_GAINS_* */
-  uint32_t reserved;  /**< 0 */
-  double target[4];   /**< x, y, z, w: B's frame -> A's; of CAROM_DRIVE_POSITION. Half a turn off there is no shortest way */
-  double velocity[3]; /**< rad/s, [-1e6, 1e6], A's frame, of B relative to A */
-  double effort[3];   /**< N m, [-1e30, 1e30], A's frame: of CAROM_DRIVE_EFFORT */
+  uint32_t drive;    /**< CAROM_DRIVE_* */
+  uint32_t gains;    /**< CAROM_GAINS_* */
+  uint32_t reserved; /**< 0 */
+  double
+      target[4]; /**< x, y, z, w: B's frame -> A's; of CAROM_DRIVE_POSITION. Half a turn off there is no shortest way */
+  double velocity[3];  /**< rad/s, [-1e6, 1e6], A's frame, of B relative to A */
+  double effort[3];    /**< N m, [-1e30, 1e30], A's frame: of CAROM_DRIVE_EFFORT */
   double max_force[3]; /**< N m, [0, 1e30], about A's x, y, z axis */
-  double stiffness;   /**< Hz [0, 1e4], else [0, 1e30] */
-  double damping;     /**< a ratio [0, 1e3], else [0, 1e30] */
+  double stiffness;    /**< Hz [0, 1e4], else [0, 1e30] */
+  double damping;      /**< a ratio [0, 1e3], else [0, 1e30] */
 } carom_joint_orientation_drive;
 
 /** What a joint does and where it is. */
 typedef struct carom_joint_state {
   uint32_t struct_size;
-  uint32_t broken;      /**< 1: it bore too much, and holds nothing any more */
-  double force[3];      /**< N, world, on B at its point, of locks, limits, motors and springs, mean over the last step; on A the opposite, but of a pulley
-                             1 / ratio of it, along A's own part of the rope */
-  double torque[3];     /**< N m, world, on B about its point, likewise */
-  double gap;           /**< m, how far the points are from where they should be, limits included */
-  double angle;         /**< rad, how far the axes are, likewise; of a gear how far its wheels have slipped, of A's turns */
+  uint32_t broken; /**< 1: it bore too much, and holds nothing any more */
+  /** N, world, on B at its point, of locks, limits, motors and springs, mean over the last step; on A the opposite, but
+   *  of a pulley 1 / ratio of it, along A's own part of the rope */
+  double force[3];
+  double torque[3]; /**< N m, world, on B about its point, likewise */
+  double gap;       /**< m, how far the points are from where they should be, limits included */
+  double angle;     /**< rad, how far the axes are, likewise; of a gear how far its wheels have slipped, of A's turns */
   double coordinate[4]; /**< by CAROM_COORDINATE_*, as the bodies stand now */
   double axis[6];       /**< m and rad, by CAROM_AXIS_*, likewise; of any kind */
 } carom_joint_state;
@@ -217,9 +236,11 @@ CAROM_API int32_t carom_joint_axis_init(carom_joint_axis *axis, uint32_t struct_
 CAROM_API int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive, uint32_t struct_size);
 
 /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
- *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
- *          8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
+ *  NOT_UNIT;
+ *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
+ *          body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
+ *          LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint,
                                      carom_error *error);
 /** @status OK; *_HANDLE; BUSY; REENTRANT */
@@ -233,7 +254,8 @@ CAROM_API int32_t carom_joint_get_state(carom_world *world, carom_joint joint, c
 
 /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
  *  @param coordinate CAROM_COORDINATE_*
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+ *  limit
  *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_limit(carom_world *world, carom_joint joint, uint32_t coordinate,
                                         const carom_joint_limit *limit, carom_error *error);
@@ -249,49 +271,53 @@ CAROM_API int32_t carom_joint_get_motor(carom_world *world, carom_joint joint, u
 CAROM_API int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, uint32_t coordinate,
                                          carom_joint_spring *spring, carom_error *error);
 
-/** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
- *  distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
- *  are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in one; a pose that the
- *  host sets between steps is no turn.
- *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
- *  direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
+/** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a
+ *  pulley's distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they
+ *  may turn: turns are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in
+ *  one; a pose that the host sets between steps is no turn.
+ *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and
+ *  under the direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle:
+ *  tests/oracle/test_pulley_gear.
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
+ *  NOT_FINITE;
  *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_transmission(carom_world *world, carom_joint joint,
                                                const carom_joint_transmission *transmission, carom_error *error);
 /** @param transmission out: as it was set, with its length; ratio 0: not yet
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
-CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint, carom_joint_transmission *transmission,
-                                               carom_error *error);
+CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint,
+                                               carom_joint_transmission *transmission, carom_error *error);
 
-/** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
- *  and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
- *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the frequency and
- *  b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their amplitude and fade slower by
- *  b h of their rate; at rest they sag by load / stiffness, to rounding where one joint bears all, in first order where soft_step
- *  sweeps over several. A drive to a velocity holds that of the middle of a substep under the direct solver, and one with a damping
- *  alone does under any: what a step ends with differs by what the load does in h / 2. Forces of drives are met to rounding.
- *  Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
+/** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+ *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
+ *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
+ *  frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
+ *  amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
+ *  bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
+ *  substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
+ *  the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
+ *  test_six_axis_scenes.
  *  @param axis CAROM_AXIS_*
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
  *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
-CAROM_API int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axis, const carom_joint_axis *desc,
-                                       carom_error *error);
+CAROM_API int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axis,
+                                       const carom_joint_axis *desc, carom_error *error);
 /** @param axis CAROM_AXIS_*   @param desc out: as it was set
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
 CAROM_API int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, uint32_t axis, carom_joint_axis *desc,
                                        carom_error *error);
-/** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
- *  Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
- *  rounding. Oracle: tests/oracle/test_six_axis.
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
+/** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect
+ *  joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
+ *  it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
+ *  field; a
  *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint,
                                                     const carom_joint_orientation_drive *drive, carom_error *error);
 /** @param drive out: as it was set
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
-CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint, carom_joint_orientation_drive *drive,
-                                                    carom_error *error);
+CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint,
+                                                    carom_joint_orientation_drive *drive, carom_error *error);
 
 /** @name What carom_world_read_joints() reads
  *  @{ */
@@ -312,9 +338,11 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
  *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
  *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
  *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
-CAROM_API int32_t carom_world_read_joints(carom_world *world, uint32_t field, uint32_t scalar, const carom_joint *joints,
-                                          uint64_t n, void *dst, uint64_t stride, carom_error *error);
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+ *  BUSY */
+CAROM_API int32_t carom_world_read_joints(carom_world *world, uint32_t field, uint32_t scalar,
+                                          const carom_joint *joints, uint64_t n, void *dst, uint64_t stride,
+                                          carom_error *error);
 
 /** Number of joints, and their handles in creation order of the slots.
  *  @param joints [capacity] or NULL   @param count out: how many there are

@@ -18,9 +18,9 @@ typedef struct carom_particles_desc {
   uint32_t reserved;     /**< 0 */
   double gravity_factor; /**< of the world's gravity, [-1e3, 1e3], default 1 */
   double linear_damping; /**< 1/s, [0, 1e6], default 0: dv/dt = -c v, as a body's */
-  double mass;           /**< kg, (0, 1e30], default 1: of each particle that is added from now on. It falls and is braked
+  double mass;       /**< kg, (0, 1e30], default 1: of each particle that is added from now on. It falls and is braked
                               as any other; the mass counts in CAROM_FIELD_MASS and in the energy of the report */
-  uint64_t capacity;     /**< particles to reserve memory for; it grows beyond. default 0 */
+  uint64_t capacity; /**< particles to reserve memory for; it grows beyond. default 0 */
 } carom_particles_desc;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
@@ -28,7 +28,8 @@ CAROM_API int32_t carom_particles_desc_init(carom_particles_desc *desc, uint32_t
 
 /** Make an empty set.
  *  @param desc may be NULL: defaults
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY
+ *  */
 CAROM_API int32_t carom_particles_create(carom_world *world, const carom_particles_desc *desc, carom_particles *set,
                                          carom_error *error);
 /** Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT */
@@ -44,14 +45,16 @@ CAROM_API int32_t carom_particles_update(carom_world *world, carom_particles set
                                          carom_error *error);
 
 /** @param count out: particles in the set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
-CAROM_API int32_t carom_particles_get_count(carom_world *world, carom_particles set, uint64_t *count, carom_error *error);
+CAROM_API int32_t carom_particles_get_count(carom_world *world, carom_particles set, uint64_t *count,
+                                            carom_error *error);
 
 /** Add n particles at the end; all values are checked before the first is added.
  *  @param scalar          CAROM_SCALAR_*, of both arrays
  *  @param positions       [n] m, world, three scalars each, within 1e15 m of the origin
  *  @param position_stride bytes from one to the next; 0: tightly packed
  *  @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31 - 1
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31
+ *  - 1
  *          in a set); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_particles_add(carom_world *world, carom_particles set, uint64_t n, uint32_t scalar,
                                       const void *positions, uint64_t position_stride, const void *velocities,
@@ -66,7 +69,8 @@ CAROM_API int32_t carom_particles_remove(carom_world *world, carom_particles set
  *  @param indices [n] in any order, or NULL: all of them (n must be their number)
  *  @param dst     n records of the field's scalars, `stride` bytes apart
  *  @param stride  bytes from one record to the next; 0: tightly packed
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE (an
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE
+ *  (an
  *          index, n); BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_particles_read(carom_world *world, carom_particles set, uint32_t field, uint32_t scalar,
                                        const uint32_t *indices, uint64_t n, void *dst, uint64_t stride,
@@ -78,9 +82,9 @@ CAROM_API int32_t carom_particles_write(carom_world *world, carom_particles set,
                                         const uint32_t *indices, uint64_t n, const void *src, uint64_t stride,
                                         carom_error *error);
 
-/** A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still where
- *  it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells of the
- *  first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
+/** A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still
+ *  where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells
+ *  of the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
  *  @param indices [capacity] out; may be NULL if capacity is 0
  *  @param count   out: how many there are (may exceed capacity; capacity are written)
  *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */

@@ -1,9 +1,9 @@
 /** @file plan.h
- *  The plan of a step: which effects run, for which participants, why, and what they cost; what was left out, and why. And
- *  what a host overrides: an effect is forbidden, or forced.
+ *  The plan of a step: which effects run, for which participants, why, and what they cost; what was left out, and why.
+ *  And what a host overrides: an effect is forbidden, or forced.
  *
- *  An effect runs for its participants alone. Without participants it executes nothing and allocates nothing, and the world
- *  has the bits of a world in which it is forbidden.
+ *  An effect runs for its participants alone. Without participants it executes nothing and allocates nothing, and the
+ *  world has the bits of a world in which it is forbidden.
  */
 #ifndef CAROM_PLAN_H
 #define CAROM_PLAN_H
@@ -39,18 +39,24 @@ extern "C" {
 #define CAROM_EFFECT_FIELDS 22u
 #define CAROM_EFFECT_SPRINGS 23u
 #define CAROM_EFFECT_BUOYANCY 24u
-#define CAROM_EFFECT_RESPONSE 25u /* what contacts do: without it bodies pass through each other, and there are no contact points */
+/* clang-format off */
+#define CAROM_EFFECT_RESPONSE 25u /* what contacts do: without it bodies pass through each other, and there are no
+                                     contact points */
 #define CAROM_EFFECT_JOINT_LIMITS 26u
 #define CAROM_EFFECT_JOINT_MOTORS 27u
 #define CAROM_EFFECT_EVENTS 28u
 #define CAROM_EFFECT_LEDGER 29u
 #define CAROM_EFFECT_MAGNETISM 30u
 #define CAROM_EFFECT_COUNT 31u
+/* clang-format on */
 
+/* clang-format off */
 #define CAROM_MODE_AS_NEEDED 0u /* it runs for the bodies that need it (default) */
 #define CAROM_MODE_FORBID 1u    /* it does not run */
-#define CAROM_MODE_FORCE 2u     /* it runs for all bodies that it can act on, whether they need it or not: to see what it
-                                   costs, and that it changes nothing. It makes no joints, sets, ... where there are none */
+#define CAROM_MODE_FORCE 2u     /* it runs for all bodies that it can act on, whether they need it or not: to see what
+                                   it costs, and that it changes nothing. It makes no joints, sets, ... where there
+                                   are none */
+/* clang-format on */
 
 /** Static name of an effect ("gravity"), or "?".   @thread any */
 CAROM_API const char *carom_effect_name(uint32_t effect);
@@ -63,9 +69,10 @@ CAROM_API int32_t carom_world_set_effect(carom_world *world, uint32_t effect, ui
 /** @param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
 CAROM_API int32_t carom_world_get_effect(carom_world *world, uint32_t effect, uint32_t *mode, carom_error *error);
 
-/** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for the
- *  world is forbidden for it. Particles, events and the ledger are not a body's.
- *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use carom_world_set_effect());
+/** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for
+ *  the world is forbidden for it. Particles, events and the ledger are not a body's.
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use
+ *  carom_world_set_effect());
  *          BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t mode,
                                         carom_error *error);
@@ -86,20 +93,21 @@ CAROM_API int32_t carom_world_time_effects(carom_world *world, uint32_t on, caro
 
 /** A line of the plan: a stage or an effect, as it was in the last step. */
 typedef struct carom_plan_line {
-  uint32_t effect;      /**< CAROM_EFFECT_*, or CAROM_PLAN_NO_EFFECT: a stage */
-  uint32_t stage;       /**< CAROM_STAGE_* that it is part of */
-  uint32_t mode;        /**< CAROM_MODE_* for the world */
-  uint32_t runs;        /**< 1 or 0 */
-  uint64_t participants;   /**< participants in the last step */
-  uint64_t wanted;      /**< participants if nothing were forbidden or forced; of effects within contacts, as `participants` */
+  uint32_t effect;       /**< CAROM_EFFECT_*, or CAROM_PLAN_NO_EFFECT: a stage */
+  uint32_t stage;        /**< CAROM_STAGE_* that it is part of */
+  uint32_t mode;         /**< CAROM_MODE_* for the world */
+  uint32_t runs;         /**< 1 or 0 */
+  uint64_t participants; /**< participants in the last step */
+  uint64_t
+      wanted; /**< participants if nothing were forbidden or forced; of effects within contacts, as `participants` */
   uint64_t evaluations; /**< participants of all steps since the world was made, summed */
   uint64_t bytes;       /**< memory held for it alone */
   double seconds;       /**< s, in the last step */
   uint32_t timing;      /**< CAROM_TIME_* */
   uint32_t reserved;
   char name[32];
-  char unit[24];        /**< what the participants are: "bodies", "contact points" */
-  char reason[128];     /**< why it runs, or why not */
+  char unit[24];    /**< what the participants are: "bodies", "contact points" */
+  char reason[128]; /**< why it runs, or why not */
 } carom_plan_line;
 
 /** Copy out the plan of the last step: stages first, then effects. Before the first step nothing has run.

@@ -10,36 +10,36 @@
 extern "C" {
 #endif
 
-#define CAROM_QUERY_EXACT_ENOUGH 0u  /* the bracket is as narrow as was asked */
-#define CAROM_QUERY_CAPPED 1u        /* the iteration cap came first; the bracket still holds */
-#define CAROM_QUERY_ROUNDING 2u      /* rounding stopped it; the bracket still holds */
-#define CAROM_QUERY_FAULT 3u         /* a support function misbehaved; nothing else is meaningful */
+#define CAROM_QUERY_EXACT_ENOUGH 0u /* the bracket is as narrow as was asked */
+#define CAROM_QUERY_CAPPED 1u       /* the iteration cap came first; the bracket still holds */
+#define CAROM_QUERY_ROUNDING 2u     /* rounding stopped it; the bracket still holds */
+#define CAROM_QUERY_FAULT 3u        /* a support function misbehaved; nothing else is meaningful */
 
 /** Settings of a query; fill with carom_distance_desc_init(). Values as the dials of the same name. */
 typedef struct carom_distance_desc {
   uint32_t struct_size;
-  uint32_t simplex;         /**< CAROM_SIMPLEX_*, default VORONOI_LAST */
-  uint32_t narrow_phase;    /**< CAROM_NARROW_*, default GJK_EPA */
-  uint32_t pair_routines;   /**< 0: always the generic path; 1: a specific routine where there is one; default 0 */
-  double tolerance;         /**< relative width of the bracket, default 1e-6 */
-  double hybrid_margin;     /**< m, for CAROM_NARROW_HYBRID */
-  uint32_t gjk_iterations;  /**< cap, default 128 */
-  uint32_t epa_iterations;  /**< cap, default 256 */
+  uint32_t simplex;        /**< CAROM_SIMPLEX_*, default VORONOI_LAST */
+  uint32_t narrow_phase;   /**< CAROM_NARROW_*, default GJK_EPA */
+  uint32_t pair_routines;  /**< 0: always the generic path; 1: a specific routine where there is one; default 0 */
+  double tolerance;        /**< relative width of the bracket, default 1e-6 */
+  double hybrid_margin;    /**< m, for CAROM_NARROW_HYBRID */
+  uint32_t gjk_iterations; /**< cap, default 128 */
+  uint32_t epa_iterations; /**< cap, default 256 */
 } carom_distance_desc;
 
 /** The answer: signed distance (negative: depth of the smallest separating translation) and its bracket. */
 typedef struct carom_distance {
   uint32_t struct_size;
-  uint32_t status;          /**< CAROM_QUERY_* */
-  double separation;        /**< m */
-  double lower;             /**< m, separation >= lower */
-  double upper;             /**< m, separation <= upper */
-  double normal[3];         /**< unit, world, from A to B */
-  double point_a[3];        /**< m, world, on the surface of A */
-  double point_b[3];        /**< m, world, on the surface of B */
+  uint32_t status;   /**< CAROM_QUERY_* */
+  double separation; /**< m */
+  double lower;      /**< m, separation >= lower */
+  double upper;      /**< m, separation <= upper */
+  double normal[3];  /**< unit, world, from A to B */
+  double point_a[3]; /**< m, world, on the surface of A */
+  double point_b[3]; /**< m, world, on the surface of B */
   uint32_t gjk_iterations;
   uint32_t epa_iterations;
-  uint32_t support_calls;   /**< single calls, A and B together */
+  uint32_t support_calls; /**< single calls, A and B together */
   uint32_t reserved;
 } carom_distance;
 

@@ -7,13 +7,13 @@
  *      ... whatever a game does ...
  *      carom_world_record_end(world, &error);
  *
- *  What is written: a whole snapshot (carom/snapshot.h), then each call that changed the world, with all that it was given,
- *  and after each step the hash. Shapes are written when they are first used. A call that failed has changed nothing and is
- *  not written. Calls that read are not written either: they change nothing.
+ *  What is written: a whole snapshot (carom/snapshot.h), then each call that changed the world, with all that it was
+ *  given, and after each step the hash. Shapes are written when they are first used. A call that failed has changed
+ *  nothing and is not written. Calls that read are not written either: they change nothing.
  *
- *  Bytes: "CAROMREC", format and version of the library (4 bytes each), then records: kind and 0 (4 bytes each), size (8),
- *  content, zeros up to a multiple of 8. A step is written before it is taken and its hash after it, so that a session that
- *  never came back from a step ends with that step. `src/tools/replay` reads it all.
+ *  Bytes: "CAROMREC", format and version of the library (4 bytes each), then records: kind and 0 (4 bytes each), size
+ *  (8), content, zeros up to a multiple of 8. A step is written before it is taken and its hash after it, so that a
+ *  session that never came back from a step ends with that step. `src/tools/replay` reads it all.
  *
  *  A world that is not recorded pays nothing. Recording costs the hash of each step, and writing. */
 #ifndef CAROM_RECORD_H
@@ -28,8 +28,8 @@ extern "C" {
 #define CAROM_RECORD_HASHES 0u /* the hash after each step */
 #define CAROM_RECORD_STATES 1u /* and the state (CAROM_SNAPSHOT_STATE), so that a replay can name a body or a pair */
 
-/** Take bytes of a recording, in order. Called on the thread that makes the call which is recorded, before that returns;
- *  no call of this library is allowed in it.
+/** Take bytes of a recording, in order. Called on the thread that makes the call which is recorded, before that
+ *  returns; no call of this library is allowed in it.
  *  @return 0; else recording stops, and carom_world_record_end() says so */
 typedef int32_t (*carom_write_fn)(void *user, const void *bytes, uint64_t size);
 
@@ -48,18 +48,18 @@ CAROM_API int32_t carom_world_record_end(carom_world *world, carom_error *error)
 /** What of a world is not as a snapshot says. */
 typedef struct carom_difference {
   uint32_t struct_size;
-  uint32_t differs;    /**< 0: it is the same, to the bit */
-  uint64_t first;      /**< the body, joint, ... that differs first; of a pair the one collider; 0: none in particular */
-  uint64_t second;     /**< of a pair the other collider; else 0 */
-  char sections[240];  /**< what differs, most telling first: "bodies, pairs, dials"; zero-terminated */
+  uint32_t differs;   /**< 0: it is the same, to the bit */
+  uint64_t first;     /**< the body, joint, ... that differs first; of a pair the one collider; 0: none in particular */
+  uint64_t second;    /**< of a pair the other collider; else 0 */
+  char sections[240]; /**< what differs, most telling first: "bodies, pairs, dials"; zero-terminated */
 } carom_difference;
 
 /** Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
  *  @param difference its struct_size set by the caller
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
  *          OUT_OF_MEMORY */
-CAROM_API int32_t carom_world_compare(carom_world *world, const void *bytes, uint64_t size, carom_difference *difference,
-                                      carom_error *error);
+CAROM_API int32_t carom_world_compare(carom_world *world, const void *bytes, uint64_t size,
+                                      carom_difference *difference, carom_error *error);
 
 #ifdef __cplusplus
 }

@@ -3,12 +3,13 @@
  *
  *  Scenery collides only at its surface: bodies slide over sides between triangles as over one surface, and a sharp
  *  edge or a boundary edge is an edge. A one-sided surface is met from the side from which its triangles' corners run
- *  counter-clockwise, by bodies whose centre is on that side; from behind it is passed through, by rays too. A two-sided one
- *  is met from both.
+ *  counter-clockwise, by bodies whose centre is on that side; from behind it is passed through, by rays too. A
+ *  two-sided one is met from both.
  *
- *  All queries of a world support scenery (world_query.h). carom_ray_cast, carom_shape_cast, carom_shape_time_of_impact,
- *  carom_shape_overlap and carom_shape_distance do too, with the scenery as the second shape where one moves. Functions that
- *  need convex shapes (carom_shape_support, carom_rays_cast; shapes that ask a world) say UNSUPPORTED.
+ *  All queries of a world support scenery (world_query.h). carom_ray_cast, carom_shape_cast,
+ *  carom_shape_time_of_impact, carom_shape_overlap and carom_shape_distance do too, with the scenery as the second
+ *  shape where one moves. Functions that need convex shapes (carom_shape_support, carom_rays_cast; shapes that ask a
+ *  world) say UNSUPPORTED.
  *
  */
 #ifndef CAROM_SCENERY_H
@@ -23,8 +24,8 @@ extern "C" {
 #define CAROM_SCENERY_TWO_SIDED 1u /* a bit of flags: met from both sides */
 
 /** A triangle mesh. Corners at the same place are made one, so vertices may be repeated; triangles without area are
- *  dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a boundary edge, and so
- *  is a side of three. Fill with carom_mesh_desc_init(). */
+ *  dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone
+ *  is a boundary edge, and so is a side of three. Fill with carom_mesh_desc_init(). */
 typedef struct carom_mesh_desc {
   uint32_t struct_size;
   uint32_t flags;            /**< CAROM_SCENERY_* bits, default 0 */
@@ -38,15 +39,17 @@ typedef struct carom_mesh_desc {
 CAROM_API int32_t carom_mesh_desc_init(carom_mesh_desc *desc, uint32_t struct_size);
 
 /** Make scenery of a mesh. All is copied.
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far out, no
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far
+ *  out, no
  *          triangle that has an area); LIMIT; OUT_OF_MEMORY
  *  @thread any, also while worlds step */
 CAROM_API int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh_desc *desc, carom_shape *shape,
                                           carom_error *error);
 
-/** A height field: vertices at (column spacing[0], height, row spacing[1]) in the shape's frame, met from above (+y). Each
- *  cell is two triangles, divided from its first corner (column, row) to (column + 1, row + 1). What has its middle in the
- *  ground, by no more than its bounding radius, is lifted out. Fill with carom_height_field_desc_init(). */
+/** A height field: vertices at (column spacing[0], height, row spacing[1]) in the shape's frame, met from above (+y).
+ *  Each cell is two triangles, divided from its first corner (column, row) to (column + 1, row + 1). What has its
+ *  middle in the ground, by no more than its bounding radius, is lifted out. Fill with carom_height_field_desc_init().
+ *  */
 typedef struct carom_height_field_desc {
   uint32_t struct_size;
   uint32_t flags;        /**< 0 */
@@ -60,7 +63,8 @@ typedef struct carom_height_field_desc {
 CAROM_API int32_t carom_height_field_desc_init(carom_height_field_desc *desc, uint32_t struct_size);
 
 /** Make scenery of a height field. All is copied.
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a count, a
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a
+ *  count, a
  *          spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
  *  @thread any, also while worlds step */
 CAROM_API int32_t carom_shape_create_height_field(carom_engine *engine, const carom_height_field_desc *desc,
@@ -69,13 +73,13 @@ CAROM_API int32_t carom_shape_create_height_field(carom_engine *engine, const ca
 /** What became of scenery. */
 typedef struct carom_scenery_info {
   uint32_t struct_size;
-  uint32_t flags;     /**< as given */
-  uint64_t pieces;    /**< triangles that are there; of a height field those of holes too */
-  uint64_t vertices;  /**< places */
-  uint64_t dropped;   /**< triangles given that have no area (least height below 1e-12 of the longest side) */
-  uint64_t rims;      /**< sides with nothing beyond: 0 for a closed surface. Many in a surface that should be closed: its
+  uint32_t flags;    /**< as given */
+  uint64_t pieces;   /**< triangles that are there; of a height field those of holes too */
+  uint64_t vertices; /**< places */
+  uint64_t dropped;  /**< triangles given that have no area (least height below 1e-12 of the longest side) */
+  uint64_t rims;  /**< sides with nothing beyond: 0 for a closed surface. Many in a surface that should be closed: its
                            triangles do not share corners, and bodies will feel the gaps */
-  uint64_t bytes;     /**< of memory, about */
+  uint64_t bytes; /**< of memory, about */
 } carom_scenery_info;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape) */

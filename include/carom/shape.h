@@ -13,18 +13,20 @@ extern "C" {
 /** Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
  *  scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
  *  @param params [count] doubles, meaning as the plugin documents
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_INVALID;
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which);
+ *  PLUGIN_INVALID;
  *          DECLARATION_FALSE; OUT_OF_MEMORY
  *  @thread any, also while worlds step */
 CAROM_API int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, const double *params, uint64_t count,
                                      carom_shape *shape, carom_error *error);
 
-/** Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the engine has come
- *  first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not
- *  in programs that run with raised privileges), beside the library, in the folder where plugins are installed. "half_space"
- *  is built in: normal x, y, z, offset.
+/** Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the
+ *  engine has come first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute,
+ *  separated by ':'; not in programs that run with raised privileges), beside the library, in the folder where plugins
+ *  are installed. "half_space" is built in: normal x, y, z, offset.
  *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
- *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
+ *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE;
+ *  PLUGIN_PATH;
  *          PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
  *  @thread any, also while worlds step */
 CAROM_API int32_t carom_shape_create_named(carom_engine *engine, const char *name, const double *params, uint64_t count,
@@ -43,28 +45,29 @@ CAROM_API int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, c
  *  one comes with a rigorous bracket. A half-space has infinite bounds and volume 0. */
 typedef struct carom_shape_info {
   uint32_t struct_size;
-  uint32_t form;           /**< CAROM_FORM_*, verified; NONE for a general convex set and the half-space */
-  uint32_t is_half_space;  /**< 1: the built-in half-space */
-  uint32_t mass_exact;     /**< 1: mass properties come from a verified closed form, brackets have zero width */
-  carom_plugin plugin;     /**< CAROM_NULL_HANDLE for the half-space */
+  uint32_t form;          /**< CAROM_FORM_*, verified; NONE for a general convex set and the half-space */
+  uint32_t is_half_space; /**< 1: the built-in half-space */
+  uint32_t mass_exact;    /**< 1: mass properties come from a verified closed form, brackets have zero width */
+  carom_plugin plugin;    /**< CAROM_NULL_HANDLE for the half-space */
   uint64_t param_count;
-  double core_radius;      /**< m */
-  double bounding_radius;  /**< m, about the shape's origin */
-  double aabb_min[3];      /**< m, exact to rounding */
-  double aabb_max[3];      /**< m */
-  double volume;           /**< m^3, best estimate, within [volume_min, volume_max] */
+  double core_radius;     /**< m */
+  double bounding_radius; /**< m, about the shape's origin */
+  double aabb_min[3];     /**< m, exact to rounding */
+  double aabb_max[3];     /**< m */
+  double volume;          /**< m^3, best estimate, within [volume_min, volume_max] */
   double volume_min;
   double volume_max;
-  double centroid[3];      /**< m */
-  double centroid_error;   /**< m, upper bound of |error| */
-  double inertia[9];       /**< m^5, about the centroid, row-major, symmetric */
-  double inertia_error;    /**< m^5, upper bound of the spectral norm of the error */
-  uint32_t is_scenery;     /**< 1: a mesh or a height field (scenery.h); it has no volume */
-  uint32_t reserved;       /**< 0 */
+  double centroid[3];    /**< m */
+  double centroid_error; /**< m, upper bound of |error| */
+  double inertia[9];     /**< m^5, about the centroid, row-major, symmetric */
+  double inertia_error;  /**< m^5, upper bound of the spectral norm of the error */
+  uint32_t is_scenery;   /**< 1: a mesh or a height field (scenery.h); it has no volume */
+  uint32_t reserved;     /**< 0 */
 } carom_shape_info;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE */
-CAROM_API int32_t carom_shape_get_info(carom_engine *engine, carom_shape shape, carom_shape_info *info, carom_error *error);
+CAROM_API int32_t carom_shape_get_info(carom_engine *engine, carom_shape shape, carom_shape_info *info,
+                                       carom_error *error);
 
 /** Copy out the parameters. @param count in: capacity of params; out: number of parameters.
  *  @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed) */

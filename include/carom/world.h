@@ -1,6 +1,7 @@
 /** @file world.h
  *  The second root: a world owns materials, bodies and colliders, and steps them.
- *  One writer per world: a step or a change is BUSY while another thread steps, changes or reads it. Reads may run concurrently.
+ *  One writer per world: a step or a change is BUSY while another thread steps, changes or reads it. Reads may run
+ *  concurrently.
  */
 #ifndef CAROM_WORLD_H
 #define CAROM_WORLD_H
@@ -17,8 +18,8 @@ typedef struct carom_world carom_world;
 /** What a world is made from. Fill with carom_world_desc_init(). */
 typedef struct carom_world_desc {
   uint32_t struct_size;
-  uint32_t reserved;     /**< 0 */
-  double gravity[3];     /**< m/s^2, default (0, -9.81, 0) */
+  uint32_t reserved;      /**< 0 */
+  double gravity[3];      /**< m/s^2, default (0, -9.81, 0) */
   uint64_t body_capacity; /**< bodies to reserve memory for; it grows beyond. default 0 */
 } carom_world_desc;
 
@@ -73,20 +74,20 @@ CAROM_API int32_t carom_world_get_gravity(carom_world *world, double gravity[3],
 /** Times, counts and residuals of the last step. A stage without participants did not run: its time is 0. */
 typedef struct carom_step_report {
   uint32_t struct_size;
-  uint32_t stage_count;        /**< CAROM_STAGE_COUNT of this library */
-  double stage_seconds[16];    /**< s, [stage_count] used, index CAROM_STAGE_* */
-  double total_seconds;        /**< s */
-  uint64_t steps;              /**< since the world was made */
-  double time;                 /**< s, simulated */
-  uint64_t bodies;             /**< all kinds; particles are counted by themselves */
+  uint32_t stage_count;     /**< CAROM_STAGE_COUNT of this library */
+  double stage_seconds[16]; /**< s, [stage_count] used, index CAROM_STAGE_* */
+  double total_seconds;     /**< s */
+  uint64_t steps;           /**< since the world was made */
+  double time;              /**< s, simulated */
+  uint64_t bodies;          /**< all kinds; particles are counted by themselves */
   uint64_t dynamic_bodies;
   uint64_t colliders;
-  uint64_t broad_pairs;        /**< pairs that the broad phase reported */
-  uint64_t contact_pairs;      /**< of them, pairs with at least one contact point */
+  uint64_t broad_pairs;   /**< pairs that the broad phase reported */
+  uint64_t contact_pairs; /**< of them, pairs with at least one contact point */
   uint64_t contact_points;
-  uint64_t groups;             /**< contact groups with at least one contact */
-  uint64_t largest_group;      /**< contact points in it */
-  uint64_t gjk_calls;          /**< generic queries */
+  uint64_t groups;        /**< contact groups with at least one contact */
+  uint64_t largest_group; /**< contact points in it */
+  uint64_t gjk_calls;     /**< generic queries */
   uint64_t epa_calls;
   uint64_t support_calls;
   uint64_t velocity_impulses;  /**< impulses applied by the solver */
@@ -104,10 +105,10 @@ typedef struct carom_step_report {
   uint64_t direct_groups;      /**< of the groups, those that CAROM_SOLVER_AUTO gave to the direct solver */
   double solver_residual;      /**< m/s, how far the direct solver's answer is from Coulomb's law at the worst contact
                                     point and substep; 0 where it had nothing to do */
-  uint64_t particles;             /**< in all sets */
+  uint64_t particles;          /**< in all sets */
   uint64_t quarantined_particles; /**< of them, held still since their state left the world */
-  uint64_t swept_bodies;       /**< swept from pose to pose, see carom_body_set_continuous() */
-  uint64_t sweep_hits;         /**< what they met in the step's substeps, resolved at the time of impact */
+  uint64_t swept_bodies;          /**< swept from pose to pose, see carom_body_set_continuous() */
+  uint64_t sweep_hits;            /**< what they met in the step's substeps, resolved at the time of impact */
   uint64_t wedged_groups;      /**< groups of the direct solver, counted a substep, that no velocity could satisfy, as
                                     where two surfaces close on a body: resolved by soft contacts */
   uint64_t rejected_solutions; /**< solutions of the direct solver by which contacts would have added energy, counted a
@@ -126,10 +127,10 @@ typedef struct carom_contact {
   carom_collider collider_b;
   carom_body body_a;
   carom_body body_b;
-  double point[3];        /**< m, world, midway between the two surfaces */
-  double normal[3];       /**< unit, world, from A to B */
-  double separation;      /**< m, negative in overlap */
-  double normal_impulse;  /**< N s, summed over the step, along the normal on B */
+  double point[3];         /**< m, world, midway between the two surfaces */
+  double normal[3];        /**< unit, world, from A to B */
+  double separation;       /**< m, negative in overlap */
+  double normal_impulse;   /**< N s, summed over the step, along the normal on B */
   double friction_impulse; /**< N s, magnitude, summed over the step */
 } carom_contact;
 
@@ -153,13 +154,13 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 
 /** A contact group of the last step, and which solver CAROM_SOLVER_AUTO chose for it. */
 typedef struct carom_group {
-  carom_body body;     /**< one of its bodies; CAROM_NULL_HANDLE if that was destroyed since */
-  uint32_t bodies;     /**< that contacts move */
-  uint32_t points;     /**< contact points */
-  uint32_t solver;     /**< CAROM_SOLVER_SOFT_STEP or CAROM_SOLVER_DIRECT */
-  uint32_t reason;     /**< CAROM_REASON_* */
-  double mass_ratio;   /**< the most of two bodies that touch */
-  double sink;         /**< how deep soft contacts would let a body sink, over the thickness of the thinner of the two */
+  carom_body body;   /**< one of its bodies; CAROM_NULL_HANDLE if that was destroyed since */
+  uint32_t bodies;   /**< that contacts move */
+  uint32_t points;   /**< contact points */
+  uint32_t solver;   /**< CAROM_SOLVER_SOFT_STEP or CAROM_SOLVER_DIRECT */
+  uint32_t reason;   /**< CAROM_REASON_* */
+  double mass_ratio; /**< the most of two bodies that touch */
+  double sink;       /**< how deep soft contacts would let a body sink, over the thickness of the thinner of the two */
 } carom_group;
 
 /** Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO treat
@@ -171,21 +172,21 @@ typedef struct carom_group {
 CAROM_API int32_t carom_world_get_groups(carom_world *world, carom_group *dst, uint64_t stride, uint64_t capacity,
                                          uint64_t *count, carom_error *error);
 
-#define CAROM_FAULT_RETURNED 1u     /* the support function returned nonzero */
-#define CAROM_FAULT_NOT_FINITE 2u   /* it gave NaN or infinity */
-#define CAROM_FAULT_OUTSIDE 3u      /* a point outside the shape's bounding radius */
-#define CAROM_FAULT_NOT_SUPPORT 4u  /* a point worse than one it had given before */
-#define CAROM_FAULT_BODY_STATE 5u   /* a body's state was not finite; the body is quarantined */
+#define CAROM_FAULT_RETURNED 1u       /* the support function returned nonzero */
+#define CAROM_FAULT_NOT_FINITE 2u     /* it gave NaN or infinity */
+#define CAROM_FAULT_OUTSIDE 3u        /* a point outside the shape's bounding radius */
+#define CAROM_FAULT_NOT_SUPPORT 4u    /* a point worse than one it had given before */
+#define CAROM_FAULT_BODY_STATE 5u     /* a body's state was not finite; the body is quarantined */
 #define CAROM_FAULT_PARTICLE_STATE 6u /* likewise particles', see carom_particles_get_quarantined() */
 
 /** Something misbehaved in the last step; the world stayed finite. */
 typedef struct carom_fault {
-  uint32_t kind;           /**< CAROM_FAULT_* */
+  uint32_t kind; /**< CAROM_FAULT_* */
   uint32_t reserved;
-  carom_shape shape;       /**< shape in quarantine, or CAROM_NULL_HANDLE */
-  carom_body body;         /**< a body with this shape, or the quarantined body */
-  double dir[3];           /**< bits of the direction given */
-  double out[3];           /**< bits of what came back */
+  carom_shape shape;         /**< shape in quarantine, or CAROM_NULL_HANDLE */
+  carom_body body;           /**< a body with this shape, or the quarantined body */
+  double dir[3];             /**< bits of the direction given */
+  double out[3];             /**< bits of what came back */
   carom_particles particles; /**< the set, of PARTICLE_STATE, or CAROM_NULL_HANDLE */
   uint64_t particle;         /**< the first of it that was put in quarantine in this step: its index then */
 } carom_fault;

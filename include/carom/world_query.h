@@ -3,10 +3,11 @@
  *  one by one or many in one call.
  *
  *  All colliders are asked, asleep or awake, static or not, at the poses that bodies have now; not those of bodies and
- *  shapes in quarantine, nor particles, and sensors only if they are asked for. Answers do not depend on the broad phase,
- *  on threads or on what was asked before. Each collider's own answer is the one of cast.h (or query.h) for it alone, with
- *  the same brackets and proofs; first is what has the least `time` (or separation), of equals the collider in the lower slot (the low 24 bits of its
- *  handle). A collider whose support function misbehaves is reported where its bounds are, with status CAROM_QUERY_FAULT.
+ *  shapes in quarantine, nor particles, and sensors only if they are asked for. Answers do not depend on the broad
+ *  phase, on threads or on what was asked before. Each collider's own answer is the one of cast.h (or query.h) for it
+ *  alone, with the same brackets and proofs; first is what has the least `time` (or separation), of equals the collider
+ *  in the lower slot (the low 24 bits of its handle). A collider whose support function misbehaves is reported where
+ *  its bounds are, with status CAROM_QUERY_FAULT.
  *
  *  Threads: any number may ask at once while no call changes the world (then: BUSY). The first question after a change
  *  brings an index up to date, in time proportional to what moved; others that come meanwhile wait for it.
@@ -22,8 +23,11 @@
 extern "C" {
 #endif
 
+/* clang-format off */
 #define CAROM_WANT_FIRST 0u /* what is met first */
-#define CAROM_WANT_ANY 1u   /* whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points */
+#define CAROM_WANT_ANY 1u   /* whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or
+                               points */
+/* clang-format on */
 
 /* bits of flags */
 #define CAROM_ASK_GENERIC 1u /* support functions only, no routine for declared forms */
@@ -54,30 +58,30 @@ typedef struct carom_world_hit {
   double time;
   double lower;
   double upper;
-  double separation;       /**< m */
-  double normal[3];        /**< unit, world, from the ray or the asking shape to the collider */
-  double point[3];         /**< m, world, on the collider's surface */
-  double point_own[3];     /**< m, world, on the asking shape's surface, or where the ray is */
+  double separation;   /**< m */
+  double normal[3];    /**< unit, world, from the ray or the asking shape to the collider */
+  double point[3];     /**< m, world, on the collider's surface */
+  double point_own[3]; /**< m, world, on the asking shape's surface, or where the ray is */
 } carom_world_hit;
 
-/** Shapes that ask, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and scalar
- *  set by the caller, what is not set zero. */
+/** Shapes that ask, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and
+ *  scalar set by the caller, what is not set zero. */
 typedef struct carom_query_shapes {
   uint32_t struct_size;
-  uint32_t scalar;            /**< CAROM_SCALAR_* of all but shapes */
+  uint32_t scalar; /**< CAROM_SCALAR_* of all but shapes */
   uint64_t count;
-  const carom_shape *shapes;  /**< [count], no half-space; CAROM_NULL_HANDLE: a point. NULL: points all of them */
-  const void *positions;      /**< [count] 3 scalars each, m */
-  const void *orientations;   /**< [count] 4 scalars each, x, y, z, w; or NULL: identity */
-  const void *motions;        /**< [count] 3 scalars each, m, of casts; else NULL */
-  uint64_t shape_stride;      /**< bytes */
+  const carom_shape *shapes; /**< [count], no half-space; CAROM_NULL_HANDLE: a point. NULL: points all of them */
+  const void *positions;     /**< [count] 3 scalars each, m */
+  const void *orientations;  /**< [count] 4 scalars each, x, y, z, w; or NULL: identity */
+  const void *motions;       /**< [count] 3 scalars each, m, of casts; else NULL */
+  uint64_t shape_stride;     /**< bytes */
   uint64_t position_stride;
   uint64_t orientation_stride;
   uint64_t motion_stride;
 } carom_query_shapes;
 
-/** Where answers to rays go, one each: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly
- *  packed. */
+/** Where answers to rays go, one each: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0:
+ *  tightly packed. */
 typedef struct carom_world_hits {
   uint32_t struct_size;
   uint32_t scalar;           /**< CAROM_SCALAR_* of times, normals and points */
@@ -103,14 +107,15 @@ CAROM_API int32_t carom_query_desc_init(carom_query_desc *desc, uint32_t struct_
  *  @param desc   may be NULL: defaults   @param size sizeof(carom_world_hit) as the caller knows it
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
  *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread any */
-CAROM_API int32_t carom_world_cast_ray(carom_world *world, const double origin[3], const double direction[3], double max,
-                                       const carom_query_desc *desc, carom_world_hit *hit, uint64_t size,
+CAROM_API int32_t carom_world_cast_ray(carom_world *world, const double origin[3], const double direction[3],
+                                       double max, const carom_query_desc *desc, carom_world_hit *hit, uint64_t size,
                                        carom_error *error);
 
 /** What each of many rays meets first, or whether it meets anything. A bad ray (not finite, or max negative) spoils no
  *  other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
  *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE;
+ *  OUT_OF_RANGE;
  *          BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
 CAROM_API int32_t carom_world_cast_rays(carom_world *world, const carom_rays *rays, uint32_t want,
                                         const carom_query_desc *desc, const carom_world_hits *hits, carom_error *error);
@@ -128,7 +133,8 @@ CAROM_API int32_t carom_world_cast_rays_all(carom_world *world, const carom_rays
  *  @param shapes every shape, position, orientation and motion must be good, else nothing is written
  *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
  *  @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT;
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE;
+ *  NOT_UNIT;
  *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
 CAROM_API int32_t carom_world_cast_shapes(carom_world *world, const carom_query_shapes *shapes, uint32_t want,
                                           const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride,

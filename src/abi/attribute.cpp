@@ -14,7 +14,8 @@ static_assert(kMostNumbers == CAROM_ATTRIBUTE_NUMBERS && kAttributeCount == CARO
 /// What the attribute asks of the world and of the body, whatever its value, unless that is the usual one.
 bool can_have(Call& call, const World& world, BodyType type, const AttributeRow& row, int argument) {
   if (row.of_dynamic && type != BodyType::dynamic)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "%s are of dynamic bodies only; others move as their velocity says", row.name);
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "%s are of dynamic bodies only; others move as their velocity says",
+                     row.name);
   return row.id != AttributeId::locks || world.scene.dials.choice(Dial::solver) != CAROM_SOLVER_SEVERITY ||
          call.fail(CAROM_E_UNSUPPORTED, argument,
                    "solver severity knows no locks; set CAROM_DIAL_SOLVER to another before locking bodies");
@@ -103,8 +104,8 @@ int32_t carom_body_get_attribute(carom_world* world, carom_body body, uint32_t a
                                  carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
-    if (!reading || !resolve_body(call, *reading, body) || !known(call, 3, "attribute", attribute, CAROM_ATTRIBUTE_COUNT) ||
-        !present(call, 4, "value", value))
+    if (!reading || !resolve_body(call, *reading, body) ||
+        !known(call, 3, "attribute", attribute, CAROM_ATTRIBUTE_COUNT) || !present(call, 4, "value", value))
       return;
     const AttributeValue now = reading->scene.attributes.of(static_cast<AttributeId>(attribute), handle_slot(body));
     std::copy(now.begin(), now.end(), value);

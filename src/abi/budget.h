@@ -11,7 +11,8 @@ namespace carom::abi {
 class Budget {
  public:
   /// @param seconds  a step
-  Budget(double seconds_, std::uint32_t fewest_, std::uint32_t most_) : seconds(seconds_), fewest(fewest_), most(most_) {}
+  Budget(double seconds_, std::uint32_t fewest_, std::uint32_t most_)
+      : seconds(seconds_), fewest(fewest_), most(most_) {}
   const double seconds;
   const std::uint32_t fewest, most;
 

@@ -118,10 +118,9 @@ bool check_stride(Call& call, int argument, const char* what, int scalars, std::
                   std::uint64_t& stride) {
   const std::uint64_t record = static_cast<std::uint64_t>(scalars) * (scalar == CAROM_SCALAR_F32 ? 4 : 8);
   if (stride == 0) stride = record;
-  return stride >= record || call.fail(CAROM_E_BUFFER_TOO_SMALL, argument,
-                                       "stride is %llu, a record of %s has %llu bytes",
-                                       static_cast<unsigned long long>(stride), what,
-                                       static_cast<unsigned long long>(record));
+  return stride >= record ||
+         call.fail(CAROM_E_BUFFER_TOO_SMALL, argument, "stride is %llu, a record of %s has %llu bytes",
+                   static_cast<unsigned long long>(stride), what, static_cast<unsigned long long>(record));
 }
 
 }  // namespace carom::abi

@@ -46,11 +46,9 @@ void create(Call& call, const Changing& changing, carom_body body, const carom_c
     return;
   const FloatScope scope;
   const std::uint32_t material = d.material ? handle_slot(d.material) : Colliders::kNoMaterial;
-  const Handle handle = world.add_collider(handle_slot(body), &*shape, {to_quat(d.orientation), to_vec3(d.position)},
-                                           d.density, material,
-                                           {{d.category, d.mask, d.group},
-                                            d.sensor != 0,
-                                            {to_vec3(d.surface_linear), to_vec3(d.surface_angular)}});
+  const Handle handle = world.add_collider(
+      handle_slot(body), &*shape, {to_quat(d.orientation), to_vec3(d.position)}, d.density, material,
+      {{d.category, d.mask, d.group}, d.sensor != 0, {to_vec3(d.surface_linear), to_vec3(d.surface_angular)}});
   if (!handle) {
     call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u colliders", kMaxSlots);
     return;
@@ -118,7 +116,8 @@ int32_t carom_collider_desc_init(carom_collider_desc* desc, uint32_t struct_size
 int32_t carom_collider_create(carom_world* world, carom_body body, const carom_collider_desc* desc,
                               carom_collider* collider, carom_error* error) {
   return guarded(error, [&](Call& call) {
-    if (const Recorded changing(call, world, record::collider_create(body, desc)); changing) create(call, changing, body, desc, collider);
+    if (const Recorded changing(call, world, record::collider_create(body, desc)); changing)
+      create(call, changing, body, desc, collider);
   });
 }
 
@@ -150,8 +149,7 @@ int32_t carom_collider_set_material(carom_world* world, carom_collider collider,
     if (!changing || !resolve(call, 2, "collider", changing->scene.collider_slots, collider) ||
         (material != CAROM_NULL_HANDLE && !resolve(call, 3, "material", changing->scene.material_slots, material)))
       return;
-    changing->set_collider_material(handle_slot(collider),
-                                    material ? handle_slot(material) : Colliders::kNoMaterial);
+    changing->set_collider_material(handle_slot(collider), material ? handle_slot(material) : Colliders::kNoMaterial);
   });
 }
 

@@ -16,37 +16,31 @@ namespace {
 
 constexpr bool same(Dial inside, std::uint32_t outside) { return static_cast<std::uint32_t>(inside) == outside; }
 
-static_assert(same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotation, CAROM_DIAL_ROTATION) &&
-              same(Dial::substeps, CAROM_DIAL_SUBSTEPS) && same(Dial::solver, CAROM_DIAL_SOLVER) &&
-              same(Dial::velocity_iterations, CAROM_DIAL_VELOCITY_ITERATIONS) &&
-              same(Dial::position_iterations, CAROM_DIAL_POSITION_ITERATIONS) &&
-              same(Dial::velocity_tolerance, CAROM_DIAL_VELOCITY_TOLERANCE) &&
-              same(Dial::position_tolerance, CAROM_DIAL_POSITION_TOLERANCE) &&
-              same(Dial::restitution_speed, CAROM_DIAL_RESTITUTION_SPEED) &&
-              same(Dial::severity_search, CAROM_DIAL_SEVERITY_SEARCH) && same(Dial::groups, CAROM_DIAL_GROUPS) &&
-              same(Dial::broad_phase, CAROM_DIAL_BROAD_PHASE) && same(Dial::grid_cell, CAROM_DIAL_GRID_CELL) &&
-              same(Dial::contact_distance, CAROM_DIAL_CONTACT_DISTANCE) &&
-              same(Dial::pair_routines, CAROM_DIAL_PAIR_ROUTINES) &&
-              same(Dial::narrow_phase, CAROM_DIAL_NARROW_PHASE) && same(Dial::simplex, CAROM_DIAL_SIMPLEX) &&
-              same(Dial::gjk_tolerance, CAROM_DIAL_GJK_TOLERANCE) &&
-              same(Dial::gjk_iterations, CAROM_DIAL_GJK_ITERATIONS) &&
-              same(Dial::epa_iterations, CAROM_DIAL_EPA_ITERATIONS) &&
-              same(Dial::hybrid_margin, CAROM_DIAL_HYBRID_MARGIN) &&
-              same(Dial::warm_separation, CAROM_DIAL_WARM_SEPARATION) && same(Dial::manifold, CAROM_DIAL_MANIFOLD) &&
-              same(Dial::cache_distance, CAROM_DIAL_CACHE_DISTANCE) && same(Dial::warm_start, CAROM_DIAL_WARM_START) &&
-              same(Dial::carry_over, CAROM_DIAL_CARRY_OVER) && same(Dial::sleep, CAROM_DIAL_SLEEP) &&
-              same(Dial::sleep_speed, CAROM_DIAL_SLEEP_SPEED) && same(Dial::sleep_time, CAROM_DIAL_SLEEP_TIME) &&
-              same(Dial::direct_sink, CAROM_DIAL_DIRECT_SINK) &&
-              same(Dial::direct_ratio, CAROM_DIAL_DIRECT_RATIO) && same(Dial::direct_work, CAROM_DIAL_DIRECT_WORK) &&
-              same(Dial::hold_angle, CAROM_DIAL_HOLD_ANGLE) &&
-              same(Dial::joint_frequency, CAROM_DIAL_JOINT_FREQUENCY) &&
-              same(Dial::joint_damping, CAROM_DIAL_JOINT_DAMPING) &&
-              same(Dial::continuous, CAROM_DIAL_CONTINUOUS) && same(Dial::precision, CAROM_DIAL_PRECISION) &&
-              same(Dial::joint_order, CAROM_DIAL_JOINT_ORDER) &&
-              same(Dial::accuracy_place, CAROM_DIAL_ACCURACY_PLACE) &&
-              same(Dial::accuracy_turn, CAROM_DIAL_ACCURACY_TURN) &&
-              same(Dial::accuracy_substeps, CAROM_DIAL_ACCURACY_SUBSTEPS) &&
-              same(Dial::count, CAROM_DIAL_COUNT));
+static_assert(
+    same(Dial::integrator, CAROM_DIAL_INTEGRATOR) && same(Dial::rotation, CAROM_DIAL_ROTATION) &&
+    same(Dial::substeps, CAROM_DIAL_SUBSTEPS) && same(Dial::solver, CAROM_DIAL_SOLVER) &&
+    same(Dial::velocity_iterations, CAROM_DIAL_VELOCITY_ITERATIONS) &&
+    same(Dial::position_iterations, CAROM_DIAL_POSITION_ITERATIONS) &&
+    same(Dial::velocity_tolerance, CAROM_DIAL_VELOCITY_TOLERANCE) &&
+    same(Dial::position_tolerance, CAROM_DIAL_POSITION_TOLERANCE) &&
+    same(Dial::restitution_speed, CAROM_DIAL_RESTITUTION_SPEED) &&
+    same(Dial::severity_search, CAROM_DIAL_SEVERITY_SEARCH) && same(Dial::groups, CAROM_DIAL_GROUPS) &&
+    same(Dial::broad_phase, CAROM_DIAL_BROAD_PHASE) && same(Dial::grid_cell, CAROM_DIAL_GRID_CELL) &&
+    same(Dial::contact_distance, CAROM_DIAL_CONTACT_DISTANCE) && same(Dial::pair_routines, CAROM_DIAL_PAIR_ROUTINES) &&
+    same(Dial::narrow_phase, CAROM_DIAL_NARROW_PHASE) && same(Dial::simplex, CAROM_DIAL_SIMPLEX) &&
+    same(Dial::gjk_tolerance, CAROM_DIAL_GJK_TOLERANCE) && same(Dial::gjk_iterations, CAROM_DIAL_GJK_ITERATIONS) &&
+    same(Dial::epa_iterations, CAROM_DIAL_EPA_ITERATIONS) && same(Dial::hybrid_margin, CAROM_DIAL_HYBRID_MARGIN) &&
+    same(Dial::warm_separation, CAROM_DIAL_WARM_SEPARATION) && same(Dial::manifold, CAROM_DIAL_MANIFOLD) &&
+    same(Dial::cache_distance, CAROM_DIAL_CACHE_DISTANCE) && same(Dial::warm_start, CAROM_DIAL_WARM_START) &&
+    same(Dial::carry_over, CAROM_DIAL_CARRY_OVER) && same(Dial::sleep, CAROM_DIAL_SLEEP) &&
+    same(Dial::sleep_speed, CAROM_DIAL_SLEEP_SPEED) && same(Dial::sleep_time, CAROM_DIAL_SLEEP_TIME) &&
+    same(Dial::direct_sink, CAROM_DIAL_DIRECT_SINK) && same(Dial::direct_ratio, CAROM_DIAL_DIRECT_RATIO) &&
+    same(Dial::direct_work, CAROM_DIAL_DIRECT_WORK) && same(Dial::hold_angle, CAROM_DIAL_HOLD_ANGLE) &&
+    same(Dial::joint_frequency, CAROM_DIAL_JOINT_FREQUENCY) && same(Dial::joint_damping, CAROM_DIAL_JOINT_DAMPING) &&
+    same(Dial::continuous, CAROM_DIAL_CONTINUOUS) && same(Dial::precision, CAROM_DIAL_PRECISION) &&
+    same(Dial::joint_order, CAROM_DIAL_JOINT_ORDER) && same(Dial::accuracy_place, CAROM_DIAL_ACCURACY_PLACE) &&
+    same(Dial::accuracy_turn, CAROM_DIAL_ACCURACY_TURN) &&
+    same(Dial::accuracy_substeps, CAROM_DIAL_ACCURACY_SUBSTEPS) && same(Dial::count, CAROM_DIAL_COUNT));
 static_assert(kSweepNobody == CAROM_SWEEP_NOBODY && kSweepFlagged == CAROM_SWEEP_FLAGGED &&
               kSweepFast == CAROM_SWEEP_FAST);
 static_assert(static_cast<std::uint32_t>(Precision::in_float) == CAROM_PRECISION_FLOAT &&
@@ -129,7 +123,8 @@ int32_t carom_dial_find(const char* name, uint32_t* dial, carom_error* error) {
         return;
       }
     call.fail(CAROM_E_NOT_FOUND, 1, "there is no dial \"%.120s\"; did you mean %s?", name, nearest_dial(name));
-    call.advise("names are those of carom/dial.h in small letters, without CAROM_DIAL_; carom_dial_get_info() tells them");
+    call.advise(
+        "names are those of carom/dial.h in small letters, without CAROM_DIAL_; carom_dial_get_info() tells them");
   });
 }
 

@@ -20,9 +20,9 @@ struct PluginRecord {
   carom_shape_plugin description{};           // brought to this library's size
   carom_geometry geometry{};                  // likewise; form and mass_form NONE where nothing is declared
   std::pmr::string id;
-  Array<carom_param> bounds;       // [param_count]
-  Array<carom_param_rule> rules;   // [rule_count]
-  std::uint64_t uses = 0;     // shapes made, or being made, of it
+  Array<carom_param> bounds;      // [param_count]
+  Array<carom_param_rule> rules;  // [rule_count]
+  std::uint64_t uses = 0;         // shapes made, or being made, of it
 };
 
 /// The first rule that parameters break, or null.

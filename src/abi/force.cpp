@@ -49,7 +49,8 @@ bool read_field(Call& call, int argument, const carom_force_field_desc* given, F
       !in_range(call, argument, "desc->pull", d.pull, -kStrongestForce, kStrongestForce) ||
       !in_range(call, argument, "desc->lift", d.lift, -kStrongestForce, kStrongestForce) ||
       !in_range(call, argument, "desc->reference", d.reference, 1e-9, kLongestSpring) ||
-      !in_range(call, argument, "desc->core", d.core, 0, kLongestSpring) || !positive(call, argument, "desc->reach", d.reach))
+      !in_range(call, argument, "desc->core", d.core, 0, kLongestSpring) ||
+      !positive(call, argument, "desc->reach", d.reach))
     return false;
   if (d.falloff < kLeastFalloff || d.falloff > kMostFalloff)
     return call.fail(CAROM_E_OUT_OF_RANGE, argument, "desc->falloff is %d, must be within [%d, %d]", d.falloff,
@@ -168,7 +169,9 @@ int32_t carom_world_get_wind(carom_world* world, double velocity[3], carom_error
   });
 }
 
-const char* carom_force_field_name(uint32_t kind) { return kind < CAROM_FORCE_FIELD_COUNT ? kFieldKinds[kind].name : "?"; }
+const char* carom_force_field_name(uint32_t kind) {
+  return kind < CAROM_FORCE_FIELD_COUNT ? kFieldKinds[kind].name : "?";
+}
 
 int32_t carom_force_field_desc_init(carom_force_field_desc* desc, uint32_t struct_size) {
   return init_struct(desc, struct_size, [](carom_force_field_desc& d) {

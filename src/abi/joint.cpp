@@ -37,8 +37,9 @@ constexpr double kFarthestApart = 8 * kMaxPosition;  // m: of places on bodies t
 
 bool check_position(Call& call, const char* name, const double v[3], int argument = 2) {
   return finite(call, argument, name, v, 3) &&
-         (to_vec3(v).norm() <= kMaxPosition || call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is (%g, %g, %g), at most %g long",
-                                                         name, v[0], v[1], v[2], kMaxPosition));
+         (to_vec3(v).norm() <= kMaxPosition ||
+          call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is (%g, %g, %g), at most %g long", name, v[0], v[1], v[2],
+                    kMaxPosition));
 }
 
 /// Frames on the bodies, from what the host gave.
@@ -115,7 +116,8 @@ carom_joint_desc describe(const World& world, const Joint& joint) {
 
 bool has_transmission(Call& call, const Joint& joint, int argument) {
   return dynamics::has_transmission(joint.def.kind) ||
-         call.fail(CAROM_E_UNSUPPORTED, argument, "a %s joint has no transmission; those of CAROM_JOINT_PULLEY and _GEAR have",
+         call.fail(CAROM_E_UNSUPPORTED, argument,
+                   "a %s joint has no transmission; those of CAROM_JOINT_PULLEY and _GEAR have",
                    row_of(joint.def.kind).name);
 }
 
@@ -132,8 +134,8 @@ bool read_transmission(Call& call, const World& world, Joint joint, const carom_
   carom_joint_transmission_init(&d, sizeof d);
   if (!read_struct(call, 3, "transmission", given, d) ||
       !only_bits(call, 3, "transmission->fields", d.fields, CAROM_JOINT_FIELD_LENGTH) ||
-      !check_ratio(call, joint.def.kind, d.ratio) ||
-      !check_position(call, "transmission->anchor_a", d.anchor_a, 3) || !check_position(call, "transmission->anchor_b", d.anchor_b, 3) ||
+      !check_ratio(call, joint.def.kind, d.ratio) || !check_position(call, "transmission->anchor_a", d.anchor_a, 3) ||
+      !check_position(call, "transmission->anchor_b", d.anchor_b, 3) ||
       !in_range(call, 3, "transmission->length", d.length, 0, kLongestJoint) || !has_transmission(call, joint, 3))
     return false;
   if (joint.def.kind == JointKind::gear) return to = {d.ratio}, true;
@@ -265,12 +267,14 @@ using namespace carom::abi;
 extern "C" {
 
 int32_t carom_joint_desc_init(carom_joint_desc* desc, uint32_t struct_size) {
-  return init_struct(desc, struct_size, [](carom_joint_desc& d) {
-    d.orientation_a[3] = d.orientation_b[3] = 1;
-  });
+  return init_struct(desc, struct_size, [](carom_joint_desc& d) { d.orientation_a[3] = d.orientation_b[3] = 1; });
 }
-int32_t carom_joint_limit_init(carom_joint_limit* limit, uint32_t struct_size) { return init_struct(limit, struct_size); }
-int32_t carom_joint_motor_init(carom_joint_motor* motor, uint32_t struct_size) { return init_struct(motor, struct_size); }
+int32_t carom_joint_limit_init(carom_joint_limit* limit, uint32_t struct_size) {
+  return init_struct(limit, struct_size);
+}
+int32_t carom_joint_motor_init(carom_joint_motor* motor, uint32_t struct_size) {
+  return init_struct(motor, struct_size);
+}
 int32_t carom_joint_spring_init(carom_joint_spring* spring, uint32_t struct_size) {
   return init_struct(spring, struct_size, [](carom_joint_spring& d) {
     d.frequency = d.damping = 1;
@@ -279,9 +283,7 @@ int32_t carom_joint_spring_init(carom_joint_spring* spring, uint32_t struct_size
 }
 
 int32_t carom_joint_transmission_init(carom_joint_transmission* transmission, uint32_t struct_size) {
-  return init_struct(transmission, struct_size, [](carom_joint_transmission& d) {
-    d.ratio = 1;
-  });
+  return init_struct(transmission, struct_size, [](carom_joint_transmission& d) { d.ratio = 1; });
 }
 
 int32_t carom_joint_create(carom_world* world, const carom_joint_desc* desc, carom_joint* joint, carom_error* error) {

@@ -43,15 +43,17 @@ Real or_any(double most) { return most < kStrongestMotor ? most : kInfinity; }
 
 bool is_six_axis(Call& call, const Joint& joint) {
   return joint.def.kind == JointKind::six_axis ||
-         call.fail(CAROM_E_UNSUPPORTED, 4,
-                   "a %s joint has no axes to be set; one of CAROM_JOINT_SIX_AXIS has, others have limits, motors and springs",
-                   row_of(joint.def.kind).name);
+         call.fail(
+             CAROM_E_UNSUPPORTED, 4,
+             "a %s joint has no axes to be set; one of CAROM_JOINT_SIX_AXIS has, others have limits, motors and springs",
+             row_of(joint.def.kind).name);
 }
 bool may_turn(Call& call, const Joint& joint) {
   return joint.def.kind == JointKind::six_axis || joint.def.kind == JointKind::ball ||
-         call.fail(CAROM_E_UNSUPPORTED, 3,
-                   "a %s joint does not turn any way; one of CAROM_JOINT_BALL or _SIX_AXIS does, a hinge has a motor and a spring",
-                   row_of(joint.def.kind).name);
+         call.fail(
+             CAROM_E_UNSUPPORTED, 3,
+             "a %s joint does not turn any way; one of CAROM_JOINT_BALL or _SIX_AXIS does, a hinge has a motor and a spring",
+             row_of(joint.def.kind).name);
 }
 
 bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, JointAxis& to) {
@@ -65,12 +67,18 @@ bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, Jo
       !in_range(call, 4, "desc->speed", d.speed, -kFastestMotor, kFastestMotor) ||
       !in_range(call, 4, "desc->effort", d.effort, -kStrongestMotor, kStrongestMotor) ||
       !in_range(call, 4, "desc->max_force", d.max_force, 0, kStrongestMotor) ||
-      !read_pull(call, {4, "desc->stop_gains", "desc->stop_stiffness", "desc->stop_damping", d.stop_gains, d.stop_stiffness,
-                        d.stop_damping}, to.stop) ||
-      !read_pull(call, {4, "desc->drive_gains", "desc->drive_stiffness", "desc->drive_damping", d.drive_gains,
-                        d.drive_stiffness, d.drive_damping}, to.gains) ||
-      !read_pull(call, {4, "desc->spring_gains", "desc->spring_stiffness", "desc->spring_damping", d.spring_gains,
-                        d.spring_stiffness, d.spring_damping}, to.spring))
+      !read_pull(call,
+                 {4, "desc->stop_gains", "desc->stop_stiffness", "desc->stop_damping", d.stop_gains, d.stop_stiffness,
+                  d.stop_damping},
+                 to.stop) ||
+      !read_pull(call,
+                 {4, "desc->drive_gains", "desc->drive_stiffness", "desc->drive_damping", d.drive_gains,
+                  d.drive_stiffness, d.drive_damping},
+                 to.gains) ||
+      !read_pull(call,
+                 {4, "desc->spring_gains", "desc->spring_stiffness", "desc->spring_damping", d.spring_gains,
+                  d.spring_stiffness, d.spring_damping},
+                 to.spring))
     return false;
   if (d.mode == CAROM_AXIS_MODE_LIMITED && !in_range(call, 4, "desc->upper", d.upper, d.lower, far)) return false;
   to.mode = static_cast<AxisMode>(d.mode), to.lower = d.lower, to.upper = d.upper;
@@ -110,7 +118,8 @@ bool read_turn(Call& call, const carom_joint_orientation_drive* given, TurnDrive
       !all_in_range(call, kVelocity, d.velocity, -kFastestMotor, kFastestMotor) ||
       !all_in_range(call, kEffort, d.effort, -kStrongestMotor, kStrongestMotor) ||
       !all_in_range(call, kMost, d.max_force, 0, kStrongestMotor) ||
-      !read_pull(call, {3, "drive->gains", "drive->stiffness", "drive->damping", d.gains, d.stiffness, d.damping}, to.gains))
+      !read_pull(call, {3, "drive->gains", "drive->stiffness", "drive->damping", d.gains, d.stiffness, d.damping},
+                 to.gains))
     return false;
   to.mode = static_cast<AxisDrive>(d.drive);
   to.target = normalized(to_quat(d.target)), to.velocity = to_vec3(d.velocity), to.effort = to_vec3(d.effort);
@@ -136,9 +145,7 @@ using namespace carom::abi;
 extern "C" {
 
 int32_t carom_joint_axis_init(carom_joint_axis* axis, uint32_t struct_size) {
-  return init_struct(axis, struct_size, [](carom_joint_axis& d) {
-    d.max_force = kStrongestMotor;
-  });
+  return init_struct(axis, struct_size, [](carom_joint_axis& d) { d.max_force = kStrongestMotor; });
 }
 int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive* drive, uint32_t struct_size) {
   return init_struct(drive, struct_size, [](carom_joint_orientation_drive& d) {
@@ -169,8 +176,8 @@ int32_t carom_joint_get_axis(carom_world* world, carom_joint handle, uint32_t ax
   });
 }
 
-int32_t carom_joint_set_orientation_drive(carom_world* world, carom_joint joint, const carom_joint_orientation_drive* drive,
-                                          carom_error* error) {
+int32_t carom_joint_set_orientation_drive(carom_world* world, carom_joint joint,
+                                          const carom_joint_orientation_drive* drive, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Recorded changing(call, world, record::joint_set_orientation_drive(joint, drive));
     if (!changing || !resolve_joint(call, *changing, joint)) return;

@@ -158,9 +158,7 @@ using namespace carom::abi;
 extern "C" {
 
 int32_t carom_particles_desc_init(carom_particles_desc* desc, uint32_t struct_size) {
-  return init_struct(desc, struct_size, [](carom_particles_desc& d) {
-    d.gravity_factor = d.mass = 1;
-  });
+  return init_struct(desc, struct_size, [](carom_particles_desc& d) { d.gravity_factor = d.mass = 1; });
 }
 
 int32_t carom_particles_create(carom_world* world, const carom_particles_desc* desc, carom_particles* set,
@@ -224,7 +222,8 @@ int32_t carom_particles_add(carom_world* world, carom_particles set, uint64_t n,
                             uint64_t position_stride, const void* velocities, uint64_t velocity_stride,
                             carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Recorded changing(call, world, record::particles_add(set, n, scalar, positions, position_stride, velocities, velocity_stride));
+    const Recorded changing(
+        call, world, record::particles_add(set, n, scalar, positions, position_stride, velocities, velocity_stride));
     if (!changing || !resolve_set(call, *changing, set) || !known(call, 4, "scalar", scalar, CAROM_SCALAR_F64 + 1) ||
         (n && !present(call, 5, "positions", positions)) ||
         !check_stride(call, 6, kPosition.name, 3, scalar, position_stride) ||

@@ -43,7 +43,8 @@ bool check_params(Call& call, const carom_shape_plugin& d) {
   for (std::uint32_t i = 0; i < d.param_count; ++i) {
     const carom_param& p = d.params[i];
     if (!p.name || !p.name[0] || !p.unit || !p.unit[0])
-      return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] lacks a name or a unit; the unit of a plain number is \"1\"", d.id, i);
+      return call.fail(CAROM_E_PLUGIN_ABI, 2,
+                       "%s: params[%u] lacks a name or a unit; the unit of a plain number is \"1\"", d.id, i);
     if (!(p.min <= p.max))
       return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: params[%u] has bounds [%g, %g]", d.id, i, p.min, p.max);
   }
@@ -53,16 +54,17 @@ bool check_params(Call& call, const carom_shape_plugin& d) {
 bool check_rules(Call& call, const carom_shape_plugin& d) {
   constexpr std::uint32_t kMostRules = 64;
   if (d.rule_count > kMostRules || (d.rule_count && !d.rules) || d.reserved)
-    return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: rule_count is %u (at most %u), rules %s, reserved %u", d.id, d.rule_count,
-                     kMostRules, d.rules ? "given" : "NULL", d.reserved);
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: rule_count is %u (at most %u), rules %s, reserved %u", d.id,
+                     d.rule_count, kMostRules, d.rules ? "given" : "NULL", d.reserved);
   for (std::uint32_t k = 0; k < d.rule_count; ++k) {
     const carom_param_rule& rule = d.rules[k];
-    bool sound = rule.text && rule.term_count >= 1 && rule.term_count <= std::size(rule.param) && std::isfinite(rule.most);
+    bool sound =
+        rule.text && rule.term_count >= 1 && rule.term_count <= std::size(rule.param) && std::isfinite(rule.most);
     for (std::uint32_t i = 0; sound && i < rule.term_count; ++i)
       sound = rule.param[i] < d.param_count && std::isfinite(rule.weight[i]);
     if (!sound)
-      return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: rules[%u] needs a text, 1 to 4 terms of parameters there are, finite numbers",
-                       d.id, k);
+      return call.fail(CAROM_E_PLUGIN_ABI, 2,
+                       "%s: rules[%u] needs a text, 1 to 4 terms of parameters there are, finite numbers", d.id, k);
   }
   return true;
 }
@@ -115,7 +117,8 @@ void sample_params(const PluginRecord& record, std::uint32_t trial, Array<double
     const carom_param& bound =
         record.bounds[i < d.param_count ? i : d.param_count - group + (i - d.param_count) % group];
     // Trials reach from 1/16 to 16 of the usual sizes, each parameter by itself: rules often compare two of them.
-    const double scale = trial == 0 ? 1 : std::ldexp(1.0, static_cast<int>((trial * 0x9E3779B9u + i * 0x85EBCA6Bu) >> 28) % 9 - 4);
+    const double scale =
+        trial == 0 ? 1 : std::ldexp(1.0, static_cast<int>((trial * 0x9E3779B9u + i * 0x85EBCA6Bu) >> 28) % 9 - 4);
     const double size = scale * (0.5 + static_cast<double>((i * 7u) % 11u) / 11);
     const double wanted = bound.min < 0 && (i * 0x9E3779B9u) >> 31 ? -size : size;
     double value = std::clamp(wanted, bound.min, bound.max);
@@ -231,8 +234,9 @@ int32_t carom_plugins_register_standard(carom_engine* engine, carom_error* error
   const auto shapes = standard_shapes();
   std::int32_t result = guarded(error, [&](Call& call) {
     if (present(call, 1, "engine", engine) && shapes.empty())
-      call.fail(CAROM_E_UNSUPPORTED, 0,
-                "no plugins are linked into this library: carom_shape_create_named() finds files, carom_plugin_load() loads one");
+      call.fail(
+          CAROM_E_UNSUPPORTED, 0,
+          "no plugins are linked into this library: carom_shape_create_named() finds files, carom_plugin_load() loads one");
   });
   carom_plugin handle = CAROM_NULL_HANDLE;
   const auto has = [&](const carom_shape_plugin* shape) {

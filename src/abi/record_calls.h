@@ -4,6 +4,5 @@
 #include <carom/carom.h>
 
 #include "abi/columns.h"
-#include "abi/recorder.h"
-
 #include "abi/record_calls.inc"
+#include "abi/recorder.h"

@@ -17,8 +17,9 @@ void save(Call& call, const Reading& world, std::uint32_t flags, void* buffer, s
       !present(call, 5, "needed", needed))
     return;
   auto* const to = static_cast<std::byte*>(buffer);
-  const std::uint64_t size = flags & CAROM_SNAPSHOT_WHOLE ? save_world(*world, EngineNames(world.engine()), to, capacity)
-                                                          : save_state(*world, to, capacity);
+  const std::uint64_t size = flags & CAROM_SNAPSHOT_WHOLE
+                                 ? save_world(*world, EngineNames(world.engine()), to, capacity)
+                                 : save_state(*world, to, capacity);
   *needed = size;
   if (buffer && size > capacity)
     call.fail(CAROM_E_BUFFER_TOO_SMALL, 4, "the snapshot takes %llu bytes, capacity is %llu",

@@ -22,8 +22,8 @@ bool is_like(const ShapeRecord& record, const ShapeImage& image) {
   const Shape& s = *record.shape;
   switch (image.kind) {
     case ShapeImage::of_plugin:
-      return record.plugin && record.plugin->description.version == image.version && record.plugin->id == image.plugin &&
-             same<double>(s.params, image.numbers);
+      return record.plugin && record.plugin->description.version == image.version &&
+             record.plugin->id == image.plugin && same<double>(s.params, image.numbers);
     case ShapeImage::half_space: {
       const double plane[4] = {s.normal.x(), s.normal.y(), s.normal.z(), s.offset};
       return s.form == Form::half_space && same<double>(plane, image.numbers);
@@ -60,7 +60,8 @@ carom_plugin find_plugin(carom_engine& engine, std::string_view id, std::uint32_
 }
 
 bool draft_half_space(Call& call, const ShapeImage& image, ShapeDraft& draft) {
-  if (!unit(call, 2, "normal", image.numbers.data(), 3) || !finite(call, 2, "offset", &image.numbers[3], 1)) return false;
+  if (!unit(call, 2, "normal", image.numbers.data(), 3) || !finite(call, 2, "offset", &image.numbers[3], 1))
+    return false;
   draft_half_space(to_vec3(image.numbers.data()), image.numbers[3], draft);
   return true;
 }
@@ -115,8 +116,8 @@ bool EngineShapes::make_new(const ShapeImage& image, SnapshotFault& fault, std::
   Call call(nullptr);
   ShapeDraft draft(&engine_.memory);
   if (image.kind != ShapeImage::of_plugin) {
-    const bool made = image.kind == ShapeImage::half_space ? draft_half_space(call, image, draft)
-                                                            : draft_scenery(call, image, draft);
+    const bool made =
+        image.kind == ShapeImage::half_space ? draft_half_space(call, image, draft) : draft_scenery(call, image, draft);
     return (made && add_shape(call, engine_, draft, &handle)) ||
            refuse(fault, SnapshotFault::corrupt, "a shape of the snapshot is none", call.message());
   }
@@ -126,7 +127,8 @@ bool EngineShapes::make_new(const ShapeImage& image, SnapshotFault& fault, std::
   std::uint32_t version = 0;
   const carom_plugin plugin = find_plugin(engine_, image.plugin, version);
   PluginPin pin(engine_);
-  if (!plugin || !pin.take(call, 2, plugin)) return refuse(fault, SnapshotFault::missing, name, "that shape plugin is not loaded");
+  if (!plugin || !pin.take(call, 2, plugin))
+    return refuse(fault, SnapshotFault::missing, name, "that shape plugin is not loaded");
   if (version != image.version) {
     char other[80];
     std::snprintf(other, sizeof other, "of that shape plugin version %u is loaded", version);

@@ -1,11 +1,11 @@
 // The world root: making, destroying, stepping, its dials and gravity.
-#include "abi/record_calls.h"
 #include "abi/world.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "abi/float_scope.h"
+#include "abi/record_calls.h"
 #include "abi/tags.h"
 #include "dynamics/presets.h"
 
@@ -41,7 +41,8 @@ void set_substeps(const Changing& changing, const Budget& budget) {
   const auto now = static_cast<std::uint32_t>(changing->scene.dials[Dial::substeps]);
   const std::uint32_t chosen = budget.choose(now);
   if (chosen == now) return;
-  if (Recorder* const recorder = changing.recorder()) recorder->call(record::world_set_dial(CAROM_DIAL_SUBSTEPS, chosen));
+  if (Recorder* const recorder = changing.recorder())
+    recorder->call(record::world_set_dial(CAROM_DIAL_SUBSTEPS, chosen));
   changing->set_dial(Dial::substeps, chosen);
 }
 
@@ -147,9 +148,7 @@ using namespace carom::abi;
 extern "C" {
 
 int32_t carom_world_desc_init(carom_world_desc* desc, uint32_t struct_size) {
-  return init_struct(desc, struct_size, [](carom_world_desc& d) {
-    d.gravity[1] = -9.81;
-  });
+  return init_struct(desc, struct_size, [](carom_world_desc& d) { d.gravity[1] = -9.81; });
 }
 
 int32_t carom_world_create(carom_engine* engine, const carom_world_desc* desc, carom_world** world,

@@ -38,14 +38,16 @@ class Gate {
 
 struct carom_world {
   carom_world(carom_engine& owner, std::uint32_t owner_tag, const carom::Vec3& gravity, std::size_t capacity)
-      : engine(owner), tag(owner_tag), inner(carom::make_owned<carom::World>(&owner.memory, owner_tag, gravity, capacity, &owner.memory)) {
+      : engine(owner),
+        tag(owner_tag),
+        inner(carom::make_owned<carom::World>(&owner.memory, owner_tag, gravity, capacity, &owner.memory)) {
     inner->jobs = owner.jobs.get();
   }
 
   carom_engine& engine;
   const std::uint32_t tag;
   carom::abi::Gate gate;
-  carom::Owned<carom::World> inner;  // never null; a snapshot may put another in its place
+  carom::Owned<carom::World> inner;             // never null; a snapshot may put another in its place
   carom::Owned<carom::abi::Recorder> recorder;  // null: nobody records it
   carom::Owned<carom::abi::Budget> budget;      // null: off
 };

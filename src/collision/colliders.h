@@ -46,16 +46,16 @@ struct Colliders {
   Array<std::uint32_t> material;  // slot, or kNoMaterial
   Array<Real> density;            // kg/m^3
   // Moved by every step:
-  Array<Frame> frame;           // shape -> world
-  Array<Real> travel;           // m: no point of it has come farther since the collider was made; @see place()
-  Array<Aabb> bounds;           // m, world, grown by what the scene asks for (contact distance, motion of the step)
-  Array<Real> reach;            // m: a fast collider meets others that are this much farther than the contact distance
-  Array<std::uint8_t> movable;  // 0: its body is static; kPushed: forces move it; kDriven: it is kinematic
-  Array<std::uint8_t> disabled;    // makes no pairs: kFaulty (its shape or body is in quarantine), kForbidden
-  Array<std::uint32_t> live;    // slots in use, ascending
-  Array<std::uint32_t> active;  // those of them that the broad phase goes through (not asleep), ascending
+  Array<Frame> frame;            // shape -> world
+  Array<Real> travel;            // m: no point of it has come farther since the collider was made; @see place()
+  Array<Aabb> bounds;            // m, world, grown by what the scene asks for (contact distance, motion of the step)
+  Array<Real> reach;             // m: a fast collider meets others that are this much farther than the contact distance
+  Array<std::uint8_t> movable;   // 0: its body is static; kPushed: forces move it; kDriven: it is kinematic
+  Array<std::uint8_t> disabled;  // makes no pairs: kFaulty (its shape or body is in quarantine), kForbidden
+  Array<std::uint32_t> live;     // slots in use, ascending
+  Array<std::uint32_t> active;   // those of them that the broad phase goes through (not asleep), ascending
   Array<std::uint32_t>
-      next;  // the body's next collider, ascending by slot, or kInvalid (the first: Scene::first_collider)
+      next;              // the body's next collider, ascending by slot, or kInvalid (the first: Scene::first_collider)
   Array<Filter> filter;  // empty until a collider has one of its own
 
   Array<std::uint8_t> sensor;  // 1: tells of overlap and is never answered; empty until there is one
@@ -86,7 +86,9 @@ struct Pair {
 };
 
 /// Whether somebody notices what touches a collider: it is pushed, or it senses.
-inline bool notices(const Colliders& c, std::uint32_t slot) { return c.movable[slot] == Colliders::kPushed || c.is_sensor(slot); }
+inline bool notices(const Colliders& c, std::uint32_t slot) {
+  return c.movable[slot] == Colliders::kPushed || c.is_sensor(slot);
+}
 
 /// Whether two colliders may touch at all: different bodies, one of them able to move, one that notices, neither disabled.
 inline bool may_touch(const Colliders& c, std::uint32_t a, std::uint32_t b) {

@@ -28,7 +28,9 @@ class HullMesh {
   static constexpr Real kRange = 4;       // coordinates are smaller than this (see FitFrame)
   static constexpr Real kGrid = 0x1p-51;  // and multiples of this: 53 bits, differences exact in a double
 
-  static Vec3 snap(const Vec3& p) { return {kGrid * std::round(p.x() / kGrid), kGrid * std::round(p.y() / kGrid), kGrid * std::round(p.z() / kGrid)}; }
+  static Vec3 snap(const Vec3& p) {
+    return {kGrid * std::round(p.x() / kGrid), kGrid * std::round(p.y() / kGrid), kGrid * std::round(p.z() / kGrid)};
+  }
   /// Sign of (q - p) x (r - p) . (x - p), exactly, for points of the grid whose coordinates differ by less than 4.
   static int orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x);
   static bool in_range(const Vec3& p) { return p.abs().max_entry() < kRange && finite(p); }

@@ -14,10 +14,23 @@ namespace carom::collision {
 struct Scenery;  // scenery/scenery.h: many triangles
 
 /// Support function of a bounded convex set, the only code a shape brings. Same type as carom_support_fn in plugin.h.
-using SupportFn = std::int32_t (*)(void* user, const double* params, std::uint64_t count, const double dir[3], double out[3]);
+using SupportFn = std::int32_t (*)(void* user, const double* params, std::uint64_t count, const double dir[3],
+                                   double out[3]);
 
 /// Closed forms, verified against the support function. Numbered as CAROM_FORM_* up to ellipsoid.
-enum class Form : std::uint32_t { none, sphere, capsule, box, polytope, cylinder, cone, ellipsoid, half_space, scenery, count };
+enum class Form : std::uint32_t {
+  none,
+  sphere,
+  capsule,
+  box,
+  polytope,
+  cylinder,
+  cone,
+  ellipsoid,
+  half_space,
+  scenery,
+  count
+};
 
 struct Aabb {
   Vec3 lo = Vec3::constant(kInfinity);
@@ -43,29 +56,29 @@ struct Shape {
   explicit Shape(Memory* memory) : params(memory), farthest(memory), faces(memory) {}
 
   Form form = Form::none;
-  bool host_thread = false;      // support may be called on the stepping thread only
-  SupportFn support = nullptr;   // of the core; null for the half-space
-  void* user = nullptr;          // whatever it wants to be handed
-  Array<double> params;          // [n] owned here, immutable, what support is given
-  Real core_radius = 0;          // m: the shape is the core swollen by this
-  Real bounding_radius = 0;      // m, about the shape's origin, core radius included
-  Aabb bounds;                   // m, shape frame, exact to rounding, core radius included
+  bool host_thread = false;     // support may be called on the stepping thread only
+  SupportFn support = nullptr;  // of the core; null for the half-space
+  void* user = nullptr;         // whatever it wants to be handed
+  Array<double> params;         // [n] owned here, immutable, what support is given
+  Real core_radius = 0;         // m: the shape is the core swollen by this
+  Real bounding_radius = 0;     // m, about the shape's origin, core radius included
+  Aabb bounds;                  // m, shape frame, exact to rounding, core radius included
   MassProperties mass;
 
   // Numbers of the closed form, so that no pair routine digs in params:
-  Real radius = 0;               // sphere, capsule, cylinder, cone (base)
-  Real half_height = 0;          // capsule (of the core segment), cylinder, cone; along y
-  Vec3 half = Vec3::zero();      // box half extents; ellipsoid radii
+  Real radius = 0;                   // sphere, capsule, cylinder, cone (base)
+  Real half_height = 0;              // capsule (of the core segment), cylinder, cone; along y
+  Vec3 half = Vec3::zero();          // box half extents; ellipsoid radii
   std::span<const double> vertices;  // polytope: [3k] x,y,z, inside params
-  FarthestVertex farthest;       // polytope: of these; empty until built
-  Vec3 normal = Vec3::unit_y();   // half-space { x : normal . x <= offset }, unit
-  Real offset = 0;               // m
+  FarthestVertex farthest;           // polytope: of these; empty until built
+  Vec3 normal = Vec3::unit_y();      // half-space { x : normal . x <= offset }, unit
+  Real offset = 0;                   // m
 
-  HullFaces faces;               // polytope, box: for exact clipping; may be empty
+  HullFaces faces;  // polytope, box: for exact clipping; may be empty
 
   std::shared_ptr<const Scenery> scenery;  // Form::scenery: its pieces. It has no support function and no volume
 
-  std::uint64_t handle = 0;      // the ABI's name for it, for reports
+  std::uint64_t handle = 0;  // the ABI's name for it, for reports
 };
 
 /// Largest number of a shape that enters its distances, so that rounding goes with it. @return m

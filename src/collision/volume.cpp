@@ -81,10 +81,9 @@ Aabb half_space_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
 
 /// The box about the turned box, which no piece leaves.
 Aabb scenery_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
-  const Vec3 middle = r * ((s.bounds.lo + s.bounds.hi) / 2) + p,
-             half = r.abs() * ((s.bounds.hi - s.bounds.lo) / 2);
-  const Vec3 more = Vec3::constant(
-      8 * kUnitRoundoff * (s.bounds.lo.abs().max(s.bounds.hi.abs()).sum() + p.abs().sum()));
+  const Vec3 middle = r * ((s.bounds.lo + s.bounds.hi) / 2) + p, half = r.abs() * ((s.bounds.hi - s.bounds.lo) / 2);
+  const Vec3 more =
+      Vec3::constant(8 * kUnitRoundoff * (s.bounds.lo.abs().max(s.bounds.hi.abs()).sum() + p.abs().sum()));
   Aabb b;
   b.lo = middle - half - more, b.hi = middle + half + more;
   return b;

@@ -2,9 +2,9 @@
 // doubles and one register of any x86-64.
 #pragma once
 
-#include "core/layers.h"
-
 #include <cstdint>
+
+#include "core/layers.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

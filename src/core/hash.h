@@ -1,10 +1,10 @@
 // A 64-bit hash of bits, for comparing states: order matters, every bit counts, -0 and 0 differ.
 #pragma once
 
-#include "core/layers.h"
-
 #include <cstdint>
 #include <cstring>
+
+#include "core/layers.h"
 
 namespace carom::core {
 

@@ -2,10 +2,10 @@
 // no other part reads or writes: then the outcome does not depend on threads.
 #pragma once
 
-#include "core/layers.h"
-
 #include <cstddef>
 #include <cstdint>
+
+#include "core/layers.h"
 
 namespace carom::core {
 

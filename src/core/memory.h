@@ -1,13 +1,13 @@
 // Memory: every array of an engine draws from the host's allocator through one resource.
 #pragma once
 
-#include "core/layers.h"
-
 #include <algorithm>
 #include <memory>
 #include <memory_resource>
 #include <utility>
 #include <vector>
+
+#include "core/layers.h"
 
 namespace carom::core {
 

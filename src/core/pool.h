@@ -13,7 +13,19 @@ namespace carom::core {
 
 using Handle = std::uint64_t;
 
-enum class Kind : std::uint32_t { none = 0, plugin = 1, shape = 2, material = 3, body = 4, collider = 5, particles = 6, joint = 7, field = 8, spring = 9, last = spring };
+enum class Kind : std::uint32_t {
+  none = 0,
+  plugin = 1,
+  shape = 2,
+  material = 3,
+  body = 4,
+  collider = 5,
+  particles = 6,
+  joint = 7,
+  field = 8,
+  spring = 9,
+  last = spring
+};
 enum class HandleFault { none, invalid, stale, wrong_kind, wrong_owner };
 
 inline constexpr std::uint32_t kSlotBits = 24, kGenerationBits = 20, kTagBits = 16;
@@ -31,8 +43,7 @@ inline constexpr std::uint32_t handle_slot(Handle h) { return static_cast<std::u
 /// by slot. A slot whose generation is used up (2^19 - 1 lives) is retired rather than reused, so no handle ever comes back.
 class SlotPool {
  public:
-  SlotPool(Kind kind, std::uint32_t tag, Memory* memory)
-      : kind_(kind), tag_(tag), generation_(memory), free_(memory) {}
+  SlotPool(Kind kind, std::uint32_t tag, Memory* memory) : kind_(kind), tag_(tag), generation_(memory), free_(memory) {}
 
   /// Take a slot. @return its handle, or 0 when all 2^24 are taken. Freed slots come back last in, first out.
   Handle take() {
@@ -43,7 +54,8 @@ class SlotPool {
     } else {
       slot = static_cast<std::uint32_t>(generation_.size());
       if (slot >= kMaxSlots) return 0;
-      if (free_.capacity() <= slot) free_.reserve(2 * (static_cast<std::size_t>(slot) + 8));  // release() never allocates
+      if (free_.capacity() <= slot)
+        free_.reserve(2 * (static_cast<std::size_t>(slot) + 8));  // release() never allocates
       generation_.push_back(0);
     }
     generation_[slot] += 1;  // odd: alive

@@ -67,7 +67,9 @@ struct Quaternion {
             txz - twy,       tyz + twx,       1 - (txx + tyy)};
   }
   template <class U>
-  constexpr Quaternion<U> cast() const { return {U(at[3]), U(at[0]), U(at[1]), U(at[2])}; }
+  constexpr Quaternion<U> cast() const {
+    return {U(at[3]), U(at[0]), U(at[1]), U(at[2])};
+  }
 
   friend constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) {
     return {a.w() * b.w() - a.x() * b.x() - a.y() * b.y() - a.z() * b.z(),

@@ -5,11 +5,11 @@
 // trajectory's bits, and so no expression here may be written otherwise without new golden hashes.
 #pragma once
 
-#include "core/layers.h"
-
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "core/layers.h"
 
 namespace carom::core {
 
@@ -23,9 +23,13 @@ inline bool finite(Real x) { return std::isfinite(x); }
 
 /// The larger and the smaller of two numbers; the first where they are equal or one is no number.
 template <class T>
-constexpr T larger(T a, T b) { return a < b ? b : a; }
+constexpr T larger(T a, T b) {
+  return a < b ? b : a;
+}
 template <class T>
-constexpr T smaller(T a, T b) { return b < a ? b : a; }
+constexpr T smaller(T a, T b) {
+  return b < a ? b : a;
+}
 
 /// Two numbers: a vector in a plane.
 template <class T>
@@ -42,9 +46,15 @@ struct Vector2 {
   constexpr T squared_norm() const { return dot(*this); }
   T norm() const { return std::sqrt(squared_norm()); }
 
-  friend constexpr bool operator==(const Vector2& a, const Vector2& b) { return a.at[0] == b.at[0] && a.at[1] == b.at[1]; }
-  friend constexpr Vector2 operator+(const Vector2& a, const Vector2& b) { return {a.at[0] + b.at[0], a.at[1] + b.at[1]}; }
-  friend constexpr Vector2 operator-(const Vector2& a, const Vector2& b) { return {a.at[0] - b.at[0], a.at[1] - b.at[1]}; }
+  friend constexpr bool operator==(const Vector2& a, const Vector2& b) {
+    return a.at[0] == b.at[0] && a.at[1] == b.at[1];
+  }
+  friend constexpr Vector2 operator+(const Vector2& a, const Vector2& b) {
+    return {a.at[0] + b.at[0], a.at[1] + b.at[1]};
+  }
+  friend constexpr Vector2 operator-(const Vector2& a, const Vector2& b) {
+    return {a.at[0] - b.at[0], a.at[1] - b.at[1]};
+  }
   friend constexpr Vector2 operator-(const Vector2& a) { return {-a.at[0], -a.at[1]}; }
   friend constexpr Vector2 operator*(T s, const Vector2& a) { return {s * a.at[0], s * a.at[1]}; }
   friend constexpr Vector2 operator/(const Vector2& a, T s) { return {a.at[0] / s, a.at[1] / s}; }
@@ -73,13 +83,21 @@ struct Vector3 {
   constexpr T& y() { return at[1]; }
   constexpr T& z() { return at[2]; }
   template <class I>
-  constexpr T operator[](I i) const { return at[i]; }
+  constexpr T operator[](I i) const {
+    return at[i];
+  }
   template <class I>
-  constexpr T& operator[](I i) { return at[i]; }
+  constexpr T& operator[](I i) {
+    return at[i];
+  }
   template <class I>
-  constexpr T operator()(I i) const { return at[i]; }
+  constexpr T operator()(I i) const {
+    return at[i];
+  }
   template <class I>
-  constexpr T& operator()(I i) { return at[i]; }
+  constexpr T& operator()(I i) {
+    return at[i];
+  }
   constexpr const T* data() const { return at; }
   constexpr T* data() { return at; }
   constexpr Vector2<T> xy() const { return {at[0], at[1]}; }
@@ -126,11 +144,11 @@ struct Vector3 {
   bool all_finite() const { return std::isfinite(at[0]) && std::isfinite(at[1]) && std::isfinite(at[2]); }
   /// Whether each component is below o's, or at most o's; never where one is no number.
   constexpr bool all_below(const Vector3& o) const { return at[0] < o.at[0] && at[1] < o.at[1] && at[2] < o.at[2]; }
-  constexpr bool all_within(const Vector3& o) const {
-    return at[0] <= o.at[0] && at[1] <= o.at[1] && at[2] <= o.at[2];
-  }
+  constexpr bool all_within(const Vector3& o) const { return at[0] <= o.at[0] && at[1] <= o.at[1] && at[2] <= o.at[2]; }
   template <class U>
-  constexpr Vector3<U> cast() const { return {U(at[0]), U(at[1]), U(at[2])}; }
+  constexpr Vector3<U> cast() const {
+    return {U(at[0]), U(at[1]), U(at[2])};
+  }
 
   constexpr Vector3& operator+=(const Vector3& o) { return *this = *this + o; }
   constexpr Vector3& operator-=(const Vector3& o) { return *this = *this - o; }
@@ -170,17 +188,27 @@ struct Matrix3 {
   static constexpr Matrix3 from_rows(const T* p) { return {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; }
 
   template <class I, class J>
-  constexpr T operator()(I row, J column) const { return at[3 * column + row]; }
+  constexpr T operator()(I row, J column) const {
+    return at[3 * column + row];
+  }
   template <class I, class J>
-  constexpr T& operator()(I row, J column) { return at[3 * column + row]; }
+  constexpr T& operator()(I row, J column) {
+    return at[3 * column + row];
+  }
   constexpr const T* data() const { return at; }
   constexpr T* data() { return at; }
   template <class J>
-  constexpr Vector col(J j) const { return Vector::from(at + 3 * j); }
+  constexpr Vector col(J j) const {
+    return Vector::from(at + 3 * j);
+  }
   template <class J>
-  constexpr void set_col(J j, const Vector& v) { at[3 * j] = v[0], at[3 * j + 1] = v[1], at[3 * j + 2] = v[2]; }
+  constexpr void set_col(J j, const Vector& v) {
+    at[3 * j] = v[0], at[3 * j + 1] = v[1], at[3 * j + 2] = v[2];
+  }
   template <class I>
-  constexpr Vector row(I i) const { return {at[i], at[3 + i], at[6 + i]}; }
+  constexpr Vector row(I i) const {
+    return {at[i], at[3 + i], at[6 + i]};
+  }
   constexpr Vector diagonal() const { return {at[0], at[4], at[8]}; }
   constexpr void add_to_diagonal(const Vector& d) { at[0] += d[0], at[4] += d[1], at[8] += d[2]; }
   void set_zero() { *this = zero(); }
@@ -214,7 +242,7 @@ struct Matrix3 {
   constexpr Matrix3 inverse() const {
     const Vector first(cofactor<0, 0>(), cofactor<1, 0>(), cofactor<2, 0>());
     const T s = 1 / first.dot(col(0));
-    return {first[0] * s,          first[1] * s,          first[2] * s,
+    return {first[0] * s,         first[1] * s,         first[2] * s,
             cofactor<0, 1>() * s, cofactor<1, 1>() * s, cofactor<2, 1>() * s,
             cofactor<0, 2>() * s, cofactor<1, 2>() * s, cofactor<2, 2>() * s};
   }
@@ -233,9 +261,13 @@ struct Matrix3 {
     return columns(a.col(0) - b.col(0), a.col(1) - b.col(1), a.col(2) - b.col(2));
   }
   friend constexpr Matrix3 operator-(const Matrix3& a) { return columns(-a.col(0), -a.col(1), -a.col(2)); }
-  friend constexpr Matrix3 operator*(T s, const Matrix3& a) { return columns(s * a.col(0), s * a.col(1), s * a.col(2)); }
+  friend constexpr Matrix3 operator*(T s, const Matrix3& a) {
+    return columns(s * a.col(0), s * a.col(1), s * a.col(2));
+  }
   friend constexpr Matrix3 operator*(const Matrix3& a, T s) { return s * a; }
-  friend constexpr Matrix3 operator/(const Matrix3& a, T s) { return columns(a.col(0) / s, a.col(1) / s, a.col(2) / s); }
+  friend constexpr Matrix3 operator/(const Matrix3& a, T s) {
+    return columns(a.col(0) / s, a.col(1) / s, a.col(2) / s);
+  }
   friend constexpr Vector operator*(const Matrix3& a, const Vector& v) {
     return {a.at[0] * v.at[0] + (a.at[3] * v.at[1] + a.at[6] * v.at[2]),
             a.at[1] * v.at[0] + (a.at[4] * v.at[1] + a.at[7] * v.at[2]),

@@ -19,9 +19,13 @@ struct Vec6 {
   constexpr void set_angular(const Vec3& v) { at[3] = v[0], at[4] = v[1], at[5] = v[2]; }
   constexpr void set_zero() { *this = zero(); }
   template <class I>
-  constexpr Real operator[](I i) const { return at[i]; }
+  constexpr Real operator[](I i) const {
+    return at[i];
+  }
   template <class I>
-  constexpr Real& operator[](I i) { return at[i]; }
+  constexpr Real& operator[](I i) {
+    return at[i];
+  }
 
   constexpr Real dot(const Vec6& o) const { return linear().dot(o.linear()) + angular().dot(o.angular()); }
   constexpr Real squared_norm() const { return dot(*this); }

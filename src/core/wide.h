@@ -6,9 +6,9 @@
 // copy of a function made for that machine may be left for others to call.
 #pragma once
 
-#include "core/layers.h"
-
 #include <cstdint>
+
+#include "core/layers.h"
 
 // How such values are passed between functions depends on the machine: none is, everything below is inlined.
 #if defined(__clang__)

@@ -9,7 +9,8 @@ namespace {
 constexpr bool attributes_stand_in_order() {
   for (std::size_t k = 0; k < kAttributeCount; ++k) {
     const AttributeRow& row = kAttributeTable[k];
-    if (+row.id != k || row.numbers < 1 || row.numbers > kMostNumbers || !row.name || !row.unit || !row.what) return false;
+    if (+row.id != k || row.numbers < 1 || row.numbers > kMostNumbers || !row.name || !row.unit || !row.what)
+      return false;
     if (row.min > row.max) return false;
   }
   return true;

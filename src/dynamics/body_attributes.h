@@ -27,7 +27,7 @@ enum class AttributeId : std::uint32_t {  // as CAROM_ATTRIBUTE_*
 constexpr std::size_t operator+(AttributeId id) { return static_cast<std::size_t>(id); }
 inline constexpr std::size_t kAttributeCount = +AttributeId::count;
 
-inline constexpr std::size_t kMostNumbers = 4;  // of an attribute, as CAROM_ATTRIBUTE_NUMBERS
+inline constexpr std::size_t kMostNumbers = 4;          // of an attribute, as CAROM_ATTRIBUTE_NUMBERS
 using AttributeValue = std::array<Real, kMostNumbers>;  // those that an attribute does not have are 0
 
 /// How a snapshot holds a number: a double, or a whole number of one byte or four.
@@ -38,11 +38,11 @@ struct AttributeRow {
   const char* name = nullptr;
   const char* unit = nullptr;  // of its numbers, one after the other
   const char* what = nullptr;
-  EffectId effect{};           // whose participants have it
+  EffectId effect{};  // whose participants have it
   std::uint32_t numbers = 1;
-  Real min = 0, max = 0;    // of each
+  Real min = 0, max = 0;             // of each
   StoredAs stored = StoredAs::real;  // what is stored as a whole number is one
-  bool of_dynamic = false;     // others have the usual value alone
+  bool of_dynamic = false;           // others have the usual value alone
   AttributeValue usual{};
 };
 

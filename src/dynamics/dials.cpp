@@ -101,10 +101,11 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            0, 1e3, 0.001),
     number(Dial::direct_ratio, "direct_ratio", "",
            "solver auto: so does one where masses of bodies that touch are further apart than this", 1, 1e12, 100),
-    integer(Dial::direct_work, "direct_work",
-            "solver auto: all such groups together take no more block products a step than this, about 0.1 us each, and one "
-            "no more than 16 for each of its points; what was just built and stands is solved to the end, once",
-            0, 1e9, 20000),
+    integer(
+        Dial::direct_work, "direct_work",
+        "solver auto: all such groups together take no more block products a step than this, about 0.1 us each, and one "
+        "no more than 16 for each of its points; what was just built and stands is solved to the end, once",
+        0, 1e9, 20000),
     number(Dial::hold_angle, "hold_angle", "rad",
            "arms of contacts turn with a body only when it has turned by this or turns fast: tall stacks do not "
            "buckle; 0: at once",
@@ -114,23 +115,27 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            1000),
     number(Dial::joint_damping, "joint_damping", "",
            "damping ratio of joints: more undoes a gap slower, less may swing", 0, 1e3, 1),
-    choice(Dial::continuous, "continuous",
-           "what is swept from pose to pose, so that it passes through nothing: no body, bodies that a host flagged, or "
-           "also what moves far for its size in a step",
-           kContinuous, 2),
-    choice(Dial::precision, "precision",
-           "numbers in which contacts are solved in lanes: float takes half the memory, auto takes it where that saves time: "
-           "from 512 pairs in contact; poses, velocities and all else stay double",
-           kPrecisions, 1),
-    integer(Dial::joint_order, "joint_order",
-            "order 2, 4 or 6 of the error of islands that joints alone hold, with gaps at rounding, in 1, 5 or 9 stages a "
-            "substep (odd: the next), above 2 also of bodies that springs, drag and fields alone move; 0: as joints in contact "
-            "are",
-            0, 6, 2),
-    number(Dial::accuracy_place, "accuracy_place", "m/s",
-           "error of places that a host bears, a second of motion: islands take the substeps that their estimates ask for; "
-           "0: not asked for",
-           0, 1e6, 0),
+    choice(
+        Dial::continuous, "continuous",
+        "what is swept from pose to pose, so that it passes through nothing: no body, bodies that a host flagged, or "
+        "also what moves far for its size in a step",
+        kContinuous, 2),
+    choice(
+        Dial::precision, "precision",
+        "numbers in which contacts are solved in lanes: float takes half the memory, auto takes it where that saves time: "
+        "from 512 pairs in contact; poses, velocities and all else stay double",
+        kPrecisions, 1),
+    integer(
+        Dial::joint_order, "joint_order",
+        "order 2, 4 or 6 of the error of islands that joints alone hold, with gaps at rounding, in 1, 5 or 9 stages a "
+        "substep (odd: the next), above 2 also of bodies that springs, drag and fields alone move; 0: as joints in contact "
+        "are",
+        0, 6, 2),
+    number(
+        Dial::accuracy_place, "accuracy_place", "m/s",
+        "error of places that a host bears, a second of motion: islands take the substeps that their estimates ask for; "
+        "0: not asked for",
+        0, 1e6, 0),
     number(Dial::accuracy_turn, "accuracy_turn", "rad/s", "likewise of turns; both 0: all take the dial's substeps", 0,
            1e6, 0),
     integer(Dial::accuracy_substeps, "accuracy_substeps",

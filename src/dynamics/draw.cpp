@@ -9,10 +9,10 @@
 #include "collision/support.h"
 #include "collision/volume.h"
 #include "core/trig.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
-#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {
@@ -74,8 +74,7 @@ class Drawing {
       return i;
     };
     const auto tie = [&](std::uint32_t a, std::uint32_t b) {
-      if (a == kInvalid || b == kInvalid || scene_.type[a] != BodyType::dynamic ||
-          scene_.type[b] != BodyType::dynamic)
+      if (a == kInvalid || b == kInvalid || scene_.type[a] != BodyType::dynamic || scene_.type[b] != BodyType::dynamic)
         return;
       const std::uint32_t x = root(a), y = root(b);
       island_[std::max(x, y)] = std::min(x, y);
@@ -186,8 +185,7 @@ class Drawing {
   void bodies() {
     kind_ = DrawLine::bodies;
     for (std::uint32_t i = 0; i < scene_.bodies.slots(); ++i)
-      if (scene_.bodies.alive(i) && !world_.state.held_out[i])
-        axes(world_.state.x[i], world_.state.q[i].matrix(), i);
+      if (scene_.bodies.alive(i) && !world_.state.held_out[i]) axes(world_.state.x[i], world_.state.q[i].matrix(), i);
   }
 
   const World& world_;

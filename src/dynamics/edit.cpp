@@ -2,13 +2,13 @@
 #include <algorithm>
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/effects.h"
 #include "dynamics/events/events.h"
 #include "dynamics/force/force.h"
 #include "dynamics/mass.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
-#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {
@@ -30,8 +30,8 @@ void count_resistance(Scene& s) {
 /// The slot that take() will hand out can be at most the number of slots there are.
 void make_room_for_body(Scene& s, State& t) {
   make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
-            t.x, t.q, t.held_q, t.placed_x, t.placed_q, t.v, t.omega, t.momentum, t.force, t.torque, t.held_out, t.loaded_steps,
-            t.cooldown_steps, t.accuracy, t.written, t.is_written);
+            t.x, t.q, t.held_q, t.placed_x, t.placed_q, t.v, t.omega, t.momentum, t.force, t.torque, t.held_out,
+            t.loaded_steps, t.cooldown_steps, t.accuracy, t.written, t.is_written);
 }
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
@@ -227,8 +227,7 @@ void World::set_body_filter(std::uint32_t body, const Filter& filter) {
   Array<Filter>& all = scene.colliders.filter;
   if (all.size() < scene.colliders.slots()) all.resize(scene.colliders.slots());
   mark_touched_by_host(*this, body);  // may run out of memory, so it comes before any of them has changed
-  for (std::uint32_t c = scene.first_collider[body]; c != kInvalid; c = scene.colliders.next[c])
-    all[c] = filter;
+  for (std::uint32_t c = scene.first_collider[body]; c != kInvalid; c = scene.colliders.next[c]) all[c] = filter;
   ++scene.revision;
 }
 

@@ -163,7 +163,8 @@ constexpr std::array<Effect, kEffectCount> kEffectTable = [] {
   return table;
 }();
 static_assert(std::size(kEffectRows) == kEffectCount);
-static_assert(std::all_of(kEffectTable.begin(), kEffectTable.end(), [](const Effect& row) { return row.name != nullptr; }));
+static_assert(std::all_of(kEffectTable.begin(), kEffectTable.end(),
+                          [](const Effect& row) { return row.name != nullptr; }));
 
 }  // namespace
 

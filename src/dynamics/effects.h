@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "dynamics/participants.h"
 #include "dynamics/integrate/rotation/principal.h"
 #include "dynamics/part.h"
+#include "dynamics/participants.h"
 
 namespace carom::dynamics {
 
@@ -49,13 +49,14 @@ struct Effect {
   ParticipantKind participants{};
   // Who may be a participant, from what a host changes; null: a stage counts them, @see count_participants()
   void (*find)(const Scene&, const State&, Participants&) = nullptr;
-  bool (*wakes)(const Scene&, const State&, std::uint32_t slot) = nullptr;  // or: is this one a participant in this step?
-  ForceFn force = nullptr;  // null: served by its stage, not by the integrator
-  FlowFn flow = nullptr;    // null: there is no closed form
+  bool (*wakes)(const Scene&, const State&,
+                std::uint32_t slot) = nullptr;  // or: is this one a participant in this step?
+  ForceFn force = nullptr;                      // null: served by its stage, not by the integrator
+  FlowFn flow = nullptr;                        // null: there is no closed form
   Real (*rate)(const Scene&, const State&, std::uint32_t body) = nullptr;  // 1/s, of decay; null: none decays
-  void (*everyone)(const Scene&, const State&, Participants&) = nullptr;     // whom it can be forced on; null: on nobody
-  const char* called_by = nullptr;                                        // what participants are: "bodies with ..."
-  const char* missing = nullptr;                                          // what a scene without any lacks
+  void (*everyone)(const Scene&, const State&, Participants&) = nullptr;   // whom it can be forced on; null: on nobody
+  const char* called_by = nullptr;                                         // what participants are: "bodies with ..."
+  const char* missing = nullptr;                                           // what a scene without any lacks
 };
 
 /// What does the work of a planned row.
@@ -71,16 +72,16 @@ struct Decays {
 struct PlannedEffect {
   PlannedEffect(const Effect* e, Memory* m) : effect(e), candidates(m), participants(m) {}
   const Effect* effect;
-  Participants candidates;  // of the scene
-  Participants participants;   // of this step: the candidates that wake
-  Decays* decays = nullptr;  // the plan's; where some of them decay too fast for a force; null until somebody did
+  Participants candidates;    // of the scene
+  Participants participants;  // of this step: the candidates that wake
+  Decays* decays = nullptr;   // the plan's; where some of them decay too fast for a force; null until somebody did
   /// Whom the force and the flow serve of a row that has both.
   const Participants& forced() const { return decays && decays->stiff.count > 0 ? decays->gentle : participants; }
   bool has_stiff() const { return decays && decays->stiff.count > 0; }
   Owned<Participants> calling;  // where it is forced on some: the candidates that would be without that; else null
   bool is_forced = false;
   Served served = Served::stage;
-  std::uint64_t wanted = 0;  // candidates of the scene, whatever a host forbids or forces
+  std::uint64_t wanted = 0;       // candidates of the scene, whatever a host forbids or forces
   std::uint64_t evaluations = 0;  // participants served since the world was made
   double seconds = 0;             // of this step, as far as it has a room of its own, @see World::times_effects
 };
@@ -107,15 +108,15 @@ struct Plan {
   explicit Plan(Memory* m);
   ~Plan();
 
-  std::uint64_t revision = 0;            // of the scene this plan was made for
-  std::uint64_t restored = 0;            // revision of a scene that is as it was when pairs were last asked, @see snapshot/
-  Array<PlannedEffect> effects;          // every row of the table, in its order; idle rows have no participants
-  Participants linear, rotating;            // dynamic bodies that move: without and with rotation
-  Participants kinematic;                   // moved by their velocity
-  Participants solid;                       // dynamic bodies that have a collider
-  Participants oriented;                    // those that rotate and have a collider or a joint
-  Array<std::uint32_t> colliders;        // active colliders whose body can move
-  Array<Frame> local;                    // by collider: shape -> body axes, about the centre of mass
+  std::uint64_t revision = 0;      // of the scene this plan was made for
+  std::uint64_t restored = 0;      // revision of a scene that is as it was when pairs were last asked, @see snapshot/
+  Array<PlannedEffect> effects;    // every row of the table, in its order; idle rows have no participants
+  Participants linear, rotating;   // dynamic bodies that move: without and with rotation
+  Participants kinematic;          // moved by their velocity
+  Participants solid;              // dynamic bodies that have a collider
+  Participants oriented;           // those that rotate and have a collider or a joint
+  Array<std::uint32_t> colliders;  // active colliders whose body can move
+  Array<Frame> local;              // by collider: shape -> body axes, about the centre of mass
   std::array<bool, kStageCount> runs{};  // stages that have participants
   int substeps = 1;                      // of the world, whoever is in it
   bool in_pass = false;                  // they go by island: the plan has some of them, @see accuracy/passes.h
@@ -126,19 +127,19 @@ struct Plan {
   const Integrator* integrator = nullptr;
   const Rotation* rotation_method = nullptr;  // null: the gyroscopic effect is a force, a flow, or absent
   Array<Principal> principal;                 // by body, participants of the rotation method
-  Array<std::uint8_t> turns_by_method;                // by body: the rotation method turns it in this step
+  Array<std::uint8_t> turns_by_method;        // by body: the rotation method turns it in this step
   const Solver* solver = nullptr;
   PredictedPose predicted;
   std::array<Owned<Decays>, 3> decays;  // of the rows that decay: linear and angular damping, drag
-  Owned<FreeFlight> flight;          // null: nobody has flown beside others yet
+  Owned<FreeFlight> flight;             // null: nobody has flown beside others yet
   struct Begun {
     Vec3 v, omega;  // m/s, rad/s, world: before the forces of the substep
   };
   Array<Begun> begun;                // by body, of those that somebody asks for, @see begin_substep()
   Array<std::uint8_t> touched;       // by body: a solver changed its velocity in this substep
   Array<Mat3> rotation;              // by body: body -> world, at the start of the step
-  Participants sprung;                  // bodies that springs act on in this step
-  Participants readers;                 // bodies whose velocity some force reads, in this step
+  Participants sprung;               // bodies that springs act on in this step
+  Participants readers;              // bodies whose velocity some force reads, in this step
   Array<std::uint32_t> reader_list;  // scratch
   Array<Vec3> read_v, read_omega;    // by body: that copy, of readers
   Array<Vec3> scratch_vectors;       // of the integrator

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/events/events.h"
 #include "dynamics/sleep/sleep.h"
-#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {
@@ -60,10 +60,9 @@ void account_served(const World& world) {
     if (plan.runs[static_cast<std::size_t>(stage)]) effect.evaluations += times * effect.participants.count;
   };
   const auto substeps = static_cast<std::uint64_t>(plan.substeps);
-  for (const std::size_t row :
-       {+EffectId::friction, +EffectId::restitution, +EffectId::rolling_resistance, +EffectId::spinning_resistance,
-        +EffectId::surface_velocity, +EffectId::response, +EffectId::joints, +EffectId::joint_limits,
-        +EffectId::joint_motors})
+  for (const std::size_t row : {+EffectId::friction, +EffectId::restitution, +EffectId::rolling_resistance,
+                                +EffectId::spinning_resistance, +EffectId::surface_velocity, +EffectId::response,
+                                +EffectId::joints, +EffectId::joint_limits, +EffectId::joint_motors})
     account(row, Stage::solve, substeps);
   for (const std::size_t row : {+EffectId::collision, +EffectId::filter, +EffectId::sensor, +EffectId::scenery})
     account(row, Stage::broad, 1);

@@ -31,7 +31,8 @@ void plan_rows(const World& world, Plan& plan) {
   plan.integrator = integrators[dials.choice(Dial::integrator)];
   const Solver* solvers[] = {&kSeverity, &kSequential, &kSoftStep, &kDirect, &kAuto};
   plan.solver = solvers[dials.choice(Dial::solver)];
-  plan.watches_speed = dials.choice(Dial::continuous) == kSweepFast && !world.scene.modes.forbids(+EffectId::continuous);
+  plan.watches_speed =
+      dials.choice(Dial::continuous) == kSweepFast && !world.scene.modes.forbids(+EffectId::continuous);
   const std::uint32_t rotation = dials.choice(Dial::rotation);
   plan.rotation_method = plan.integrator->forces_only ? nullptr : rotation_method(rotation);
   for (PlannedEffect& row : plan.effects) {
@@ -73,9 +74,10 @@ void plan_bodies(const World& world, Plan& plan) {
   plan.predicted.q.resize(plan.integrator->proposes || plan.rotation_method ? slots : 0, Quat::identity());
   plan_principal(world, plan, plan.rotation_method ? slots : 0);
   const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic];
-  plan.reads_velocities = !plan.integrator->forces_only &&
-                          ((gyro.served == Served::force && gyro.candidates.count > 0) ||
-                           plan.effects[+EffectId::buoyancy].candidates.count > 0 || scene.springs.slots.alive_count() > 0);
+  plan.reads_velocities =
+      !plan.integrator->forces_only &&
+      ((gyro.served == Served::force && gyro.candidates.count > 0) ||
+       plan.effects[+EffectId::buoyancy].candidates.count > 0 || scene.springs.slots.alive_count() > 0);
   plan.read_v.resize(plan.reads_velocities ? slots : 0, Vec3::zero());
   plan.read_omega.resize(plan.read_v.size(), Vec3::zero());
   plan.scratch_vectors.resize(plan.integrator->vectors * slots, Vec3::zero());
@@ -119,7 +121,7 @@ void plan_colliders(const World& world, Colliders& c, Plan& plan) {
                            (is_scenery(*c.shape[slot]) && modes.forbids(+EffectId::scenery, body)) ||
                            (c.is_sensor(slot) && modes.forbids(+EffectId::sensor, body));
     c.disabled[slot] = static_cast<std::uint8_t>((faulty || world.state.held_out[body] ? Colliders::kFaulty : 0) |
-                                              (forbidden ? Colliders::kForbidden : 0));
+                                                 (forbidden ? Colliders::kForbidden : 0));
     plan.local[slot] = Frame(c.local[slot].q.matrix(), c.local[slot].p - world.scene.center[body]);
     if (world.state.sleeps(body)) continue;
     c.active.push_back(slot);
@@ -144,8 +146,8 @@ void find_candidates(const World& world, PlannedEffect& row) {
     if (!row.calling) row.calling = make_owned<Participants>(world.memory, world.memory);
     *row.calling = row.candidates;
   }
-  const bool by_body =
-      k != +EffectId::sleep && (effect.participants == ParticipantKind::bodies || effect.participants == ParticipantKind::colliders);
+  const bool by_body = k != +EffectId::sleep && (effect.participants == ParticipantKind::bodies ||
+                                                 effect.participants == ParticipantKind::colliders);
   if (row.is_forced && modes.of_world(k) == EffectMode::force) {
     row.candidates.clear();
     effect.everyone(scene, world.state, row.candidates);
@@ -160,7 +162,8 @@ void find_candidates(const World& world, PlannedEffect& row) {
   if (!by_body || !(modes.forbidden_anywhere & row_bit(k))) return;
   Participants allowed(world.memory);
   row.candidates.each([&](std::uint32_t i) {
-    if (!modes.forbids(k, effect.participants == ParticipantKind::colliders ? scene.colliders.body[i] : i)) allowed.add(i);
+    if (!modes.forbids(k, effect.participants == ParticipantKind::colliders ? scene.colliders.body[i] : i))
+      allowed.add(i);
   });
   row.candidates = std::move(allowed);
 }
@@ -207,7 +210,8 @@ bool from_host(const Effect& effect) { return effect.force == user_force::force 
 void plan_stages(const World& world, Plan& plan) {
   const auto on = [&](Stage s) -> bool& { return plan.runs[static_cast<std::size_t>(s)]; };
   const Colliders& c = world.scene.colliders;
-  const std::size_t asleep = c.live.size() - c.active.size(), awake = plan.effects[+EffectId::collision].candidates.count;
+  const std::size_t asleep = c.live.size() - c.active.size(),
+                    awake = plan.effects[+EffectId::collision].candidates.count;
   const bool forced = world.scene.modes.of_world(+EffectId::collision) == EffectMode::force && !c.active.empty();
   const bool pairs = (awake > 0 && awake + asleep >= 2) || forced;
   const bool joints = world.wide_joints->any();
@@ -321,7 +325,8 @@ void part_with_stiff(const World& world, PlannedEffect& row, Real h) {
   row.participants.each([&](std::uint32_t i) {
     if (!(effect.rate(world.scene, world.state, i) * h > 1)) return;
     if (!row.decays) {
-      auto& free = *std::find_if(world.plan->decays.begin(), world.plan->decays.end(), [](const auto& d) { return !d; });
+      auto& free =
+          *std::find_if(world.plan->decays.begin(), world.plan->decays.end(), [](const auto& d) { return !d; });
       free = make_owned<Decays>(world.memory, world.memory);
       row.decays = free.get();
     }
@@ -350,7 +355,8 @@ void find_readers(const World& world) {
   });
   list(bodies, plan.sprung);
   if (!plan.reads_velocities) return;
-  if (const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic]; gyro.served == Served::force) gyro.participants.each(add);
+  if (const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic]; gyro.served == Served::force)
+    gyro.participants.each(add);
   plan.effects[+EffectId::buoyancy].participants.each(add);
   list(bodies, plan.readers);
 }

@@ -38,8 +38,8 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
     case +EffectId::sensor:
       return bytes_of(s.colliders.sensor);
     case +EffectId::sleep:
-      return bytes_of(world.state.asleep, z.inactive, z.ring, z.sleep_timer, z.anchor_x, z.anchor_q, z.radius, z.rows, z.kept_first,
-                      z.root, z.restless, z.in_tree, z.kept);
+      return bytes_of(world.state.asleep, z.inactive, z.ring, z.sleep_timer, z.anchor_x, z.anchor_q, z.radius, z.rows,
+                      z.kept_first, z.root, z.restless, z.in_tree, z.kept);
     case +EffectId::particles: {
       std::uint64_t sum = 0;
       for (const ParticleSet& set : world.particles.set)
@@ -47,9 +47,9 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
       return sum;
     }
     case +EffectId::joints:
-      return bytes_of(world.joints.joint, world.joints.axes, world.joints.first, world.wide_joints->joints, world.wide_joints->pulls,
-                      world.wide_joints->gears, world.wide_joints->axes, world.wide_joints->active,
-                      world.wide_joints->linked);
+      return bytes_of(world.joints.joint, world.joints.axes, world.joints.first, world.wide_joints->joints,
+                      world.wide_joints->pulls, world.wide_joints->gears, world.wide_joints->axes,
+                      world.wide_joints->active, world.wide_joints->linked);
     case +EffectId::continuous:
       return bytes_of(world.continuous->bodies, world.continuous->index, world.continuous->hits);
     case +EffectId::axis_locks:
@@ -84,8 +84,10 @@ const char* unit_of(ParticipantKind kind) {
 
 /// Who works within the loops of a stage, in whose time its own is.
 bool is_in_stage(std::size_t row) {
-  for (const std::size_t inside : {+EffectId::friction, +EffectId::spinning_resistance, +EffectId::surface_velocity, +EffectId::response, +EffectId::joints, +EffectId::joint_limits,
-                                   +EffectId::joint_motors, +EffectId::filter, +EffectId::sensor, +EffectId::scenery, +EffectId::axis_locks, +EffectId::wind, +EffectId::ledger})
+  for (const std::size_t inside :
+       {+EffectId::friction, +EffectId::spinning_resistance, +EffectId::surface_velocity, +EffectId::response,
+        +EffectId::joints, +EffectId::joint_limits, +EffectId::joint_motors, +EffectId::filter, +EffectId::sensor,
+        +EffectId::scenery, +EffectId::axis_locks, +EffectId::wind, +EffectId::ledger})
     if (row == inside) return true;
   return false;
 }
@@ -99,7 +101,8 @@ Timing timing_of(const World& world, std::size_t row, const PlannedEffect& effec
 /// Whether two colliders could touch if all were awake.
 bool could_touch(const World& world) {
   const Colliders& c = world.scene.colliders;
-  return c.live.size() >= 2 && std::any_of(c.live.begin(), c.live.end(), [&](std::uint32_t i) { return notices(c, i); });
+  return c.live.size() >= 2 &&
+         std::any_of(c.live.begin(), c.live.end(), [&](std::uint32_t i) { return notices(c, i); });
 }
 
 /// Whether it is but for sleep that a stage has nothing to do, or an effect no participant.

@@ -14,7 +14,9 @@ namespace carom::dynamics {
 enum class BodyType : std::uint8_t { fixed, kinematic, dynamic };  // as CAROM_BODY_*
 /// As Colliders::movable has it.
 constexpr std::uint8_t how_moved(BodyType type) {
-  return type == BodyType::fixed ? 0 : type == BodyType::dynamic ? collision::Colliders::kPushed : collision::Colliders::kDriven;
+  return type == BodyType::fixed     ? 0
+         : type == BodyType::dynamic ? collision::Colliders::kPushed
+                                     : collision::Colliders::kDriven;
 }
 /// Whether a body is swept from pose to pose, @see dynamics/ccd/continuous.h; as CAROM_CONTINUOUS_*.
 enum class SweepMode : std::uint8_t { automatic, always, never };
@@ -111,9 +113,9 @@ struct Scene : Revisions {
   SlotPool bodies, collider_slots, material_slots;
 
   // by body slot
-  Array<BodySettings> def;     // as the host gave it
-  BodyAttributes attributes;   // what a host said of it beside that
-  Array<Locks> locks;          // the first so many, 0 from there on; as they hold, @see settle_locks()
+  Array<BodySettings> def;    // as the host gave it
+  BodyAttributes attributes;  // what a host said of it beside that
+  Array<Locks> locks;         // the first so many, 0 from there on; as they hold, @see settle_locks()
   Array<BodyType> type;
   Array<Real> inv_mass;                 // 1/kg; 0: static, kinematic, free slot
   Array<Real> mass;                     // kg; 0 where inv_mass is 0
@@ -125,10 +127,10 @@ struct Scene : Revisions {
   Colliders colliders;             // by collider slot
   Array<SurfaceVelocity> surface;  // likewise, the first so many; the others stand still
   std::uint32_t moving_surfaces = 0;
-  bool resists = false;            // some material resists rolling or spinning
-  Array<Material> material;        // by material slot
-  PairCounts apart;                // of body slots: they do not touch, whatever their filters say
-  PairCounts joined;               // likewise, as joints hold them together
+  bool resists = false;      // some material resists rolling or spinning
+  Array<Material> material;  // by material slot
+  PairCounts apart;          // of body slots: they do not touch, whatever their filters say
+  PairCounts joined;         // likewise, as joints hold them together
 
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
   Vec3 wind = Vec3::zero();          // m/s, world: how the air moves

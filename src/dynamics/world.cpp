@@ -50,8 +50,9 @@ World::World(std::uint32_t tag, const Vec3& gravity, std::size_t body_capacity, 
   scene.gravity = gravity;
   const auto reserve = [&](auto&... arrays) { (arrays.reserve(body_capacity), ...); };
   reserve(scene.bodies, scene.def, scene.type, scene.inv_mass, scene.mass, scene.center, scene.inertia,
-          scene.inv_inertia, state.x, state.q, state.held_q, state.placed_x, state.placed_q, state.v, state.omega, state.momentum, state.force, state.torque,
-          state.held_out, state.loaded_steps, state.cooldown_steps, state.accuracy, state.written, state.is_written);
+          scene.inv_inertia, state.x, state.q, state.held_q, state.placed_x, state.placed_q, state.v, state.omega,
+          state.momentum, state.force, state.torque, state.held_out, state.loaded_steps, state.cooldown_steps,
+          state.accuracy, state.written, state.is_written);
 }
 
 World::~World() { structure.forget(memory); }
@@ -76,8 +77,8 @@ std::uint64_t World::hash() const {
     const std::uint32_t solver_memory = state.loaded_steps[i] + (256u * state.cooldown_steps[i]);
     if (solver_memory) h.add(std::uint64_t(solver_memory));
     if (const AccuracyMemory& note = state.accuracy[i]; note != AccuracyMemory()) {
-      h.add(note.level + (std::uint64_t(note.wait) << 8) + (std::uint64_t(note.met) << 16) + (std::uint64_t(note.softly) << 24) +
-            (std::uint64_t(note.stalled) << 25));
+      h.add(note.level + (std::uint64_t(note.wait) << 8) + (std::uint64_t(note.met) << 16) +
+            (std::uint64_t(note.softly) << 24) + (std::uint64_t(note.stalled) << 25));
       h.add(double(note.place)), h.add(double(note.turn));
     }
     if (state.held_q[i] != state.q[i]) h.add_coefficients(state.held_q[i]);

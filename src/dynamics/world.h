@@ -37,7 +37,7 @@ struct StepReport {
   double linear_energy = 0, angular_energy = 0;
   std::uint64_t particles = 0, quarantined_particles = 0;
   std::uint64_t direct_groups = 0;  // of the groups, those that a solver which chooses gave to the direct solver
-  double solver_residual = 0;  // m/s; of solvers that solve to one
+  double solver_residual = 0;       // m/s; of solvers that solve to one
   std::uint64_t swept_bodies = 0, sweep_hits = 0;
   std::uint64_t wedged_groups = 0, rejected_solutions = 0;  // of groups and substeps: @see solver/direct/least_force.h
 };
@@ -48,7 +48,7 @@ struct FaultView {
   SupportFault support{};
   std::uint32_t body = kInvalid;       // slot of a body it concerns
   std::uint32_t particles = kInvalid;  // slot of the set
-  std::uint32_t particle = 0;       // the first of it that was put in quarantine in this step
+  std::uint32_t particle = 0;          // the first of it that was put in quarantine in this step
 };
 
 /// Why a solver that chooses answers a contact group as it does; as CAROM_REASON_*.
@@ -69,16 +69,16 @@ using FaultViews = Array<FaultView>;
 using GroupViews = Array<GroupView>;
 using BroadPhases = std::array<Owned<BroadPhase>, 4>;  // by CAROM_BROAD_*, made when first used
 
-struct Plan;          // dynamics/effects.h: which effects have participants
-struct Continuous;    // dynamics/ccd/continuous.h: who is swept, and what that met
-struct ContactView;    // dynamics/contact_views.h: contacts as a host sees them
+struct Plan;         // dynamics/effects.h: which effects have participants
+struct Continuous;   // dynamics/ccd/continuous.h: who is swept, and what that met
+struct ContactView;  // dynamics/contact_views.h: contacts as a host sees them
 class ContactViews;
 struct Contacts;      // dynamics/contact/contact.h: rows of the solver, scratch kept between steps
 struct Events;        // dynamics/events/events.h: what happened, for who asked
 class QueryIndex;     // dynamics/query/index.h: where colliders are, for questions between steps
 struct DirectGroups;  // dynamics/solver/direct.h: contact groups as problems of their own
 struct Ledger;        // dynamics/ledger/ledger.h: where energy and momentum go, for who asked
-struct MeanMotion;     // dynamics/contact/mean_motion.h: which velocity moves what slides and rolls
+struct MeanMotion;    // dynamics/contact/mean_motion.h: which velocity moves what slides and rolls
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
@@ -124,7 +124,7 @@ class World {
   void remove_joint(std::uint32_t joint);
   void set_joint_drive(std::uint32_t joint, Coordinate coordinate, const JointDrive& drive);
   void set_joint_axis(std::uint32_t joint, std::uint32_t axis, const JointAxis& to);  // of a six-axis joint
-  void set_joint_turn(std::uint32_t joint, const TurnDrive& to);  // of a ball or a six-axis joint
+  void set_joint_turn(std::uint32_t joint, const TurnDrive& to);                      // of a ball or a six-axis joint
   void break_joint(std::uint32_t joint);  // it stays, and holds nothing any more
   void set_wind(const Vec3& wind);
   void set_water(const WaterDef* water);  // null: none
@@ -184,11 +184,11 @@ class World {
   BroadPhases broad;
   Owned<Plan> plan;
   Owned<Contacts> contacts;
-  Owned<MeanMotion> mean_motion;  // null until there are rows
+  Owned<MeanMotion> mean_motion;    // null until there are rows
   Owned<LoneRollers> lone_rollers;  // null until there are two colliders
   Owned<WideContacts> wide;
   Owned<WideJoints> wide_joints;
-  Owned<Rattle> rattle;  // null until rattle::is_asked()
+  Owned<Rattle> rattle;      // null until rattle::is_asked()
   Owned<Accuracy> accuracy;  // null where no accuracy is asked for
   Owned<DirectGroups> direct;
   Kept<Sleep> sleep;

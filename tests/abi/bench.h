@@ -8,14 +8,14 @@
 #include <string.h>
 
 /* ---- shapes ---- */
-static int32_t bench_point(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t bench_point(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   (void)params, (void)count, (void)dir;
   out[0] = out[1] = out[2] = 0;
   return 0;
 }
 
-static int32_t bench_box(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t bench_box(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   int i;
   (void)count;
@@ -26,15 +26,17 @@ static int32_t bench_box(void *user, const double *params, uint64_t count, const
 static const carom_param bench_radius_params[] = {{"radius", "m", 0, 1e3}};
 static const carom_param bench_box_params[] = {
     {"half_x", "m", 0, 1e3}, {"half_y", "m", 0, 1e3}, {"half_z", "m", 0, 1e3}};
-static const carom_geometry bench_sphere_geometry = {
-    sizeof(carom_geometry), CAROM_FORM_SPHERE, {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}, 0,
-    CAROM_FORM_SPHERE,      {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}};
-static const carom_geometry bench_box_geometry = {
-    sizeof(carom_geometry), CAROM_FORM_BOX, {0, 1, 2, CAROM_NO_PARAM}, CAROM_NO_PARAM, CAROM_FORM_BOX,
-    {0, 1, 2, CAROM_NO_PARAM}};
+static const carom_geometry bench_sphere_geometry = {sizeof(carom_geometry),
+                                                     CAROM_FORM_SPHERE,
+                                                     {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM},
+                                                     0,
+                                                     CAROM_FORM_SPHERE,
+                                                     {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}};
+static const carom_geometry bench_box_geometry = {sizeof(carom_geometry), CAROM_FORM_BOX, {0, 1, 2, CAROM_NO_PARAM},
+                                                  CAROM_NO_PARAM,         CAROM_FORM_BOX, {0, 1, 2, CAROM_NO_PARAM}};
 
-static carom_shape_plugin bench_plugin(const char *id, const carom_param *params, uint32_t count,
-                                       const carom_geometry *geometry, carom_support_fn support) {
+static carom_shape_plugin bench_plugin(const char* id, const carom_param* params, uint32_t count,
+                                       const carom_geometry* geometry, carom_support_fn support) {
   carom_shape_plugin p;
   memset(&p, 0, sizeof p);
   p.struct_size = sizeof p;
@@ -61,8 +63,8 @@ static carom_shape_plugin bench_box_plugin(void) {
 
 typedef struct Bench {
   carom_shape_plugin sphere_plugin, box_plugin;
-  carom_engine *engine;
-  carom_world *world;
+  carom_engine* engine;
+  carom_world* world;
   carom_plugin sphere, box;
   carom_shape ball, crate, floor;
   carom_material material;
@@ -77,7 +79,7 @@ typedef struct Bench {
 /* The first failure of a chain of calls, or CAROM_OK. */
 static int32_t bench_first(int32_t so_far, int32_t next) { return so_far != CAROM_OK ? so_far : next; }
 
-static int32_t bench_shapes(Bench *b, carom_error *e) {
+static int32_t bench_shapes(Bench* b, carom_error* e) {
   const double radius = 0.5, half[3] = {0.5, 0.25, 0.75}, up[3] = {0, 1, 0};
   int32_t r;
   b->sphere_plugin = bench_sphere_plugin();
@@ -89,8 +91,8 @@ static int32_t bench_shapes(Bench *b, carom_error *e) {
   return bench_first(r, r ? r : carom_shape_create_half_space(b->engine, up, 0, &b->floor, e));
 }
 
-static int32_t bench_body(carom_world *world, carom_shape shape, carom_material material, uint32_t type, double x,
-                          double y, double z, carom_body *body, carom_collider *collider, carom_error *e) {
+static int32_t bench_body(carom_world* world, carom_shape shape, carom_material material, uint32_t type, double x,
+                          double y, double z, carom_body* body, carom_collider* collider, carom_error* e) {
   carom_body_desc body_desc;
   carom_collider_desc collider_desc;
   int32_t r;
@@ -108,7 +110,7 @@ static int32_t bench_body(carom_world *world, carom_shape shape, carom_material 
 }
 
 /* Bodies stand apart, then fall on the floor: the box upright, so that it topples. */
-static int32_t bench_bodies(Bench *b, carom_error *e) {
+static int32_t bench_bodies(Bench* b, carom_error* e) {
   carom_material_desc material;
   int32_t r;
   int i;
@@ -127,7 +129,7 @@ static int32_t bench_bodies(Bench *b, carom_error *e) {
 #define BENCH_PARTICLES 5
 
 /* A set of a few particles that fly apart. */
-static int32_t bench_particles(Bench *b, carom_error *e) {
+static int32_t bench_particles(Bench* b, carom_error* e) {
   const double x[BENCH_PARTICLES][3] = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 5}, {4, 5, 6}};
   const double v[BENCH_PARTICLES][3] = {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
   int32_t r = carom_particles_create(b->world, NULL, &b->particles, e);
@@ -136,7 +138,7 @@ static int32_t bench_particles(Bench *b, carom_error *e) {
 }
 
 /* A hinge between the first body and the third, as they stand. */
-static int32_t bench_joint(Bench *b, carom_error *e) {
+static int32_t bench_joint(Bench* b, carom_error* e) {
   carom_joint_desc d;
   carom_joint_desc_init(&d, sizeof d);
   d.kind = CAROM_JOINT_HINGE, d.fields = CAROM_JOINT_WORLD_FRAME;
@@ -144,7 +146,7 @@ static int32_t bench_joint(Bench *b, carom_error *e) {
   return carom_joint_create(b->world, &d, &b->joint, e);
 }
 
-static int32_t bench_make(Bench *b, const carom_engine_desc *desc, carom_error *e) {
+static int32_t bench_make(Bench* b, const carom_engine_desc* desc, carom_error* e) {
   int32_t r;
   memset(b, 0, sizeof *b);
   r = carom_engine_create(desc, &b->engine, e);
@@ -154,21 +156,21 @@ static int32_t bench_make(Bench *b, const carom_engine_desc *desc, carom_error *
   return r;
 }
 
-static int32_t bench_free(Bench *b) {
+static int32_t bench_free(Bench* b) {
   int32_t r = CAROM_OK;
   if (b->world) r = carom_world_destroy(b->world, NULL);
   if (b->engine) r = bench_first(r, carom_engine_destroy(b->engine, NULL));
   return r;
 }
 
-static int32_t bench_steps(carom_world *world, int n, carom_error *e) {
+static int32_t bench_steps(carom_world* world, int n, carom_error* e) {
   int32_t r = CAROM_OK;
   int i;
   for (i = 0; !r && i < n; ++i) r = carom_world_step(world, 1.0 / 64, e);
   return r;
 }
 
-static uint64_t bench_hash(carom_world *world) {
+static uint64_t bench_hash(carom_world* world) {
   uint64_t hash = 0;
   return carom_world_hash(world, &hash, NULL) == CAROM_OK ? hash : 0;
 }

@@ -154,4 +154,3 @@ inline void metered_free(void* user, void* p, std::uint64_t, std::uint64_t) {
   if (p) --static_cast<Meter*>(user)->alive;
   std::free(p);
 }
-

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
 namespace {
@@ -251,7 +250,8 @@ struct Motion {
 
 Motion motion(const Bench& b) {
   Motion m;
-  assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSE, 1, b.bodies, BENCH_BODIES, m.pose, 0, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSE, 1, b.bodies, BENCH_BODIES, m.pose, 0, nullptr),
+                   CAROM_OK);
   assert_int_equal(carom_world_read(b.world, CAROM_FIELD_VELOCITY, 1, b.bodies, BENCH_BODIES, m.velocity, 0, nullptr),
                    CAROM_OK);
   assert_int_equal(carom_world_read(b.world, CAROM_FIELD_FORCE, 1, b.bodies, BENCH_BODIES, m.force, 0, nullptr),
@@ -294,7 +294,8 @@ void running_out_in_a_step_moves_nothing_and_can_be_taken_up_again(void**) {
       r = CAROM_E_OUT_OF_MEMORY;
     }
     const Motion end = motion(b);
-    for (const auto& p : end.pose) assert_true(p[1] > 0.2);  // the smallest half extent is 0.25, the slop 1 mm a contact
+    for (const auto& p : end.pose)
+      assert_true(p[1] > 0.2);  // the smallest half extent is 0.25, the slop 1 mm a contact
     assert_int_equal(bench_free(&b), CAROM_OK);
     assert_int_equal(ledger.live.size(), 0);
     assert_int_equal(ledger.wrong, 0);
@@ -391,14 +392,21 @@ void running_out_while_particles_come_changes_nothing(void**) {
     int32_t (*call)(Bench& b);
     uint64_t count, sets;  // after it
   } calls[] = {
-      {"create", [](Bench& b) { carom_particles s; return carom_particles_create(b.world, nullptr, &s, nullptr); },
+      {"create",
+       [](Bench& b) {
+         carom_particles s;
+         return carom_particles_create(b.world, nullptr, &s, nullptr);
+       },
        BENCH_PARTICLES, 2},
       {"add", [](Bench& b) { return carom_particles_add(b.world, b.particles, 400, 1, many, 0, many, 0, nullptr); },
        BENCH_PARTICLES + 400, 1},
-      {"masses", [](Bench& b) {
+      {"masses",
+       [](Bench& b) {
          const double kg[BENCH_PARTICLES] = {1, 2, 3, 4, 5};
-         return carom_particles_write(b.world, b.particles, CAROM_FIELD_MASS, 1, nullptr, BENCH_PARTICLES, kg, 0, nullptr);
-       }, BENCH_PARTICLES, 1},
+         return carom_particles_write(b.world, b.particles, CAROM_FIELD_MASS, 1, nullptr, BENCH_PARTICLES, kg, 0,
+                                      nullptr);
+       },
+       BENCH_PARTICLES, 1},
   };
   for (const auto& c : calls)
     for (uint64_t k = 0;; ++k) {
@@ -417,7 +425,8 @@ void running_out_while_particles_come_changes_nothing(void**) {
       const uint32_t last = BENCH_PARTICLES - 1;
       assert_int_equal(carom_particles_get_count(b.world, b.particles, &count, nullptr), CAROM_OK);
       assert_int_equal(carom_world_get_particles(b.world, nullptr, 0, &sets, nullptr), CAROM_OK);
-      assert_int_equal(carom_particles_read(b.world, b.particles, CAROM_FIELD_MASS, 1, &last, 1, &kg, 0, nullptr), CAROM_OK);
+      assert_int_equal(carom_particles_read(b.world, b.particles, CAROM_FIELD_MASS, 1, &last, 1, &kg, 0, nullptr),
+                       CAROM_OK);
       if (!done) assert_int_equal(r, CAROM_E_OUT_OF_MEMORY);
       if (!done) assert_true(bench_hash(b.world) == hash);
       assert_int_equal(count, done ? c.count : BENCH_PARTICLES);

@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "hostile/table.h"
-
 #include "carom_test.h"
+#include "hostile/table.h"
 
 namespace {
 
@@ -66,9 +65,12 @@ carom_body body_at(const Made& m, std::size_t i) { return m.s.live[kBody][i].han
 /// Everything that may allocate, in an order in which each has something to work on.
 std::vector<Line> script(double solver) {
   std::vector<Line> lines;
-  const auto add = [&](std::string what, std::function<int32_t(Made&)> call) { lines.push_back({std::move(what), std::move(call)}); };
+  const auto add = [&](std::string what, std::function<int32_t(Made&)> call) {
+    lines.push_back({std::move(what), std::move(call)});
+  };
   const auto steps = [&](int n) {
-    for (int i = 0; i < n; ++i) lines.push_back({"step", [](Made& m) { return carom_world_step(m.s.world, 1. / 64, nullptr); }, true});
+    for (int i = 0; i < n; ++i)
+      lines.push_back({"step", [](Made& m) { return carom_world_step(m.s.world, 1. / 64, nullptr); }, true});
   };
   static const carom_shape_plugin* const plugins[] = {&kBall, &kCrate, &kLump};
   for (const carom_shape_plugin* p : plugins)
@@ -120,10 +122,16 @@ std::vector<Line> script(double solver) {
     if (!r) m.s.born(kMaterial, h);
     return r;
   });
-  add("resistance", [](Made& m) { return carom_material_set_resistance(m.s.world, m.s.live[kMaterial][0].handle, 0.01, 0.01, nullptr); });
-  const struct { uint32_t type; std::size_t shape; double x, y; } bodies[] = {
-      {CAROM_BODY_STATIC, 3, 0, 0}, {CAROM_BODY_STATIC, 4, 20, 0}, {CAROM_BODY_DYNAMIC, 0, 0, 0.49}, {CAROM_BODY_DYNAMIC, 1, 0.1, 1.2},
-      {CAROM_BODY_DYNAMIC, 2, 20, 0.34}, {CAROM_BODY_DYNAMIC, 0, 20, 1.1}, {CAROM_BODY_KINEMATIC, 1, -5, 1}, {CAROM_BODY_DYNAMIC, 1, 3, 4}};
+  add("resistance", [](Made& m) {
+    return carom_material_set_resistance(m.s.world, m.s.live[kMaterial][0].handle, 0.01, 0.01, nullptr);
+  });
+  const struct {
+    uint32_t type;
+    std::size_t shape;
+    double x, y;
+  } bodies[] = {{CAROM_BODY_STATIC, 3, 0, 0},      {CAROM_BODY_STATIC, 4, 20, 0},     {CAROM_BODY_DYNAMIC, 0, 0, 0.49},
+                {CAROM_BODY_DYNAMIC, 1, 0.1, 1.2}, {CAROM_BODY_DYNAMIC, 2, 20, 0.34}, {CAROM_BODY_DYNAMIC, 0, 20, 1.1},
+                {CAROM_BODY_KINEMATIC, 1, -5, 1},  {CAROM_BODY_DYNAMIC, 1, 3, 4}};
   for (const auto& b : bodies) {
     add("body", [b](Made& m) {
       auto d = fresh<carom_body_desc>(carom_body_desc_init);
@@ -185,7 +193,8 @@ std::vector<Line> script(double solver) {
   });
   add("particles", [](Made& m) {
     static const double x[40][3] = {};
-    return carom_particles_add(m.s.world, m.s.live[kParticles][0].handle, 40, CAROM_SCALAR_F64, x, 0, nullptr, 0, nullptr);
+    return carom_particles_add(m.s.world, m.s.live[kParticles][0].handle, 40, CAROM_SCALAR_F64, x, 0, nullptr, 0,
+                               nullptr);
   });
   add("drag", [](Made& m) { return carom_body_set_drag(m.s.world, body_at(m, 3), 1, 1, nullptr); });
   add("water", [](Made& m) {
@@ -194,15 +203,21 @@ std::vector<Line> script(double solver) {
   });
   add("gravity factor", [](Made& m) { return carom_body_set_gravity_factor(m.s.world, body_at(m, 5), 0.5, nullptr); });
   add("mask", [](Made& m) { return carom_body_set_force_field_mask(m.s.world, body_at(m, 5), 2, nullptr); });
-  add("effect", [](Made& m) { return carom_body_set_effect(m.s.world, body_at(m, 5), CAROM_EFFECT_GRAVITY, CAROM_MODE_FORBID, nullptr); });
-  add("filter", [](Made& m) { return carom_collider_set_filter(m.s.world, m.s.live[kCollider][3].handle, 3, ~uint64_t(0), 0, nullptr); });
+  add("effect", [](Made& m) {
+    return carom_body_set_effect(m.s.world, body_at(m, 5), CAROM_EFFECT_GRAVITY, CAROM_MODE_FORBID, nullptr);
+  });
+  add("filter", [](Made& m) {
+    return carom_collider_set_filter(m.s.world, m.s.live[kCollider][3].handle, 3, ~uint64_t(0), 0, nullptr);
+  });
   add("held apart", [](Made& m) { return carom_body_hold_apart(m.s.world, body_at(m, 2), body_at(m, 5), 1, nullptr); });
-  add("sensor", [](Made& m) { return carom_collider_set_sensor(m.s.world, m.s.live[kCollider][6].handle, 1, nullptr); });
+  add("sensor",
+      [](Made& m) { return carom_collider_set_sensor(m.s.world, m.s.live[kCollider][6].handle, 1, nullptr); });
   add("surface velocity", [](Made& m) {
     const double v[3] = {1, 0, 0}, w[3] = {0, 0, 0};
     return carom_collider_set_surface_velocity(m.s.world, m.s.live[kCollider][0].handle, v, w, nullptr);
   });
-  add("swept", [](Made& m) { return carom_body_set_continuous(m.s.world, body_at(m, 7), CAROM_CONTINUOUS_ALWAYS, nullptr); });
+  add("swept",
+      [](Made& m) { return carom_body_set_continuous(m.s.world, body_at(m, 7), CAROM_CONTINUOUS_ALWAYS, nullptr); });
   add("events", [](Made& m) { return carom_world_collect_events(m.s.world, 31, 1, nullptr); });
   add("ledger", [](Made& m) { return carom_world_enable_ledger(m.s.world, 1, nullptr); });
   add("sleep", [](Made& m) { return carom_world_set_dial(m.s.world, CAROM_DIAL_SLEEP, 1, nullptr); });
@@ -240,11 +255,13 @@ std::vector<Line> script(double solver) {
     return carom_world_get_plan(m.s.world, plan, sizeof *plan, 64, &n, nullptr);
   });
   add("recording", [](Made& m) {
-    const int32_t r = carom_world_record_begin(m.s.world, 0, [](void*, const void*, uint64_t) { return 0; }, nullptr, nullptr);
+    const int32_t r = carom_world_record_begin(
+        m.s.world, 0, [](void*, const void*, uint64_t) { return 0; }, nullptr, nullptr);
     return r ? r : carom_world_record_end(m.s.world, nullptr);
   });
   for (const double broad : {CAROM_BROAD_BRUTE_FORCE, CAROM_BROAD_GRID, CAROM_BROAD_TREE}) {
-    add("broad phase", [broad](Made& m) { return carom_world_set_dial(m.s.world, CAROM_DIAL_BROAD_PHASE, broad, nullptr); });
+    add("broad phase",
+        [broad](Made& m) { return carom_world_set_dial(m.s.world, CAROM_DIAL_BROAD_PHASE, broad, nullptr); });
     steps(2);
   }
   add("body goes", [](Made& m) {
@@ -289,12 +306,16 @@ Outcome run(const std::vector<Line>& lines, uint64_t k, std::vector<uint64_t>& f
         assert_int_equal(carom_world_hash(m.s.world, &after, nullptr), CAROM_OK);
         outcome.hash_kept = hash == after;
         const bool kept = Digest(m.s) == *before;
-        if (!kept && !line.is_step) print_error("allocation %llu: %s failed and changed something\n", static_cast<unsigned long long>(k), line.what.c_str());
+        if (!kept && !line.is_step)
+          print_error("allocation %llu: %s failed and changed something\n", static_cast<unsigned long long>(k),
+                      line.what.c_str());
         assert_true(kept || line.is_step);
       }
       r = line.call(m);
     }
-    if (r) print_error("allocation %llu: %s: %s\n", static_cast<unsigned long long>(k), line.what.c_str(), carom_result_name(r));
+    if (r)
+      print_error("allocation %llu: %s: %s\n", static_cast<unsigned long long>(k), line.what.c_str(),
+                  carom_result_name(r));
     assert_int_equal(r, CAROM_OK);
     if (line.is_step) assert_true(not_finite(m.s.world).empty());
   }
@@ -320,9 +341,11 @@ void every_allocation_may_fail(void**) {
       told += !o.failed.empty();
       if (o.failed == "step") ++steps, changed += !o.hash_kept;
     }
-    print_message("solver %g: %llu allocations, %llu tried, %llu failures told, %llu of steps, after %llu of them the hash was another\n", solver,
-                  static_cast<unsigned long long>(all), static_cast<unsigned long long>(tried), static_cast<unsigned long long>(told), static_cast<unsigned long long>(steps),
-                  static_cast<unsigned long long>(changed));
+    print_message(
+        "solver %g: %llu allocations, %llu tried, %llu failures told, %llu of steps, after %llu of them the hash was another\n",
+        solver, static_cast<unsigned long long>(all), static_cast<unsigned long long>(tried),
+        static_cast<unsigned long long>(told), static_cast<unsigned long long>(steps),
+        static_cast<unsigned long long>(changed));
     assert_true(told == tried && steps * kEvery > 100);
   }
 }

@@ -1,7 +1,5 @@
 // Every attribute that a body has, gone through by its number: none of what follows names one, so that a new one is tested
 // where it is added to the table.
-#include "attributes.h"
-
 #include <cctype>
 #include <cstring>
 #include <fstream>
@@ -10,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "attributes.h"
 #include "bench.h"
 #include "carom_test.h"
 
@@ -20,7 +19,8 @@ using Value = std::array<double, CAROM_ATTRIBUTE_NUMBERS>;
 Value value_of(const carom_world* world, carom_body body, std::uint32_t attribute) {
   Value value;
   value.fill(-9);
-  assert_int_equal(carom_body_get_attribute(const_cast<carom_world*>(world), body, attribute, value.data(), nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_attribute(const_cast<carom_world*>(world), body, attribute, value.data(), nullptr),
+                   CAROM_OK);
   return value;
 }
 void set(carom_world* world, carom_body body, std::uint32_t attribute, const Value& value) {
@@ -82,15 +82,17 @@ static void they_are_what_they_were_set_to(void**) {
 static void who_gets_the_slot_of_another_has_nothing_of_it(void**) {
   Stage stage;
   Bench& b = stage.b;
-  each_attribute([&](const carom_attribute_info& info) { set(b.world, b.bodies[2], info.attribute, unusual_value(info)); });
+  each_attribute(
+      [&](const carom_attribute_info& info) { set(b.world, b.bodies[2], info.attribute, unusual_value(info)); });
   assert_int_equal(carom_body_destroy(b.world, b.bodies[2], nullptr), CAROM_OK);
   carom_body_desc desc;
   carom_body_desc_init(&desc, sizeof desc);
   for (int i = 0; i < 4; ++i) {  // one of them gets it
     carom_body body = 0;
     assert_int_equal(carom_body_create(b.world, &desc, &body, nullptr), CAROM_OK);
-    each_attribute(
-        [&](const carom_attribute_info& info) { assert_true(value_of(b.world, body, info.attribute) == usual_of(info)); });
+    each_attribute([&](const carom_attribute_info& info) {
+      assert_true(value_of(b.world, body, info.attribute) == usual_of(info));
+    });
   }
 }
 
@@ -142,7 +144,8 @@ static void all_of_them_fit_into_a_snapshot(void**) {
   Stage stage;
   Bench& b = stage.b;
   const auto before = saved(b.world, 0);
-  each_attribute([&](const carom_attribute_info& info) { set(b.world, b.bodies[2], info.attribute, unusual_value(info)); });
+  each_attribute(
+      [&](const carom_attribute_info& info) { set(b.world, b.bodies[2], info.attribute, unusual_value(info)); });
   const auto after = saved(b.world, 0);
   assert_int_equal(carom_world_restore(b.world, before.data(), before.size(), nullptr), CAROM_OK);
   assert_int_equal(carom_world_restore(b.world, after.data(), after.size(), nullptr), CAROM_OK);

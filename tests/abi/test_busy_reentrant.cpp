@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
 namespace {
@@ -76,7 +75,8 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_compare", carom_world_compare(b.world, "", 0, &difference, nullptr));
   add("world_fork", carom_world_fork(b.world, &copy, nullptr));
   add("world_translate_handles", carom_world_translate_handles(b.world, nullptr, 0, nullptr, nullptr));
-  add("world_record_begin", carom_world_record_begin(b.world, 0, [](void*, const void*, uint64_t) { return 0; }, nullptr, nullptr));
+  add("world_record_begin", carom_world_record_begin(
+                                b.world, 0, [](void*, const void*, uint64_t) { return 0; }, nullptr, nullptr));
   add("world_record_end", carom_world_record_end(b.world, nullptr));
   add("world_hash", carom_world_hash(b.world, &count, nullptr));
   add("material_create", carom_material_create(b.world, &material, &handle, nullptr));
@@ -101,10 +101,10 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("particles_get_count", carom_particles_get_count(b.world, b.particles, &count, nullptr));
   add("particles_add", carom_particles_add(b.world, b.particles, 1, CAROM_SCALAR_F64, kUp, 0, nullptr, 0, nullptr));
   add("particles_remove", carom_particles_remove(b.world, b.particles, &index, 1, nullptr));
-  add("particles_read", carom_particles_read(b.world, b.particles, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &index, 1, v,
-                                             0, nullptr));
-  add("particles_write", carom_particles_write(b.world, b.particles, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &index, 1,
-                                               kUp, 0, nullptr));
+  add("particles_read",
+      carom_particles_read(b.world, b.particles, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &index, 1, v, 0, nullptr));
+  add("particles_write",
+      carom_particles_write(b.world, b.particles, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &index, 1, kUp, 0, nullptr));
   add("particles_get_quarantined", carom_particles_get_quarantined(b.world, b.particles, nullptr, 0, &count, nullptr));
   add("world_get_particles", carom_world_get_particles(b.world, nullptr, 0, &count, nullptr));
   carom_rays rays = {};
@@ -229,7 +229,8 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("joint_get_axis", carom_joint_get_axis(b.world, none, CAROM_AXIS_X, &axis, nullptr));
   add("joint_set_orientation_drive", carom_joint_set_orientation_drive(b.world, none, &turn, nullptr));
   add("joint_get_orientation_drive", carom_joint_get_orientation_drive(b.world, none, &turn, nullptr));
-  add("world_read_joints", carom_world_read_joints(b.world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F64, &none, 1, v, 0, nullptr));
+  add("world_read_joints",
+      carom_world_read_joints(b.world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F64, &none, 1, v, 0, nullptr));
   add("world_get_joints", carom_world_get_joints(b.world, nullptr, 0, &count, nullptr));
   add("world_get_bodies", carom_world_get_bodies(b.world, nullptr, 0, &count, nullptr));
   add("world_read", carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, 1, v, 0, nullptr));
@@ -266,8 +267,8 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   add("shape_get_info", carom_shape_get_info(b.engine, b.ball, &info, nullptr));
   add("shape_get_params", carom_shape_get_params(b.engine, b.ball, v, &count, nullptr));
   add("shape_support", carom_shape_support(b.engine, b.ball, kUp, 1, v, nullptr));
-  add("shape_distance", carom_shape_distance(b.engine, b.ball, kUp, kUpright, b.crate, kUp, kUpright, nullptr,
-                                             &distance, nullptr));
+  add("shape_distance",
+      carom_shape_distance(b.engine, b.ball, kUp, kUpright, b.crate, kUp, kUpright, nullptr, &distance, nullptr));
   carom_cast cast = {};
   cast.struct_size = sizeof cast;
   carom_overlap overlap = {};
@@ -279,12 +280,12 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   carom_ray_hits hits = {};
   hits.struct_size = sizeof hits;
   add("ray_cast", carom_ray_cast(b.engine, b.ball, kUp, kUpright, kUp, kUp, 1, nullptr, &cast, nullptr));
-  add("shape_cast", carom_shape_cast(b.engine, b.ball, kUp, kUpright, kUp, b.crate, kUp, kUpright, nullptr, &cast,
-                                     nullptr));
-  add("shape_time_of_impact", carom_shape_time_of_impact(b.engine, b.ball, &motion, b.crate, &motion, 1, nullptr, &cast,
-                                                         nullptr));
-  add("shape_overlap", carom_shape_overlap(b.engine, b.ball, kUp, kUpright, b.crate, kUp, kUpright, nullptr, &overlap,
-                                           nullptr));
+  add("shape_cast",
+      carom_shape_cast(b.engine, b.ball, kUp, kUpright, kUp, b.crate, kUp, kUpright, nullptr, &cast, nullptr));
+  add("shape_time_of_impact",
+      carom_shape_time_of_impact(b.engine, b.ball, &motion, b.crate, &motion, 1, nullptr, &cast, nullptr));
+  add("shape_overlap",
+      carom_shape_overlap(b.engine, b.ball, kUp, kUpright, b.crate, kUp, kUpright, nullptr, &overlap, nullptr));
   add("rays_cast", carom_rays_cast(b.engine, &b.ball, kUp, kUpright, 1, &rays, nullptr, &hits, nullptr));
   add("world_create", carom_world_create(b.engine, nullptr, &world, nullptr));
   add("dial_get_info", carom_dial_get_info(0, &dial_info, nullptr));

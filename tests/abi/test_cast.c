@@ -1,6 +1,5 @@
 /* Casts through the interface: rays, batches of them at any stride and in float, shape casts, times of impact, overlap. */
 #include "bench.h"
-
 #include "carom_test.h"
 
 static const double zero[3] = {0, 0, 0}, upright[4] = {0, 0, 0, 1};
@@ -14,7 +13,7 @@ static carom_cast fresh(void) {
 
 static int near_to(double x, double y, double error) { return fabs(x - y) <= error; }
 
-static void a_ray_meets_a_crate_and_says_where(void **state) {
+static void a_ray_meets_a_crate_and_says_where(void** state) {
   Bench b;
   carom_cast r = fresh();
   const double position[3] = {1, 2, 3}, quarter[4] = {0, 0, 0.70710678118654752, 0.70710678118654752};
@@ -25,10 +24,13 @@ static void a_ray_meets_a_crate_and_says_where(void **state) {
   assert_int_equal(carom_ray_cast(b.engine, b.crate, position, quarter, origin, down, 100, NULL, &r, NULL), CAROM_OK);
   assert_int_equal(r.outcome, CAROM_CAST_HIT);
   assert_int_equal(r.status, CAROM_QUERY_EXACT_ENOUGH);
-  assert_true(r.lower <= 3.75 && 3.75 <= r.upper && r.lower <= r.time && r.time <= r.upper && near_to(r.time, 3.75, 1e-13));
-  assert_true(near_to(r.point_b[1], 2.5, 1e-12) && near_to(r.point_a[1], 2.5, 1e-12) && near_to(r.point_b[0], 1, 1e-12));
+  assert_true(r.lower <= 3.75 && 3.75 <= r.upper && r.lower <= r.time && r.time <= r.upper &&
+              near_to(r.time, 3.75, 1e-13));
+  assert_true(near_to(r.point_b[1], 2.5, 1e-12) && near_to(r.point_a[1], 2.5, 1e-12) &&
+              near_to(r.point_b[0], 1, 1e-12));
   assert_true(near_to(r.normal[1], -1, 1e-12) && r.support_calls > 0 && r.slack > 0 && r.slack < 1e-12);
-  assert_int_equal(carom_ray_cast(b.engine, b.crate, position, quarter, origin, up, HUGE_VAL, NULL, &r, NULL), CAROM_OK);
+  assert_int_equal(carom_ray_cast(b.engine, b.crate, position, quarter, origin, up, HUGE_VAL, NULL, &r, NULL),
+                   CAROM_OK);
   assert_int_equal(r.outcome, CAROM_CAST_MISS);
   assert_int_equal(carom_ray_cast(b.engine, b.crate, position, quarter, position, up, 1, NULL, &r, NULL), CAROM_OK);
   assert_int_equal(r.outcome, CAROM_CAST_OVERLAP);
@@ -38,7 +40,7 @@ static void a_ray_meets_a_crate_and_says_where(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void shapes_are_cast_and_meet_in_time(void **state) {
+static void shapes_are_cast_and_meet_in_time(void** state) {
   Bench b;
   carom_cast r = fresh();
   carom_cast_desc desc;
@@ -79,27 +81,31 @@ static void shapes_are_cast_and_meet_in_time(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void overlap_comes_with_its_proof(void **state) {
+static void overlap_comes_with_its_proof(void** state) {
   Bench b;
   carom_overlap r;
   const double apart[3] = {0, 1, 0}, in[3] = {0.25, 0.25, 0};
   (void)state;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   r.struct_size = sizeof r;
-  assert_int_equal(carom_shape_overlap(b.engine, b.ball, apart, upright, b.crate, zero, upright, NULL, &r, NULL), CAROM_OK);
-  assert_true(r.outcome == CAROM_OVERLAP_APART && r.separation_bound > 0 && r.separation_bound <= 0.25 && r.normal[1] < 0);
-  assert_int_equal(carom_shape_overlap(b.engine, b.ball, in, upright, b.crate, zero, upright, NULL, &r, NULL), CAROM_OK);
+  assert_int_equal(carom_shape_overlap(b.engine, b.ball, apart, upright, b.crate, zero, upright, NULL, &r, NULL),
+                   CAROM_OK);
+  assert_true(r.outcome == CAROM_OVERLAP_APART && r.separation_bound > 0 && r.separation_bound <= 0.25 &&
+              r.normal[1] < 0);
+  assert_int_equal(carom_shape_overlap(b.engine, b.ball, in, upright, b.crate, zero, upright, NULL, &r, NULL),
+                   CAROM_OK);
   assert_int_equal(r.outcome, CAROM_OVERLAP_OVERLAPPING);
   assert_true(fabs(r.point[0]) <= 0.5 && fabs(r.point[1]) <= 0.25 && fabs(r.point[2]) <= 0.75);
   assert_true(hypot(r.point[0] - 0.25, r.point[1] - 0.25) <= 0.5);
-  assert_int_equal(carom_shape_overlap(b.engine, b.ball, in, upright, b.floor, zero, upright, NULL, &r, NULL), CAROM_OK);
+  assert_int_equal(carom_shape_overlap(b.engine, b.ball, in, upright, b.floor, zero, upright, NULL, &r, NULL),
+                   CAROM_OK);
   assert_int_equal(r.outcome, CAROM_OVERLAP_OVERLAPPING);
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
 #define RAYS 64
 
-static void a_batch_answers_as_single_rays_do(void **state) {
+static void a_batch_answers_as_single_rays_do(void** state) {
   Bench b;
   carom_shape shapes[3];
   double positions[9] = {0, 0, 0, 2, 0, 0, 0, -1, 0};
@@ -143,9 +149,9 @@ static void a_batch_answers_as_single_rays_do(void **state) {
     }
     for (k = 0; k < 3; ++k) {
       carom_cast r = fresh();
-      assert_int_equal(carom_ray_cast(b.engine, shapes[k], positions + 3 * k, upright, in[i].o, in[i].d, in[i].max, NULL,
-                                      &r, NULL),
-                       CAROM_OK);
+      assert_int_equal(
+          carom_ray_cast(b.engine, shapes[k], positions + 3 * k, upright, in[i].o, in[i].d, in[i].max, NULL, &r, NULL),
+          CAROM_OK);
       if (r.outcome != CAROM_CAST_MISS && r.time < soonest) soonest = r.time, first = k;
     }
     assert_int_equal(met[i], first);
@@ -156,7 +162,7 @@ static void a_batch_answers_as_single_rays_do(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void a_batch_takes_and_gives_floats_and_prefixes(void **state) {
+static void a_batch_takes_and_gives_floats_and_prefixes(void** state) {
   Bench b;
   float origins[RAYS][3], directions[RAYS][3], times[RAYS], normals[RAYS][3], points[RAYS][3];
   struct {
@@ -179,7 +185,7 @@ static void a_batch_takes_and_gives_floats_and_prefixes(void **state) {
   memset(&out, 0, sizeof out);
   out.struct_size = sizeof out;
   out.times = times, out.normals = normals, out.points = points;
-  out.records = (carom_ray_hit *)(void *)prefix, out.record_stride = sizeof *prefix;
+  out.records = (carom_ray_hit*)(void*)prefix, out.record_stride = sizeof *prefix;
   assert_int_equal(carom_rays_cast(b.engine, &b.ball, zero, upright, 1, &rays, NULL, &out, NULL), CAROM_OK);
   for (i = 0; i < RAYS; ++i) {
     const double x = origins[i][0];
@@ -202,12 +208,12 @@ static void a_batch_takes_and_gives_floats_and_prefixes(void **state) {
 
 /* Lies once asked often enough: making the shape comes first. */
 static int calls_left = 1 << 30;
-static int32_t tiring(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t tiring(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   return --calls_left < 0 ? 5 : bench_box(NULL, params, count, dir, out);
 }
 
-static void a_fault_is_a_status_and_spoils_no_other_ray(void **state) {
+static void a_fault_is_a_status_and_spoils_no_other_ray(void** state) {
   Bench b;
   carom_shape_plugin plugin = bench_plugin("test.tiring", bench_box_params, 3, NULL, tiring);
   const double half[3] = {0.5, 0.5, 0.5}, origins[6] = {0, 5, 0, 10, 5, 0}, down[6] = {0, -9, 0, 0, -9, 0};

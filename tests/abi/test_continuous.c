@@ -1,10 +1,9 @@
 /* Bodies that are swept, as a host asks for it and reads of it. */
 #include "bench.h"
-
 #include "carom_test.h"
 
 /* A plate of 2 mm at a height of 30 m, static. */
-static carom_body plate(Bench *b) {
+static carom_body plate(Bench* b) {
   const double half[3] = {3, 0.001, 3};
   carom_shape sheet;
   carom_body body;
@@ -21,13 +20,13 @@ static carom_body plate(Bench *b) {
   return body;
 }
 
-static double height(Bench *b, carom_body body) {
+static double height(Bench* b, carom_body body) {
   double at[3];
   assert_int_equal(carom_world_read(b->world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &body, 1, at, 0, NULL), CAROM_OK);
   return at[1];
 }
 
-static void a_mode_is_kept_until_the_body_goes(void **state) {
+static void a_mode_is_kept_until_the_body_goes(void** state) {
   Bench b;
   uint32_t mode = 9;
   (void)state;
@@ -53,13 +52,15 @@ static void a_mode_is_kept_until_the_body_goes(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void what_is_swept_stops_and_is_counted(void **state) {
+static void what_is_swept_stops_and_is_counted(void** state) {
   static const struct {
     double dial;
     uint32_t mode;
     int stops;
-  } cases[] = {{CAROM_SWEEP_FAST, CAROM_CONTINUOUS_AUTO, 1},      {CAROM_SWEEP_FAST, CAROM_CONTINUOUS_NEVER, 0},
-               {CAROM_SWEEP_FLAGGED, CAROM_CONTINUOUS_ALWAYS, 1}, {CAROM_SWEEP_FLAGGED, CAROM_CONTINUOUS_AUTO, 0},
+  } cases[] = {{CAROM_SWEEP_FAST, CAROM_CONTINUOUS_AUTO, 1},
+               {CAROM_SWEEP_FAST, CAROM_CONTINUOUS_NEVER, 0},
+               {CAROM_SWEEP_FLAGGED, CAROM_CONTINUOUS_ALWAYS, 1},
+               {CAROM_SWEEP_FLAGGED, CAROM_CONTINUOUS_AUTO, 0},
                {CAROM_SWEEP_NOBODY, CAROM_CONTINUOUS_ALWAYS, 0}};
   size_t i;
   (void)state;

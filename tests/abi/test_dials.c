@@ -1,9 +1,8 @@
 /* Dials: one table feeds names, bounds and setters. */
 #include "bench.h"
-
 #include "carom_test.h"
 
-static void the_table_agrees_with_itself_and_with_a_new_world(void **state) {
+static void the_table_agrees_with_itself_and_with_a_new_world(void** state) {
   Bench b;
   uint32_t count = 0, i, found;
   (void)state;
@@ -33,7 +32,7 @@ static void the_table_agrees_with_itself_and_with_a_new_world(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void every_dial_takes_its_bounds_and_nothing_beyond(void **state) {
+static void every_dial_takes_its_bounds_and_nothing_beyond(void** state) {
   Bench b;
   uint32_t i;
   (void)state;
@@ -59,7 +58,7 @@ static void every_dial_takes_its_bounds_and_nothing_beyond(void **state) {
 }
 
 /* Presets speak of the same dials, within their bounds; balanced is a new world; a preset undoes what another did. */
-static void presets_set_the_dials_they_say(void **state) {
+static void presets_set_the_dials_they_say(void** state) {
   Bench b;
   uint32_t preset, i;
   (void)state;
@@ -89,7 +88,7 @@ static void presets_set_the_dials_they_say(void **state) {
 }
 
 /* Each choice of each dial, and both ends of each number: the world stays finite and stands on its floor. */
-static void a_world_steps_at_every_setting(void **state) {
+static void a_world_steps_at_every_setting(void** state) {
   uint32_t i;
   (void)state;
   for (i = 0; i < CAROM_DIAL_COUNT; ++i) {
@@ -104,9 +103,9 @@ static void a_world_steps_at_every_setting(void **state) {
       assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
       assert_int_equal(carom_world_set_dial(b.world, i, value, NULL), CAROM_OK);
       assert_int_equal(bench_steps(b.world, 30, NULL), CAROM_OK);
-      assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES,
-                                        position, 0, NULL),
-                       CAROM_OK);
+      assert_int_equal(
+          carom_world_read(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, position, 0, NULL),
+          CAROM_OK);
       for (k = 0; k < BENCH_BODIES; ++k)
         assert_true(isfinite(position[k][0]) && isfinite(position[k][1]) && isfinite(position[k][2]));
       assert_int_equal(bench_free(&b), CAROM_OK);
@@ -116,7 +115,7 @@ static void a_world_steps_at_every_setting(void **state) {
 }
 
 /* Numbers that nobody sets: each says why, and under no name or number is it a dial. */
-static void constants_give_their_reasons_and_are_fixed(void **state) {
+static void constants_give_their_reasons_and_are_fixed(void** state) {
   Bench b;
   uint32_t count = 0, dials = 0, i, k;
   (void)state;
@@ -145,7 +144,7 @@ static void constants_give_their_reasons_and_are_fixed(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void stages_have_names(void **state) {
+static void stages_have_names(void** state) {
   uint32_t i, k;
   (void)state;
   for (i = 0; i < CAROM_STAGE_COUNT; ++i) {

@@ -1,21 +1,21 @@
 /* Distances through the interface: what their status claims of the bracket, for points and half-spaces too. */
 #include "bench.h"
-
 #include "carom_test.h"
 
 static const double zero[3] = {0, 0, 0}, upright[4] = {0, 0, 0, 1};
 
-static carom_distance ask(const Bench *b, carom_shape first, carom_shape second, double x, double y, double z) {
+static carom_distance ask(const Bench* b, carom_shape first, carom_shape second, double x, double y, double z) {
   const double at[3] = {x, y, z};
   carom_distance r;
   memset(&r, 0, sizeof r);
   r.struct_size = sizeof r;
-  assert_int_equal(carom_shape_distance(b->engine, first, zero, upright, second, at, upright, NULL, &r, NULL), CAROM_OK);
+  assert_int_equal(carom_shape_distance(b->engine, first, zero, upright, second, at, upright, NULL, &r, NULL),
+                   CAROM_OK);
   assert_true(r.lower <= r.separation && r.separation <= r.upper);
   return r;
 }
 
-static void a_point_is_exact_enough_against_anything_that_has_a_size(void **state) {
+static void a_point_is_exact_enough_against_anything_that_has_a_size(void** state) {
   Bench b;
   carom_shape point;
   const double none = 0;
@@ -35,7 +35,7 @@ static void a_point_is_exact_enough_against_anything_that_has_a_size(void **stat
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void exact_enough_is_what_the_bracket_says_at_any_distance(void **state) {
+static void exact_enough_is_what_the_bracket_says_at_any_distance(void** state) {
   Bench b;
   const double asked = 1e-6 * 0.5; /* the default tolerance of the ball's radius, the smaller one of every pair */
   int exact = 0, rounded = 0;

@@ -1,13 +1,12 @@
 /* Debug draw: the lines there should be, where they should be, and nothing changed by looking. */
 #include "bench.h"
-
 #include "carom_test.h"
 
 #define MOST 4096
 
 static carom_draw_line lines[MOST];
 
-static uint64_t drawn(carom_world *world, uint32_t what, uint32_t colouring) {
+static uint64_t drawn(carom_world* world, uint32_t what, uint32_t colouring) {
   carom_draw_desc d;
   uint64_t count = 0;
   assert_int_equal(carom_draw_desc_init(&d, sizeof d), CAROM_OK);
@@ -17,13 +16,13 @@ static uint64_t drawn(carom_world *world, uint32_t what, uint32_t colouring) {
   return count;
 }
 
-static double length(const carom_draw_line *l) {
+static double length(const carom_draw_line* l) {
   const double x = l->to[0] - l->from[0], y = l->to[1] - l->from[1], z = l->to[2] - l->from[2];
   return sqrt(x * x + y * y + z * z);
 }
 
 /* A floor, three balls of radius 0.5, a crate of half extents 0.5, 0.25, 0.75. */
-static void shapes_are_outlined(void **state) {
+static void shapes_are_outlined(void** state) {
   Bench b;
   uint64_t i, n, of_crate = 0, of_balls = 0;
   double edges = 0;
@@ -53,7 +52,7 @@ static void shapes_are_outlined(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void scenery_has_each_side_once(void **state) {
+static void scenery_has_each_side_once(void** state) {
   Bench b;
   const double xyz[12] = {0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0};
   const uint32_t corners[6] = {0, 1, 2, 0, 2, 3};
@@ -67,7 +66,8 @@ static void scenery_has_each_side_once(void **state) {
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   carom_mesh_desc_init(&d, sizeof d), d.vertices = xyz, d.vertex_count = 4, d.triangles = corners, d.triangle_count = 2;
   assert_int_equal(carom_shape_create_mesh(b.engine, &d, &mesh, NULL), CAROM_OK);
-  carom_body_desc_init(&bd, sizeof bd), bd.type = CAROM_BODY_STATIC, carom_collider_desc_init(&cd, sizeof cd), cd.shape = mesh;
+  carom_body_desc_init(&bd, sizeof bd), bd.type = CAROM_BODY_STATIC, carom_collider_desc_init(&cd, sizeof cd),
+                                        cd.shape = mesh;
   assert_int_equal(carom_body_create(b.world, &bd, &body, NULL), CAROM_OK);
   assert_int_equal(carom_collider_create(b.world, body, &cd, &collider, NULL), CAROM_OK);
   assert_int_equal(drawn(b.world, CAROM_DRAW_SCENERY, CAROM_DRAW_BY_TYPE), 5);
@@ -75,7 +75,7 @@ static void scenery_has_each_side_once(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void contacts_joints_and_islands_are_told_apart(void **state) {
+static void contacts_joints_and_islands_are_told_apart(void** state) {
   Bench b;
   carom_joint_desc jd;
   carom_joint joint;
@@ -109,7 +109,7 @@ static void contacts_joints_and_islands_are_told_apart(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void looking_changes_nothing_and_bad_wishes_are_refused(void **state) {
+static void looking_changes_nothing_and_bad_wishes_are_refused(void** state) {
   Bench b;
   carom_draw_desc d;
   carom_error error = CAROM_ERROR_INIT;
@@ -130,7 +130,7 @@ static void looking_changes_nothing_and_bad_wishes_are_refused(void **state) {
   assert_int_equal(carom_world_draw(b.world, NULL, NULL, 0, 0, &count, NULL), CAROM_OK);
   assert_true(count == 12 + 3 * 3 * 32);
 
-#define REFUSED(change, code) \
+#define REFUSED(change, code)                              \
   (carom_draw_desc_init(&d, sizeof d), change, count = 77, \
    assert_int_equal(carom_world_draw(b.world, &d, lines, 0, MOST, &count, &error), code), assert_true(count == 77))
   REFUSED(d.what = 64, CAROM_E_UNSUPPORTED);

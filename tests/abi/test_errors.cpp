@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
 namespace {
@@ -95,6 +94,7 @@ int32_t set_jobs_of_new_engine(void (*change)(carom_jobs_desc&), carom_error* e)
   return r;
 }
 
+// clang-format off
 const Row kEngine[] = {
     {"engine out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_engine_create(nullptr, nullptr, e); }},
     {"alloc without free", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) {
@@ -149,7 +149,9 @@ const Row kEngine[] = {
     {"describe: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { const carom_shape_plugin* p; return carom_plugin_describe(nullptr, b.box, &p, e); }},
     {"describe: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_plugin_describe(b.engine, b.box, nullptr, e); }},
 };
+// clang-format on
 
+// clang-format off
 const Row kShape[] = {
     {"shape: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { double r = 1; return carom_shape_create(nullptr, b.sphere, &r, 1, &b.ball, e); }},
     {"shape: params", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { carom_shape s; return carom_shape_create(b.engine, b.sphere, nullptr, 1, &s, e); }},
@@ -183,7 +185,9 @@ const Row kShape[] = {
     {"support: points", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_shape_support(b.engine, b.ball, kOne, 1, nullptr, e); }},
     {"support: half-space", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { double p[3]; return carom_shape_support(b.engine, b.floor, kOne, 1, p, e); }},
 };
+// clang-format on
 
+// clang-format off
 const Row kWorld[] = {
     {"world: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_world* w; return carom_world_create(nullptr, nullptr, &w, e); }},
     {"world: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_world_create(b.engine, nullptr, nullptr, e); }},
@@ -311,7 +315,9 @@ const Row kWorld[] = {
     {"constant info: out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_constant_get_info(0, nullptr, e); }},
     {"constant info: struct_size", CAROM_E_STRUCT_SIZE, 2, [](Bench&, carom_error* e) { carom_constant_info i = {}; return carom_constant_get_info(0, &i, e); }},
 };
+// clang-format on
 
+// clang-format off
 const Row kBody[] = {
     {"body: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_body o; auto d = body_desc(); return carom_body_create(nullptr, &d, &o, e); }},
     {"body: desc", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { carom_body o; return carom_body_create(b.world, nullptr, &o, e); }},
@@ -372,7 +378,9 @@ const Row kBody[] = {
     {"impulse: nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_body_add_impulse(b.world, b.bodies[0], kNan3, kZero, e); }},
     {"impulse point: nan", CAROM_E_NOT_FINITE, 4, [](Bench& b, carom_error* e) { return carom_body_add_impulse(b.world, b.bodies[0], kZero, kNan3, e); }},
 };
+// clang-format on
 
+// clang-format off
 const Row kCollider[] = {
     {"material: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_material o; auto d = material_desc(); return carom_material_create(nullptr, &d, &o, e); }},
     {"material: desc", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { carom_material o; return carom_material_create(b.world, nullptr, &o, e); }},
@@ -419,7 +427,9 @@ const Row kCollider[] = {
     {"get collider: desc", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { carom_body o; return carom_collider_get(b.world, b.colliders[0], nullptr, &o, e); }},
     {"get collider: body", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { auto d = collider_desc(b); return carom_collider_get(b.world, b.colliders[0], &d, nullptr, e); }},
 };
+// clang-format on
 
+// clang-format off
 const Row kBulk[] = {
     {"bodies: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_bodies(nullptr, nullptr, 0, &n, e); }},
     {"bodies: count", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_world_get_bodies(b.world, nullptr, 0, nullptr, e); }},
@@ -442,7 +452,9 @@ const Row kBulk[] = {
     {"write: float nan", CAROM_E_NOT_FINITE, 6, [](Bench& b, carom_error* e) { const float v[3] = {0, static_cast<float>(kNan), 0}; return carom_world_write(b.world, CAROM_FIELD_LINEAR_VELOCITY, 0, b.bodies, 1, v, 0, e); }},
     {"write: velocity of a static body", CAROM_E_OUT_OF_RANGE, 6, [](Bench& b, carom_error* e) { const double v[6] = {0, 0, 0, 0, 0, 1}; return carom_world_write(b.world, CAROM_FIELD_VELOCITY, 1, &b.ground, 1, v, 0, e); }},
 };
+// clang-format on
 
+// clang-format off
 const Row kQuery[] = {
     {"distance: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_distance r = {}; r.struct_size = sizeof r; return carom_shape_distance(nullptr, b.ball, kZero, kUpright, b.ball, kZero, kUpright, nullptr, &r, e); }},
     {"distance: position_a", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return measure(b, nullptr, kUpright, kZero, kUpright, nullptr, e); }},
@@ -465,6 +477,7 @@ const Row kQuery[] = {
     {"distance: result size", CAROM_E_STRUCT_SIZE, 9, [](Bench& b, carom_error* e) { carom_distance r = {}; return carom_shape_distance(b.engine, b.ball, kZero, kUpright, b.ball, kZero, kUpright, nullptr, &r, e); }},
     {"distance: half-spaces", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { carom_distance r = {}; r.struct_size = sizeof r; return carom_shape_distance(b.engine, b.floor, kZero, kUpright, b.floor, kZero, kUpright, nullptr, &r, e); }},
 };
+// clang-format on
 
 carom_cast fresh_cast() {
   carom_cast r = {};
@@ -519,6 +532,7 @@ int32_t batch(Bench& b, F&& f, carom_error* e) {
   return carom_rays_cast(b.engine, &b.ball, kZero, kUpright, 1, &rays, nullptr, &hits, e);
 }
 
+// clang-format off
 const Row kCast[] = {
     {"ray: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { auto r = fresh_cast(); return carom_ray_cast(nullptr, b.ball, kZero, kUpright, kZero, kOne, 1, nullptr, &r, e); }},
     {"ray: position", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return ray(b, nullptr, kUpright, kZero, kOne, 1, nullptr, e); }},
@@ -588,7 +602,9 @@ const Row kCast[] = {
     {"rays: an orientation", CAROM_E_NOT_UNIT, 4, [](Bench& b, carom_error* e) { carom_rays r = {}; r.struct_size = sizeof r; carom_ray_hits h = {}; h.struct_size = sizeof h; return carom_rays_cast(b.engine, &b.ball, kZero, kLong, 1, &r, nullptr, &h, e); }},
     {"rays: desc", CAROM_E_OUT_OF_RANGE, 7, [](Bench& b, carom_error* e) { auto d = cast_desc(); d.target = 2e9; carom_rays r = {}; r.struct_size = sizeof r; carom_ray_hits h = {}; h.struct_size = sizeof h; return carom_rays_cast(b.engine, &b.ball, kZero, kUpright, 1, &r, &d, &h, e); }},
 };
+// clang-format on
 
+// clang-format off
 const Row kParticles[] = {
     {"particles: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_particles s; return carom_particles_create(nullptr, nullptr, &s, e); }},
     {"particles: out", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_particles_create(b.world, nullptr, nullptr, e); }},
@@ -655,6 +671,7 @@ const Row kParticles[] = {
     {"particles: sets: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_particles(nullptr, nullptr, 0, &n, e); }},
     {"particles: sets: count", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_world_get_particles(b.world, nullptr, 0, nullptr, e); }},
 };
+// clang-format on
 
 carom_query_desc query_desc() {
   carom_query_desc d;
@@ -714,6 +731,7 @@ carom_rays one_ray() {
   return r;
 }
 
+// clang-format off
 const Row kWorldQuery[] = {
     {"ray: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(nullptr, kZero, kOne, 1, nullptr, &h, sizeof h, e); }},
     {"ray: origin", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { carom_world_hit h; return carom_world_cast_ray(b.world, nullptr, kOne, 1, nullptr, &h, sizeof h, e); }},
@@ -770,7 +788,9 @@ const Row kWorldQuery[] = {
     {"nearest: reach nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); carom_world_hit h; return carom_world_find_nearest(b.world, &s, kNan, nullptr, &h, 0, e); }},
     {"nearest: dst", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { const carom_query_shapes s = one_point(); return carom_world_find_nearest(b.world, &s, 1, nullptr, nullptr, 0, e); }},
 };
+// clang-format on
 
+// clang-format off
 const Row kEvents[] = {
     {"gravity factor: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_set_gravity_factor(nullptr, b.bodies[0], 1, e); }},
     {"gravity factor: nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return carom_body_set_gravity_factor(b.world, b.bodies[0], kNan, e); }},
@@ -842,6 +862,7 @@ const Row kEvents[] = {
     {"sleep events: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { uint64_t n; return carom_world_get_sleep_events(nullptr, nullptr, 0, 0, &n, e); }},
     {"sleep events: count", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_world_get_sleep_events(b.world, nullptr, 0, 0, nullptr, e); }},
 };
+// clang-format on
 
 template <std::size_t N>
 void each_is_refused(const Row (&rows)[N]) {

@@ -3,10 +3,9 @@
 #include <carom/filter.h>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
-static void filters_are_set_read_and_obeyed(void **state) {
+static void filters_are_set_read_and_obeyed(void** state) {
   Bench b;
   uint64_t category, mask, count, i, n;
   int32_t group;
@@ -29,13 +28,14 @@ static void filters_are_set_read_and_obeyed(void **state) {
   assert_true(apart); /* the first alone lies on the floor */
   {
     double y[4][3];
-    assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b.bodies, 4, y, 0, NULL), CAROM_OK);
+    assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b.bodies, 4, y, 0, NULL),
+                     CAROM_OK);
     assert_true(y[0][1] > 0.49 && y[1][1] < -5 && y[2][1] < -5 && y[3][1] < -5);
   }
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void events_are_collected_counted_and_copied(void **state) {
+static void events_are_collected_counted_and_copied(void** state) {
   Bench b;
   carom_contact_event contacts[64], two[2];
   carom_sensor_event sensors[16];
@@ -56,8 +56,9 @@ static void events_are_collected_counted_and_copied(void **state) {
   assert_int_equal(bench_steps(b.world, 1, NULL), CAROM_OK);
   assert_int_equal(carom_world_get_contact_events(b.world, NULL, 0, 0, &count, NULL), CAROM_OK);
   assert_int_equal(count, 0);
-  assert_int_equal(carom_world_collect_events(b.world, CAROM_EVENTS_CONTACT | CAROM_EVENTS_SENSOR | CAROM_EVENTS_SLEEP, 1,
-                                              NULL), CAROM_OK);
+  assert_int_equal(
+      carom_world_collect_events(b.world, CAROM_EVENTS_CONTACT | CAROM_EVENTS_SENSOR | CAROM_EVENTS_SLEEP, 1, NULL),
+      CAROM_OK);
   for (i = 0; i < 64 * 8; ++i) {
     assert_int_equal(carom_world_step(b.world, 1.0 / 64, NULL), CAROM_OK);
     assert_int_equal(carom_world_get_contact_events(b.world, contacts, sizeof contacts[0], 64, &count, NULL), CAROM_OK);
@@ -99,7 +100,7 @@ static void events_are_collected_counted_and_copied(void **state) {
 }
 
 /* A weight on a rod that does not hold it, beside one on a rod that does. */
-static void a_joint_that_breaks_is_told_once(void **state) {
+static void a_joint_that_breaks_is_told_once(void** state) {
   Bench b;
   carom_joint_desc d;
   carom_joint weak, strong;
@@ -140,7 +141,7 @@ static void a_joint_that_breaks_is_told_once(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void a_body_that_leaves_the_finite_world_is_told_once(void **state) {
+static void a_body_that_leaves_the_finite_world_is_told_once(void** state) {
   Bench b;
   carom_fault_event events[4];
   carom_fault faults[4];

@@ -2,33 +2,32 @@
 #include <dlfcn.h>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
-static void *library;
+static void* library;
 
 /* POSIX lets a data pointer from dlsym be one to a function; ISO C has no cast for it. */
-static void find(const char *name, void *function) {
-  void *symbol = dlsym(library, name);
+static void find(const char* name, void* function) {
+  void* symbol = dlsym(library, name);
   if (!symbol) print_error("%s\n", dlerror());
   assert_non_null(symbol);
   memcpy(function, &symbol, sizeof symbol);
 }
 
-static void a_ball_falls_for_a_host_that_links_nothing(void **state) {
-  int32_t (*version)(uint32_t *, uint32_t *, uint32_t *);
-  int32_t (*engine_create)(const void *, void **, void *);
-  int32_t (*engine_destroy)(void *, void *);
-  int32_t (*plugin_register)(void *, const void *, uint64_t *, void *);
-  int32_t (*shape_create)(void *, uint64_t, const double *, uint64_t, uint64_t *, void *);
-  int32_t (*world_create)(void *, const void *, void **, void *);
-  int32_t (*world_destroy)(void *, void *);
-  int32_t (*world_step)(void *, double, void *);
-  int32_t (*body_desc_init)(void *, uint32_t);
-  int32_t (*body_create)(void *, const void *, uint64_t *, void *);
-  int32_t (*collider_desc_init)(void *, uint32_t);
-  int32_t (*collider_create)(void *, uint64_t, const void *, uint64_t *, void *);
-  int32_t (*world_read)(void *, uint32_t, uint32_t, const uint64_t *, uint64_t, void *, uint64_t, void *);
+static void a_ball_falls_for_a_host_that_links_nothing(void** state) {
+  int32_t (*version)(uint32_t*, uint32_t*, uint32_t*);
+  int32_t (*engine_create)(const void*, void**, void*);
+  int32_t (*engine_destroy)(void*, void*);
+  int32_t (*plugin_register)(void*, const void*, uint64_t*, void*);
+  int32_t (*shape_create)(void*, uint64_t, const double*, uint64_t, uint64_t*, void*);
+  int32_t (*world_create)(void*, const void*, void**, void*);
+  int32_t (*world_destroy)(void*, void*);
+  int32_t (*world_step)(void*, double, void*);
+  int32_t (*body_desc_init)(void*, uint32_t);
+  int32_t (*body_create)(void*, const void*, uint64_t*, void*);
+  int32_t (*collider_desc_init)(void*, uint32_t);
+  int32_t (*collider_create)(void*, uint64_t, const void*, uint64_t*, void*);
+  int32_t (*world_read)(void*, uint32_t, uint32_t, const uint64_t*, uint64_t, void*, uint64_t, void*);
   uint32_t major, minor, patch;
   void *engine = NULL, *world = NULL;
   uint64_t plugin, shape, body, collider;
@@ -70,7 +69,8 @@ static void a_ball_falls_for_a_host_that_links_nothing(void **state) {
   assert_int_equal(collider_create(world, body, &collider_desc, &collider, NULL), 0);
   for (i = 0; i < 64; ++i) assert_int_equal(world_step(world, 1.0 / 64, NULL), 0);
   assert_int_equal(world_read(world, CAROM_FIELD_POSITION, CAROM_SCALAR_F32, &body, 1, y, 0, NULL), 0);
-  assert_true(fabs(y[1] + 9.81 / 2) <= 9.81 / 2 / 64 + 1e-5); /* Euler: g t dt / 2 off, on either side; float rounding */
+  assert_true(fabs(y[1] + 9.81 / 2) <=
+              9.81 / 2 / 64 + 1e-5); /* Euler: g t dt / 2 off, on either side; float rounding */
   assert_int_equal(world_destroy(world, NULL), 0);
   assert_int_equal(engine_destroy(engine, NULL), 0);
 }

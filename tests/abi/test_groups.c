@@ -1,9 +1,8 @@
 /* Contact groups as a host reads them, and how solver auto answered each. */
 #include "bench.h"
-
 #include "carom_test.h"
 
-static void groups_are_those_of_the_report(void **state) {
+static void groups_are_those_of_the_report(void** state) {
   Bench b;
   carom_group groups[16];
   carom_step_report report = {0};
@@ -27,7 +26,7 @@ static void groups_are_those_of_the_report(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void other_solvers_have_none(void **state) {
+static void other_solvers_have_none(void** state) {
   Bench b;
   uint64_t count = 99;
   (void)state;

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
 namespace {
@@ -178,20 +177,19 @@ const Place kPlaces[] = {
 
 /// A good handle of a kind.
 uint64_t good(const Bench& b, int kind) {
-  const uint64_t handles[kKinds] = {b.sphere, b.ball, b.material, b.bodies[1], b.colliders[1], b.particles,
-                                    b.joint};
+  const uint64_t handles[kKinds] = {b.sphere, b.ball, b.material, b.bodies[1], b.colliders[1], b.particles, b.joint};
   return handles[kind];
 }
 
 struct Stage {
-  Bench own, other;             // other: another engine and another world
-  carom_world* second;          // another world of the same engine
+  Bench own, other;     // other: another engine and another world
+  carom_world* second;  // another world of the same engine
   carom_body second_body;
   carom_collider second_collider;
   carom_particles second_particles;
   carom_joint second_joint;
-  uint64_t stale[kKinds];       // of `own`, destroyed, the slot taken again
-  uint64_t successor[kKinds];   // what took the slot
+  uint64_t stale[kKinds];      // of `own`, destroyed, the slot taken again
+  uint64_t successor[kKinds];  // what took the slot
 };
 
 /// Make, destroy, make again: the second takes the place of the first.
@@ -205,8 +203,9 @@ void replace(Stage& s) {
     assert_int_equal(carom_plugin_register(b.engine, &spare, &out[kPlugin], nullptr), CAROM_OK);
     assert_int_equal(carom_shape_create(b.engine, b.sphere, &radius, 1, &out[kShape], nullptr), CAROM_OK);
     assert_int_equal(carom_material_create(b.world, &material, &out[kMaterial], nullptr), CAROM_OK);
-    assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 50, 50, 50, &out[kBody], &out[kCollider], nullptr),
-                     CAROM_OK);
+    assert_int_equal(
+        bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 50, 50, 50, &out[kBody], &out[kCollider], nullptr),
+        CAROM_OK);
     assert_int_equal(carom_particles_create(b.world, nullptr, &out[kParticles], nullptr), CAROM_OK);
     assert_int_equal(join(b, CAROM_NULL_HANDLE, out[kBody], nullptr, &out[kJoint]), CAROM_OK);
     if (out == s.successor) break;
@@ -235,8 +234,9 @@ int make(void** state) {
   assert_int_equal(bench_joint(&s.other, nullptr), CAROM_OK);
   assert_int_equal(carom_world_create(s.own.engine, nullptr, &s.second, nullptr), CAROM_OK);
   assert_int_equal(carom_particles_create(s.second, nullptr, &s.second_particles, nullptr), CAROM_OK);
-  assert_int_equal(bench_body(s.second, s.own.ball, 0, CAROM_BODY_DYNAMIC, 0, 0, 0, &s.second_body, &s.second_collider,
-                              nullptr), CAROM_OK);
+  assert_int_equal(
+      bench_body(s.second, s.own.ball, 0, CAROM_BODY_DYNAMIC, 0, 0, 0, &s.second_body, &s.second_collider, nullptr),
+      CAROM_OK);
   Bench second = s.own;
   second.world = s.second;
   assert_int_equal(join(second, CAROM_NULL_HANDLE, s.second_body, nullptr, &s.second_joint), CAROM_OK);
@@ -282,11 +282,11 @@ void a_handle_never_issued_is_invalid(void** state) {
     const uint64_t h = good(s.own, place.kind);
     const uint64_t wrong[] = {0,
                               1,
-                              h & ~(uint64_t(15) << 60),   // kind 0
-                              h | (uint64_t(15) << 60),    // kind 15
-                              h | 0xFFFFFF,                // a slot beyond all
-                              h | (uint64_t(0xFFFFF) << 24),  // a generation yet to come
-                              h & ~(uint64_t(0xFFFFF) << 24), // generation 0
+                              h & ~(uint64_t(15) << 60),       // kind 0
+                              h | (uint64_t(15) << 60),        // kind 15
+                              h | 0xFFFFFF,                    // a slot beyond all
+                              h | (uint64_t(0xFFFFF) << 24),   // a generation yet to come
+                              h & ~(uint64_t(0xFFFFF) << 24),  // generation 0
                               0x5555555555555555ull & ~(uint64_t(15) << 60)};
     for (uint64_t w : wrong) expect(s, place, w, CAROM_E_INVALID_HANDLE);
   }

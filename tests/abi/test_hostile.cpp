@@ -6,9 +6,8 @@
 #include <regex>
 #include <set>
 
-#include "hostile/table.h"
-
 #include "carom_test.h"
+#include "hostile/table.h"
 
 namespace {
 
@@ -50,9 +49,7 @@ struct Stages {
     return good;
   }
   /// A world in its first state again, after something was done to it.
-  bool again() {
-    return carom_world_destroy(own.world, nullptr) == CAROM_OK && make_world(own) && make_dead();
-  }
+  bool again() { return carom_world_destroy(own.world, nullptr) == CAROM_OK && make_world(own) && make_dead(); }
   /// Something of every kind that was destroyed.
   bool make_dead() {
     Context c(own, other, second, first);
@@ -141,8 +138,8 @@ void try_one(Stages& s, const Row& row, std::size_t at, std::size_t way, Tally& 
   ++tally.calls;
   const auto complain = [&](const char* what) {
     ++tally.bad;
-    print_error("%s, argument %zu, %s: %s (got %s: %s)\n", call.name, good ? 0 : at + 1, wrong ? wrong->what.c_str() : "all good", what,
-                carom_result_name(r), c.error.message);
+    print_error("%s, argument %zu, %s: %s (got %s: %s)\n", call.name, good ? 0 : at + 1,
+                wrong ? wrong->what.c_str() : "all good", what, carom_result_name(r), c.error.message);
   };
   if (r > 0 || r < kLastCode || !(expected & code(r))) complain("another result");
   if (r == CAROM_OK) {
@@ -164,15 +161,18 @@ void try_one(Stages& s, const Row& row, std::size_t at, std::size_t way, Tally& 
       assert_true(s.again());
     }
     for (std::size_t i = 0; i < outs.size(); ++i)
-      if (call.arguments[i].out && std::string(static_cast<const char*>(call.arguments[i].out), call.arguments[i].out_size) != outs[i] &&
+      if (call.arguments[i].out &&
+          std::string(static_cast<const char*>(call.arguments[i].out), call.arguments[i].out_size) != outs[i] &&
           r != CAROM_E_PLUGIN_INVALID && r != CAROM_E_BUFFER_TOO_SMALL)
         complain("a call that failed has written an output");
     const bool tells = !values.empty() && values.back().p == &c.error;
     if (tells) {
-      const int32_t named = wrong ? wrong->argument >= 0 ? wrong->argument : static_cast<int32_t>(at) + 1 : c.error.argument;
+      const int32_t named =
+          wrong ? wrong->argument >= 0 ? wrong->argument : static_cast<int32_t>(at) + 1 : c.error.argument;
       if (c.error.code != r) complain("the error has another code");
       if (!c.error.message[0] || !c.error.remedy[0]) complain("the error has no message or no remedy");
-      if (c.error.argument != named && r != CAROM_E_IN_USE && !(s.seeded && call.good_codes & code(r))) complain(("the error names argument " + std::to_string(c.error.argument)).c_str());
+      if (c.error.argument != named && r != CAROM_E_IN_USE && !(s.seeded && call.good_codes & code(r)))
+        complain(("the error names argument " + std::to_string(c.error.argument)).c_str());
     }
   }
 }

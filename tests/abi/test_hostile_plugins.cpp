@@ -8,16 +8,29 @@
 #include <limits>
 #include <vector>
 
-#include "hostile/stage.h"
-
 #include "carom_test.h"
+#include "hostile/stage.h"
 
 namespace {
 
 using namespace hostile;
 
-enum Vice { kNone, kNan, kInf, kHuge, kRandom, kGrows, kDented, kConstant, kUnsteady, kRefuses, kReenters, kRounds, kVices };
-const char* const kNames[] = {"valid", "NaN",      "infinity", "1e300",   "random",   "growing",
+enum Vice {
+  kNone,
+  kNan,
+  kInf,
+  kHuge,
+  kRandom,
+  kGrows,
+  kDented,
+  kConstant,
+  kUnsteady,
+  kRefuses,
+  kReenters,
+  kRounds,
+  kVices
+};
+const char* const kNames[] = {"valid",  "NaN",      "infinity", "1e300",   "random",    "growing",
                               "dented", "constant", "unsteady", "refuses", "re-enters", "changes the rounding mode"};
 
 struct InvalidPlugin {
@@ -27,7 +40,7 @@ struct InvalidPlugin {
   carom_world* world = nullptr;
   carom_engine* engine = nullptr;
   int32_t answer = CAROM_OK;  // of the call from inside
-} invalid_plugin;  // a support function has no user data
+} invalid_plugin;             // a support function has no user data
 
 double any_number() {
   invalid_plugin.random = invalid_plugin.random * 6364136223846793005ull + 1442695040888963407ull;
@@ -99,11 +112,13 @@ States run(Stage& s, Vice vice, long valid_calls, double solver, long* calls_bef
   assert_int_equal(carom_world_set_dial(s.world, CAROM_DIAL_SOLVER, solver, nullptr), CAROM_OK);
   std::vector<carom_body> far, all;
   add_body(s, CAROM_BODY_STATIC, 4, 0, 0, 0);
-  for (int i = 0; i < kFar; ++i) far.push_back(add_body(s, CAROM_BODY_DYNAMIC, i % 4, 100 + 0.1 * i, 0.4 + 0.75 * i, 0.05 * i));
+  for (int i = 0; i < kFar; ++i)
+    far.push_back(add_body(s, CAROM_BODY_DYNAMIC, i % 4, 100 + 0.1 * i, 0.4 + 0.75 * i, 0.05 * i));
   add_body(s, CAROM_BODY_DYNAMIC, bad, 0, 0.3, 0);
   add_body(s, CAROM_BODY_DYNAMIC, bad, 0.1, 0.9, 0);
   add_body(s, CAROM_BODY_DYNAMIC, 0, 0.1, 1.8, 0);
-  invalid_plugin.vice = vice, invalid_plugin.calls = 0, invalid_plugin.valid_calls = valid_calls, invalid_plugin.world = s.world, invalid_plugin.engine = s.engine;
+  invalid_plugin.vice = vice, invalid_plugin.calls = 0, invalid_plugin.valid_calls = valid_calls,
+  invalid_plugin.world = s.world, invalid_plugin.engine = s.engine;
   States states;
   for (int step = 0; step < kSteps; ++step) {
     const int32_t r = carom_world_step(s.world, 1. / 64, nullptr);
@@ -114,8 +129,11 @@ States run(Stage& s, Vice vice, long valid_calls, double solver, long* calls_bef
     assert_true(wrong.empty());
     std::array<double, 13> state;
     for (const carom_body b : far) {
-      assert_int_equal(carom_world_read(s.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, &b, 1, state.data(), 0, nullptr), CAROM_OK);
-      assert_int_equal(carom_world_read(s.world, CAROM_FIELD_VELOCITY, CAROM_SCALAR_F64, &b, 1, state.data() + 7, 0, nullptr), CAROM_OK);
+      assert_int_equal(carom_world_read(s.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, &b, 1, state.data(), 0, nullptr),
+                       CAROM_OK);
+      assert_int_equal(
+          carom_world_read(s.world, CAROM_FIELD_VELOCITY, CAROM_SCALAR_F64, &b, 1, state.data() + 7, 0, nullptr),
+          CAROM_OK);
       states.push_back(state);
     }
   }
@@ -134,7 +152,8 @@ States run(Stage& s, Vice vice, long valid_calls, double solver, long* calls_bef
 void others_go_on_bit_for_bit(void**) {
   Stage s;
   assert_true(make_engine(s));
-  for (const double solver : {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO}) {
+  for (const double solver :
+       {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO}) {
     long calls = 0;
     const States beside_a_valid_one = run(s, kNone, 0, solver, &calls);
     assert_true(calls > 1000);
@@ -142,7 +161,8 @@ void others_go_on_bit_for_bit(void**) {
       for (const long after : {0l, 100l, calls / 2}) {
         const States beside = run(s, static_cast<Vice>(vice), after, solver);
         const bool same = std::memcmp(beside.data(), beside_a_valid_one.data(), sizeof(beside[0]) * beside.size()) == 0;
-        if (!same) print_error("solver %g: %s after %ld calls changes bodies 100 m away\n", solver, kNames[vice], after);
+        if (!same)
+          print_error("solver %g: %s after %ld calls changes bodies 100 m away\n", solver, kNames[vice], after);
         assert_true(same);
         if (vice == kReenters) assert_int_equal(invalid_plugin.answer, CAROM_E_REENTRANT);
       }

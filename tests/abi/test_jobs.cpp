@@ -42,9 +42,9 @@ struct Heap {
     std::vector<double> places(3 * 20000);
     for (std::size_t i = 0; i < places.size(); ++i) places[i] = 1e-3 * static_cast<double>(i * i % 10007);
     assert_int_equal(carom_particles_create(b.world, nullptr, &b.particles, nullptr), CAROM_OK);
-    assert_int_equal(carom_particles_add(b.world, b.particles, 20000, CAROM_SCALAR_F64, places.data(), 0, places.data(),
-                                         0, nullptr),
-                     CAROM_OK);
+    assert_int_equal(
+        carom_particles_add(b.world, b.particles, 20000, CAROM_SCALAR_F64, places.data(), 0, places.data(), 0, nullptr),
+        CAROM_OK);
   }
   /// Some of the crates and balls, each along and about one axis; others weigh half.
   void lock_some() {

@@ -1,20 +1,19 @@
 /* Six-axis joints and drives to an orientation as a host uses them: set, read, refused, saved. */
 #include "bench.h"
-
 #include "carom_test.h"
 
-static int make(void **state) {
+static int make(void** state) {
   static Bench b;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   *state = &b;
   return 0;
 }
-static int clear(void **state) {
+static int clear(void** state) {
   assert_int_equal(bench_free(*state), CAROM_OK);
   return 0;
 }
 
-static carom_joint join(const Bench *b, uint32_t kind, carom_body x, carom_body y) {
+static carom_joint join(const Bench* b, uint32_t kind, carom_body x, carom_body y) {
   carom_joint_desc d;
   carom_joint joint = 0;
   assert_int_equal(carom_joint_desc_init(&d, sizeof d), CAROM_OK);
@@ -34,8 +33,8 @@ static carom_joint_orientation_drive drive_desc(void) {
 }
 
 /* Every number comes back as it was set. A limit that has no width, and what is locked, holds; broken ones do not. */
-static void axes_are_what_was_set(void **state) {
-  Bench *b = *state;
+static void axes_are_what_was_set(void** state) {
+  Bench* b = *state;
   const carom_joint joint = join(b, CAROM_JOINT_SIX_AXIS, CAROM_NULL_HANDLE, b->bodies[0]);
   carom_joint_axis axis = axis_desc(), back;
   carom_joint_orientation_drive drive = drive_desc(), drive_back;
@@ -49,7 +48,8 @@ static void axes_are_what_was_set(void **state) {
     assert_memory_equal(&axis, &back, sizeof axis);
   }
   axis.mode = CAROM_AXIS_MODE_LIMITED, axis.lower = -0.1, axis.upper = 0.2, axis.drive = CAROM_DRIVE_EFFORT;
-  axis.stop_gains = CAROM_GAINS_FORCE, axis.stop_stiffness = 900, axis.stop_damping = 7, axis.effort = -3, axis.max_force = 5;
+  axis.stop_gains = CAROM_GAINS_FORCE, axis.stop_stiffness = 900, axis.stop_damping = 7, axis.effort = -3,
+  axis.max_force = 5;
   axis.drive_gains = CAROM_GAINS_ACCELERATION, axis.drive_stiffness = 2e5, axis.drive_damping = 2e4, axis.target = 0.3;
   axis.speed = 1.5, axis.rest = -0.4, axis.spring_stiffness = 3, axis.spring_damping = 0.5;
   assert_int_equal(carom_joint_set_axis(b->world, joint, CAROM_AXIS_TURN_Y, &axis, NULL), CAROM_OK);
@@ -74,8 +74,8 @@ static void axes_are_what_was_set(void **state) {
 }
 
 /* What is wrong is refused, says where, and changes nothing. */
-static void wrong_axes_are_refused(void **state) {
-  Bench *b = *state;
+static void wrong_axes_are_refused(void** state) {
+  Bench* b = *state;
   const carom_joint six = join(b, CAROM_JOINT_SIX_AXIS, CAROM_NULL_HANDLE, b->bodies[0]);
   const carom_joint ball = join(b, CAROM_JOINT_BALL, CAROM_NULL_HANDLE, b->bodies[1]);
   const carom_joint hinge = join(b, CAROM_JOINT_HINGE, CAROM_NULL_HANDLE, b->bodies[2]);
@@ -84,12 +84,12 @@ static void wrong_axes_are_refused(void **state) {
   carom_joint_limit limit;
   carom_error e = CAROM_ERROR_INIT;
   const uint64_t hash = bench_hash(b->world);
-#define AXIS_REFUSED(code, axis, change, word)                                        \
-  do {                                                                                \
-    d = axis_desc();                                                                  \
-    change;                                                                           \
-    assert_int_equal(carom_joint_set_axis(b->world, six, axis, &d, &e), code);        \
-    assert_true(strstr(e.message, word) && e.remedy[0]);                              \
+#define AXIS_REFUSED(code, axis, change, word)                                 \
+  do {                                                                         \
+    d = axis_desc();                                                           \
+    change;                                                                    \
+    assert_int_equal(carom_joint_set_axis(b->world, six, axis, &d, &e), code); \
+    assert_true(strstr(e.message, word) && e.remedy[0]);                       \
   } while (0)
   AXIS_REFUSED(CAROM_E_UNKNOWN_ENUM, CAROM_AXIS_COUNT, (void)0, "axis");
   AXIS_REFUSED(CAROM_E_UNKNOWN_ENUM, 0, d.mode = 3, "mode");
@@ -109,7 +109,8 @@ static void wrong_axes_are_refused(void **state) {
   assert_int_equal(carom_joint_get_axis(b->world, hinge, 0, &d, NULL), CAROM_E_UNSUPPORTED);
   assert_int_equal(carom_joint_set_axis(b->world, six, 0, NULL, NULL), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_joint_axis_init(NULL, sizeof(carom_joint_axis)), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_joint_orientation_drive_init(NULL, sizeof(carom_joint_orientation_drive)), CAROM_E_NULL_ARGUMENT);
+  assert_int_equal(carom_joint_orientation_drive_init(NULL, sizeof(carom_joint_orientation_drive)),
+                   CAROM_E_NULL_ARGUMENT);
   t = drive_desc();
   assert_int_equal(carom_joint_set_orientation_drive(b->world, hinge, &t, &e), CAROM_E_UNSUPPORTED);
   assert_true(e.argument == 3 && strstr(e.message, "hinge"));
@@ -126,7 +127,7 @@ static void wrong_axes_are_refused(void **state) {
   assert_true(bench_hash(b->world) == hash);
 }
 
-static void drive_all(const Bench *b, carom_joint six, carom_joint ball, double by) {
+static void drive_all(const Bench* b, carom_joint six, carom_joint ball, double by) {
   carom_joint_axis d = axis_desc();
   carom_joint_orientation_drive t = drive_desc();
   d.drive = CAROM_DRIVE_POSITION, d.drive_stiffness = 2, d.drive_damping = 0.5, d.target = by;
@@ -136,14 +137,15 @@ static void drive_all(const Bench *b, carom_joint six, carom_joint ball, double 
   assert_int_equal(carom_joint_set_axis(b->world, six, CAROM_AXIS_Y, &d, NULL), CAROM_OK);
   d = axis_desc(), d.mode = CAROM_AXIS_MODE_LOCKED, d.lower = by;
   assert_int_equal(carom_joint_set_axis(b->world, six, CAROM_AXIS_TURN_Z, &d, NULL), CAROM_OK);
-  t.drive = CAROM_DRIVE_POSITION, t.stiffness = 1.5, t.damping = 0.3, t.target[1] = 0.6, t.target[3] = 0.8, t.velocity[0] = by;
+  t.drive = CAROM_DRIVE_POSITION, t.stiffness = 1.5, t.damping = 0.3, t.target[1] = 0.6, t.target[3] = 0.8,
+  t.velocity[0] = by;
   assert_int_equal(carom_joint_set_orientation_drive(b->world, ball, &t, NULL), CAROM_OK);
 }
 
 /* All of it is part of a snapshot and of a copy: from there all goes on to the same bits, under each solver, however many
  * joints came and went before. */
-static void axes_come_back(void **state) {
-  Bench *b = *state;
+static void axes_come_back(void** state) {
+  Bench* b = *state;
   static unsigned char bytes[1 << 17];
   uint64_t size, hash;
   uint32_t solver;
@@ -153,7 +155,7 @@ static void axes_come_back(void **state) {
   drive_all(b, six, ball, 0.2);
   assert_int_equal(carom_joint_destroy(b->world, gone, NULL), CAROM_OK);
   for (solver = CAROM_SOLVER_SEQUENTIAL; solver <= CAROM_SOLVER_AUTO; ++solver) {
-    carom_world *other = NULL;
+    carom_world* other = NULL;
     carom_joint_axis axis = axis_desc();
     assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
@@ -175,8 +177,8 @@ static void axes_come_back(void **state) {
 }
 
 /* A drive needs no allocation in a step, breaks as other joints do, and stays finite where its turns are no coordinates. */
-static void extreme_axes_stay_finite(void **state) {
-  Bench *b = *state;
+static void extreme_axes_stay_finite(void** state) {
+  Bench* b = *state;
   const carom_joint six = join(b, CAROM_JOINT_SIX_AXIS, b->bodies[0], b->bodies[1]);
   carom_joint_axis d = axis_desc();
   carom_joint_orientation_drive t = drive_desc();
@@ -193,8 +195,9 @@ static void extreme_axes_stay_finite(void **state) {
   for (solver = CAROM_SOLVER_SEQUENTIAL; solver <= CAROM_SOLVER_AUTO; ++solver) {
     assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b->world, 40, NULL), CAROM_OK);
-    assert_int_equal(carom_world_read(b->world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b->bodies, BENCH_BODIES, x, 0, NULL),
-                     CAROM_OK);
+    assert_int_equal(
+        carom_world_read(b->world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b->bodies, BENCH_BODIES, x, 0, NULL),
+        CAROM_OK);
     for (i = 0; i < BENCH_BODIES; ++i)
       for (k = 0; k < 3; ++k) assert_true(isfinite(x[i][k]));
   }

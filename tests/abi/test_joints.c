@@ -1,15 +1,14 @@
 /* Joints as a host uses them: made, limited, driven, read, broken, refused. */
 #include "bench.h"
-
 #include "carom_test.h"
 
-static int make(void **state) {
+static int make(void** state) {
   static Bench b;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   *state = &b;
   return 0;
 }
-static int clear(void **state) {
+static int clear(void** state) {
   assert_int_equal(bench_free(*state), CAROM_OK);
   return 0;
 }
@@ -22,27 +21,27 @@ static carom_joint_desc desc_of(uint32_t kind, carom_body a, carom_body b) {
   d.position_a[1] = 4;
   return d;
 }
-static carom_joint join(const Bench *b, uint32_t kind, carom_body x, carom_body y) {
+static carom_joint join(const Bench* b, uint32_t kind, carom_body x, carom_body y) {
   const carom_joint_desc d = desc_of(kind, x, y);
   carom_joint joint = 0;
   assert_int_equal(carom_joint_create(b->world, &d, &joint, NULL), CAROM_OK);
   return joint;
 }
-static carom_joint_state state_of(const Bench *b, carom_joint joint) {
+static carom_joint_state state_of(const Bench* b, carom_joint joint) {
   carom_joint_state s;
   memset(&s, 0, sizeof s);
   s.struct_size = sizeof s;
   assert_int_equal(carom_joint_get_state(b->world, joint, &s, NULL), CAROM_OK);
   return s;
 }
-static uint64_t count_of(const Bench *b) {
+static uint64_t count_of(const Bench* b) {
   uint64_t n = 99;
   assert_int_equal(carom_world_get_joints(b->world, NULL, 0, &n, NULL), CAROM_OK);
   return n;
 }
 
-static void every_kind_holds(void **state) {
-  Bench *b = *state;
+static void every_kind_holds(void** state) {
+  Bench* b = *state;
   carom_joint joints[CAROM_JOINT_COUNT];
   uint32_t kind;
   int i;
@@ -64,8 +63,8 @@ static void every_kind_holds(void **state) {
   }
 }
 
-static void a_body_takes_its_joints_with_it(void **state) {
-  Bench *b = *state;
+static void a_body_takes_its_joints_with_it(void** state) {
+  Bench* b = *state;
   carom_joint list[4], gone, stays;
   carom_joint_state s;
   uint64_t n;
@@ -85,15 +84,17 @@ static void a_body_takes_its_joints_with_it(void **state) {
   assert_int_equal(count_of(b), 0);
 }
 
-static void limits_motors_and_springs_are_what_was_set(void **state) {
-  Bench *b = *state;
+static void limits_motors_and_springs_are_what_was_set(void** state) {
+  Bench* b = *state;
   const carom_joint hinge = join(b, CAROM_JOINT_HINGE, CAROM_NULL_HANDLE, b->bodies[0]);
   carom_joint_limit limit, limit_back;
   carom_joint_motor motor, motor_back;
   carom_joint_spring spring, spring_back;
-  carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
+  carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor),
+      carom_joint_spring_init(&spring, sizeof spring);
   limit.enabled = motor.enabled = spring.enabled = 1;
-  limit.lower = -1, limit.upper = 0.5, motor.speed = 2, motor.max_force = 30, spring.target = 0.25, spring.damping = 0.5;
+  limit.lower = -1, limit.upper = 0.5, motor.speed = 2, motor.max_force = 30, spring.target = 0.25,
+  spring.damping = 0.5;
   limit_back = limit, motor_back = motor, spring_back = spring;
   assert_int_equal(carom_joint_set_limit(b->world, hinge, CAROM_COORDINATE_TWIST, &limit, NULL), CAROM_OK);
   assert_int_equal(carom_joint_set_motor(b->world, hinge, CAROM_COORDINATE_TWIST, &motor, NULL), CAROM_OK);
@@ -108,8 +109,8 @@ static void limits_motors_and_springs_are_what_was_set(void **state) {
   assert_int_equal(bench_steps(b->world, 100, NULL), CAROM_OK);
 }
 
-static void what_broke_says_so(void **state) {
-  Bench *b = *state;
+static void what_broke_says_so(void** state) {
+  Bench* b = *state;
   carom_joint_desc d = desc_of(CAROM_JOINT_WELD, CAROM_NULL_HANDLE, b->bodies[0]);
   carom_joint weak, strong;
   d.break_force = 1;
@@ -121,8 +122,8 @@ static void what_broke_says_so(void **state) {
   assert_int_equal(count_of(b), 2); /* the handle stays */
 }
 
-static void severity_knows_no_joints(void **state) {
-  Bench *b = *state;
+static void severity_knows_no_joints(void** state) {
+  Bench* b = *state;
   carom_joint_desc d = desc_of(CAROM_JOINT_BALL, b->bodies[0], b->bodies[1]);
   carom_joint joint = 7;
   carom_error e = CAROM_ERROR_INIT;
@@ -141,19 +142,19 @@ static void severity_knows_no_joints(void **state) {
   assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SOLVER, CAROM_SOLVER_SEVERITY, NULL), CAROM_OK);
 }
 
-#define REFUSED(result, change)                                                                    \
-  do {                                                                                             \
-    carom_joint_desc d = desc_of(CAROM_JOINT_BALL, b->bodies[0], b->bodies[1]);                    \
-    carom_joint joint = 7;                                                                         \
-    carom_error e = CAROM_ERROR_INIT;                                                              \
-    change;                                                                                        \
-    assert_int_equal(carom_joint_create(b->world, &d, &joint, &e), result);                        \
-    assert_true(joint == 7 && e.code == result && e.argument == 2 && strlen(e.message) > 8);       \
-    assert_true(bench_hash(b->world) == hash && count_of(b) == 1);                                 \
+#define REFUSED(result, change)                                                              \
+  do {                                                                                       \
+    carom_joint_desc d = desc_of(CAROM_JOINT_BALL, b->bodies[0], b->bodies[1]);              \
+    carom_joint joint = 7;                                                                   \
+    carom_error e = CAROM_ERROR_INIT;                                                        \
+    change;                                                                                  \
+    assert_int_equal(carom_joint_create(b->world, &d, &joint, &e), result);                  \
+    assert_true(joint == 7 && e.code == result && e.argument == 2 && strlen(e.message) > 8); \
+    assert_true(bench_hash(b->world) == hash && count_of(b) == 1);                           \
   } while (0)
 
-static void wrong_joints_are_refused(void **state) {
-  Bench *b = *state;
+static void wrong_joints_are_refused(void** state) {
+  Bench* b = *state;
   const carom_joint good = join(b, CAROM_JOINT_BALL, b->bodies[2], b->bodies[3]);
   const uint64_t hash = bench_hash(b->world);
   const double nan = NAN, inf = INFINITY;
@@ -179,7 +180,8 @@ static void wrong_joints_are_refused(void **state) {
   REFUSED(CAROM_E_OUT_OF_RANGE, d.length = -1);
   REFUSED(CAROM_E_NOT_FINITE, d.break_force = nan);
   REFUSED(CAROM_E_OUT_OF_RANGE, d.break_torque = -1);
-  carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
+  carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor),
+      carom_joint_spring_init(&spring, sizeof spring);
   assert_int_equal(carom_joint_set_limit(b->world, good, CAROM_COORDINATE_SLIDE, &limit, NULL), CAROM_E_UNSUPPORTED);
   assert_int_equal(carom_joint_set_limit(b->world, good, 4, &limit, NULL), CAROM_E_UNKNOWN_ENUM);
   assert_int_equal(carom_joint_set_motor(b->world, good, CAROM_COORDINATE_SWING, &motor, NULL), CAROM_E_UNSUPPORTED);
@@ -211,8 +213,8 @@ static void wrong_joints_are_refused(void **state) {
 
 /* Frames a kilometre off their bodies, rods of no length, contradictions, locked limits: whatever is asked for, numbers
  * stay numbers. */
-static void nonsense_stays_finite(void **state) {
-  Bench *b = *state;
+static void nonsense_stays_finite(void** state) {
+  Bench* b = *state;
   uint32_t solver;
   int i, k;
   carom_joint_desc d = desc_of(CAROM_JOINT_WELD, b->bodies[0], b->bodies[1]);
@@ -235,15 +237,17 @@ static void nonsense_stays_finite(void **state) {
   for (solver = CAROM_SOLVER_SEQUENTIAL; solver <= CAROM_SOLVER_AUTO; ++solver) {
     assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b->world, 40, NULL), CAROM_OK);
-    assert_int_equal(carom_world_read(b->world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b->bodies, BENCH_BODIES, x, 0, NULL), CAROM_OK);
+    assert_int_equal(
+        carom_world_read(b->world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, b->bodies, BENCH_BODIES, x, 0, NULL),
+        CAROM_OK);
     for (i = 0; i < BENCH_BODIES; ++i)
       for (k = 0; k < 3; ++k) assert_true(isfinite(x[i][k]));
   }
 }
 
 /* A pulley holds nothing until it is strung; then its rope keeps its length. What is wrong is refused, and changes nothing. */
-static void a_pulley_is_strung(void **state) {
-  Bench *b = *state;
+static void a_pulley_is_strung(void** state) {
+  Bench* b = *state;
   const carom_joint ball = join(b, CAROM_JOINT_BALL, CAROM_NULL_HANDLE, b->bodies[2]);
   carom_joint_desc d = desc_of(CAROM_JOINT_PULLEY, b->bodies[0], b->bodies[1]);
   carom_joint pulley = 0;
@@ -287,8 +291,8 @@ static void a_pulley_is_strung(void **state) {
 }
 
 /* A gear's turns and a pulley's rope are part of a snapshot: from there all goes on to the same bits. */
-static void gears_and_pulleys_come_back(void **state) {
-  Bench *b = *state;
+static void gears_and_pulleys_come_back(void** state) {
+  Bench* b = *state;
   static unsigned char bytes[1 << 17];
   uint64_t size, hash;
   int whole;
@@ -305,7 +309,7 @@ static void gears_and_pulleys_come_back(void **state) {
   assert_int_equal(carom_joint_set_transmission(b->world, pulley, &t, NULL), CAROM_OK);
   assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
   for (whole = 0; whole < 2; ++whole) {
-    carom_world *other = NULL;
+    carom_world* other = NULL;
     assert_int_equal(carom_world_save(b->world, 0, bytes, sizeof bytes, &size, NULL), CAROM_OK);
     if (whole) assert_int_equal(carom_world_fork(b->world, &other, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
 namespace {
@@ -15,8 +14,8 @@ std::vector<carom_ledger_entry> causes_of(carom_world* world) {
   uint64_t count = 0;
   assert_int_equal(carom_world_get_ledger(world, nullptr, 0, 0, &count, nullptr), CAROM_OK);
   std::vector<carom_ledger_entry> list(count);  // all zero
-  assert_int_equal(
-      carom_world_get_ledger(world, list.data(), sizeof(carom_ledger_entry), count, &count, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_get_ledger(world, list.data(), sizeof(carom_ledger_entry), count, &count, nullptr),
+                   CAROM_OK);
   return list;
 }
 
@@ -61,9 +60,10 @@ void a_host_reads_causes_by_name(void**) {
   for (int i = 0; i < 100; ++i) assert_int_equal(bench_steps(b.world, 1, nullptr), CAROM_OK), assert_closes(b.world);
   std::string names;
   for (const carom_ledger_entry& e : causes_of(b.world)) names += std::string(e.name) + ' ';
-  for (const char* name : {"host ", "contact ", "friction ", "restitution ", "resistance ", "joints ", "drives ",
-                           "continuous ", "axis_locks ", "correction ", "sleep ", "quarantine ", "integrator ",
-                           "unassigned ", "linear_damping ", "angular_damping ", "gravity ", "user_force ", "user_torque "})
+  for (const char* name :
+       {"host ", "contact ", "friction ", "restitution ", "resistance ", "joints ", "drives ", "continuous ",
+        "axis_locks ", "correction ", "sleep ", "quarantine ", "integrator ", "unassigned ", "linear_damping ",
+        "angular_damping ", "gravity ", "user_force ", "user_torque "})
     assert_non_null(std::strstr(names.c_str(), name));
   assert_null(std::strstr(names.c_str(), "gyroscopic"));
   // As many as fit, at a stride of the host's.
@@ -139,8 +139,7 @@ struct Purse {
     d.alloc_user = this;
     d.alloc = [](void* user, uint64_t size, uint64_t alignment) -> void* {
       Purse& p = *static_cast<Purse*>(user);
-      return p.calls++ >= p.refuse_from ? nullptr
-                                        : std::aligned_alloc(alignment, (size / alignment + 1) * alignment);
+      return p.calls++ >= p.refuse_from ? nullptr : std::aligned_alloc(alignment, (size / alignment + 1) * alignment);
     };
     d.free = [](void*, void* p, uint64_t, uint64_t) { std::free(p); };
     return d;
@@ -194,8 +193,7 @@ void running_out_of_memory_leaves_the_books_in_order(void**) {
       purse.refuse_from = ~uint64_t(0);
       if (on != CAROM_OK) assert_int_equal(carom_world_enable_ledger(b.world, 1, nullptr), CAROM_OK);
       refused_steps += step != CAROM_OK;
-      for (int i = 0; i < 40; ++i)
-        assert_int_equal(bench_steps(b.world, 1, nullptr), CAROM_OK), assert_closes(b.world);
+      for (int i = 0; i < 40; ++i) assert_int_equal(bench_steps(b.world, 1, nullptr), CAROM_OK), assert_closes(b.world);
       const double host = causes_of(b.world)[0].total_linear[0];
       assert_true(std::fabs(host - (on == CAROM_OK ? 2 : 0)) < 1e-12);  // each push once
       assert_int_equal(bench_free(&b), CAROM_OK);

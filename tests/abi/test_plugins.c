@@ -6,12 +6,11 @@
 #include <stdio.h>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
 /* ---- invalid plugins by pointer: each a ball of params[0], but for its lie ---- */
 
-static int32_t ball(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t ball(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   const double largest = fmax(fabs(dir[0]), fmax(fabs(dir[1]), fabs(dir[2])));
   const double x = dir[0] / largest, y = dir[1] / largest, z = dir[2] / largest;
@@ -23,13 +22,13 @@ static int32_t ball(void *user, const double *params, uint64_t count, const doub
   return 0;
 }
 
-static int32_t gives_nan(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t gives_nan(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   const int32_t r = ball(NULL, params, count, dir, out);
   if (dir[0] > 0 && dir[1] > 0) out[2] = NAN;
   return r;
 }
-static int32_t not_repeatable(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t not_repeatable(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   static int calls = 0;
   const int32_t r = ball(NULL, params, count, dir, out);
@@ -37,7 +36,7 @@ static int32_t not_repeatable(void *user, const double *params, uint64_t count, 
   return r;
 }
 /* The nearest point instead of the farthest. */
-static int32_t not_convex(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t not_convex(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   const int32_t r = ball(NULL, params, count, dir, out);
   int i;
@@ -45,7 +44,7 @@ static int32_t not_convex(void *user, const double *params, uint64_t count, cons
   return r;
 }
 /* A star: its support points are not those of its hull. */
-static int32_t star(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t star(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   const int32_t r = ball(NULL, params, count, dir, out);
   const double bump = 1 + 0.5 * sin(9 * atan2(out[1], out[0]));
@@ -53,48 +52,48 @@ static int32_t star(void *user, const double *params, uint64_t count, const doub
   for (i = 0; i < 3; ++i) out[i] *= bump;
   return r;
 }
-static int32_t unbounded(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t unbounded(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   const int32_t r = ball(NULL, params, count, dir, out);
   if (dir[1] > 0.5 * fabs(dir[0])) out[1] = 1e300;
   return r;
 }
-static int32_t scales(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t scales(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   int i;
   (void)count;
   for (i = 0; i < 3; ++i) out[i] = params[0] * dir[i]; /* right for unit directions only */
   return 0;
 }
-static int32_t refuses(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t refuses(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   ball(NULL, params, count, dir, out);
   return dir[2] < 0 ? 3 : 0;
 }
-static int32_t changes_rounding(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t changes_rounding(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   fesetround(FE_TOWARDZERO);
   return ball(NULL, params, count, dir, out);
 }
 
-static carom_shape_plugin invalid_plugin(carom_support_fn support, const carom_geometry *geometry) {
+static carom_shape_plugin invalid_plugin(carom_support_fn support, const carom_geometry* geometry) {
   static const carom_param params[] = {{"radius", "m", 0.1, 10}};
   return bench_plugin("invalid_plugin", params, 1, geometry, support);
 }
 
-static int make(void **state) {
+static int make(void** state) {
   static Bench b;
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   *state = &b;
   return 0;
 }
-static int clear(void **state) {
+static int clear(void** state) {
   assert_int_equal(bench_free(*state), CAROM_OK);
   return 0;
 }
 
 /* A cube of half an edge, rounded by a radius: a smaller cube swollen by it. Rounder than it is large it makes no sense. */
-static int32_t rounded_cube(void *user, const double *params, uint64_t count, const double given[3], double out[3]) {
+static int32_t rounded_cube(void* user, const double* params, uint64_t count, const double given[3], double out[3]) {
   (void)user;
   const double big = fmax(fabs(given[0]), fmax(fabs(given[1]), fabs(given[2])));
   const double dir[3] = {given[0] / big, given[1] / big, given[2] / big}, core = params[0] - params[1];
@@ -105,10 +104,10 @@ static int32_t rounded_cube(void *user, const double *params, uint64_t count, co
   return 0;
 }
 
-static void parameters_that_constrain_each_other_say_so(void **state) {
+static void parameters_that_constrain_each_other_say_so(void** state) {
   static const carom_param params[] = {{"half", "m", 1e-3, 1e3}, {"radius", "m", 1e-3, 1e3}};
   static const carom_param_rule rules[] = {{"radius <= 0.99 half", 2, {1, 0, 0, 0}, {1, -0.99, 0, 0}, 0}};
-  Bench *b = *state;
+  Bench* b = *state;
   carom_shape_plugin p = bench_plugin("rounded", params, 2, NULL, rounded_cube);
   carom_plugin plugin = 0;
   carom_shape shape = 0;
@@ -117,7 +116,8 @@ static void parameters_that_constrain_each_other_say_so(void **state) {
   const double thin[2] = {1, 0.25}, thick[2] = {1, 1.5};
   const double pi = 3.14159265358979323846;
   size_t k;
-  assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, &e), CAROM_E_PLUGIN_INVALID); /* judged by one that is no set */
+  assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, &e),
+                   CAROM_E_PLUGIN_INVALID); /* judged by one that is no set */
   p.rules = rules, p.rule_count = 1;
   assert_int_equal(carom_plugin_register(b->engine, &p, &plugin, &e), CAROM_OK);
   assert_int_equal(carom_shape_create(b->engine, plugin, thick, 2, &shape, &e), CAROM_E_OUT_OF_RANGE);
@@ -140,7 +140,8 @@ static void parameters_that_constrain_each_other_say_so(void **state) {
     if (k == 5) q.rules = NULL;
     assert_int_equal(carom_plugin_register(b->engine, &q, &plugin, &e), CAROM_E_PLUGIN_ABI);
   }
-  p.id = "rounded.never", p.rules = rules; /* a rule that nothing keeps: shapes are judged when they are made, and there are none */
+  p.id = "rounded.never",
+  p.rules = rules; /* a rule that nothing keeps: shapes are judged when they are made, and there are none */
   {
     carom_param_rule never = {"never", 1, {0, 0, 0, 0}, {0, 0, 0, 0}, -1};
     p.rules = &never;
@@ -149,14 +150,15 @@ static void parameters_that_constrain_each_other_say_so(void **state) {
   }
 }
 
-static void a_invalid_support_function_is_refused_at_registration(void **state) {
+static void a_invalid_support_function_is_refused_at_registration(void** state) {
   static const struct {
-    const char *what;
+    const char* what;
     carom_support_fn support;
-  } invalid_plugins[] = {{"gives nan", gives_nan},   {"not repeatable", not_repeatable}, {"not convex", not_convex},
-               {"star", star},             {"unbounded", unbounded},           {"scales", scales},
-               {"returns error", refuses}, {"changes rounding", changes_rounding}};
-  Bench *b = *state;
+  } invalid_plugins[] = {{"gives nan", gives_nan},   {"not repeatable", not_repeatable},
+                         {"not convex", not_convex}, {"star", star},
+                         {"unbounded", unbounded},   {"scales", scales},
+                         {"returns error", refuses}, {"changes rounding", changes_rounding}};
+  Bench* b = *state;
   size_t i;
   for (i = 0; i < sizeof invalid_plugins / sizeof *invalid_plugins; ++i) {
     carom_shape_plugin p = invalid_plugin(invalid_plugins[i].support, NULL);
@@ -178,8 +180,8 @@ static void a_invalid_support_function_is_refused_at_registration(void **state) 
   }
 }
 
-static void a_nonsensical_struct_is_refused_before_anything_is_called(void **state) {
-  Bench *b = *state;
+static void a_nonsensical_struct_is_refused_before_anything_is_called(void** state) {
+  Bench* b = *state;
   static const carom_param backward[] = {{"radius", "m", 2, 1}}, nameless[] = {{NULL, "m", 0, 1}};
   static const carom_param unbounded_nan[] = {{"radius", "m", 0, NAN}};
   carom_geometry g = bench_sphere_geometry;
@@ -226,8 +228,8 @@ static void a_nonsensical_struct_is_refused_before_anything_is_called(void **sta
   assert_int_equal(carom_plugin_register(b->engine, &good, &plugin, &e), CAROM_E_PLUGIN_ABI);
 }
 
-static void a_struct_of_an_older_or_newer_minor_version_is_read_as_such(void **state) {
-  Bench *b = *state;
+static void a_struct_of_an_older_or_newer_minor_version_is_read_as_such(void** state) {
+  Bench* b = *state;
   struct {
     carom_shape_plugin known;
     uint64_t tail;
@@ -248,17 +250,18 @@ static void a_struct_of_an_older_or_newer_minor_version_is_read_as_such(void **s
   assert_int_equal(carom_plugin_register(b->engine, &newer.known, &plugin, NULL), CAROM_OK);
 }
 
-static void a_false_declaration_is_refused_with_its_witness(void **state) {
-  Bench *b = *state;
-  static const carom_geometry false_form = {sizeof(carom_geometry), CAROM_FORM_BOX, {0, 0, 0, CAROM_NO_PARAM},
-                                            CAROM_NO_PARAM, CAROM_FORM_NONE, {0, 0, 0, 0}};
-  static const carom_geometry false_core = {sizeof(carom_geometry), CAROM_FORM_SPHERE, {0, 0, 0, 0}, 0, CAROM_FORM_NONE,
-                                            {0, 0, 0, 0}}; /* the ball swollen by its radius again */
-  static const carom_geometry false_mass = {sizeof(carom_geometry), CAROM_FORM_NONE, {0, 0, 0, 0}, CAROM_NO_PARAM,
-                                            CAROM_FORM_BOX, {0, 0, 0, CAROM_NO_PARAM}};
-  static const carom_geometry true_all = {sizeof(carom_geometry), CAROM_FORM_SPHERE, {0, 0, 0, 0}, CAROM_NO_PARAM,
-                                          CAROM_FORM_SPHERE, {0, 0, 0, 0}};
-  const carom_geometry *lies[] = {&false_form, &false_core, &false_mass};
+static void a_false_declaration_is_refused_with_its_witness(void** state) {
+  Bench* b = *state;
+  static const carom_geometry false_form = {sizeof(carom_geometry), CAROM_FORM_BOX,  {0, 0, 0, CAROM_NO_PARAM},
+                                            CAROM_NO_PARAM,         CAROM_FORM_NONE, {0, 0, 0, 0}};
+  static const carom_geometry false_core = {
+      sizeof(carom_geometry), CAROM_FORM_SPHERE, {0, 0, 0, 0}, 0,
+      CAROM_FORM_NONE,        {0, 0, 0, 0}}; /* the ball swollen by its radius again */
+  static const carom_geometry false_mass = {sizeof(carom_geometry), CAROM_FORM_NONE, {0, 0, 0, 0},
+                                            CAROM_NO_PARAM,         CAROM_FORM_BOX,  {0, 0, 0, CAROM_NO_PARAM}};
+  static const carom_geometry true_all = {sizeof(carom_geometry), CAROM_FORM_SPHERE, {0, 0, 0, 0},
+                                          CAROM_NO_PARAM,         CAROM_FORM_SPHERE, {0, 0, 0, 0}};
+  const carom_geometry* lies[] = {&false_form, &false_core, &false_mass};
   const double radius = 0.7;
   size_t i;
   for (i = 0; i < 4; ++i) {
@@ -272,7 +275,7 @@ static void a_false_declaration_is_refused_with_its_witness(void **state) {
       assert_int_equal(e.argument, 2);
       assert_int_equal(shape, 77);
       if (i < 2) {
-        const double *d = e.witness_dir;
+        const double* d = e.witness_dir;
         assert_true(e.has_witness && d[0] * d[0] + d[1] * d[1] + d[2] * d[2] > 0);
       }
     } else {
@@ -284,13 +287,13 @@ static void a_false_declaration_is_refused_with_its_witness(void **state) {
 }
 
 /* Valid near 1, where it is asked at registration; not at 9. */
-static int32_t lies_when_large(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t lies_when_large(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   return params[0] > 5 ? not_convex(NULL, params, count, dir, out) : ball(NULL, params, count, dir, out);
 }
 
-static void a_shape_that_lies_for_its_own_parameters_alone_is_refused(void **state) {
-  Bench *b = *state;
+static void a_shape_that_lies_for_its_own_parameters_alone_is_refused(void** state) {
+  Bench* b = *state;
   carom_shape_plugin p = invalid_plugin(lies_when_large, NULL);
   carom_plugin plugin;
   carom_shape shape;
@@ -304,7 +307,7 @@ static void a_shape_that_lies_for_its_own_parameters_alone_is_refused(void **sta
 
 static uint32_t lie = 0; /* 0: valid; else CAROM_FAULT_* */
 
-static int32_t lies_later(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t lies_later(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   (void)user;
   ball(NULL, params, count, dir, out);
   if (lie == CAROM_FAULT_RETURNED) return 1;
@@ -314,12 +317,12 @@ static int32_t lies_later(void *user, const double *params, uint64_t count, cons
 }
 
 static int warnings = 0;
-static void count_warnings(void *user, uint32_t level, const char *text) {
+static void count_warnings(void* user, uint32_t level, const char* text) {
   (void)user;
   if (level == CAROM_LOG_WARNING && strstr(text, "quarantine")) ++warnings;
 }
 
-static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(void **state) {
+static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(void** state) {
   uint32_t kind;
   (void)state;
   for (kind = CAROM_FAULT_RETURNED; kind <= CAROM_FAULT_OUTSIDE; ++kind) {
@@ -345,7 +348,9 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
     assert_int_equal(carom_plugin_register(b.engine, &p, &plugin, NULL), CAROM_OK);
     assert_int_equal(carom_shape_create(b.engine, plugin, &radius, 1, &shape, NULL), CAROM_OK);
     for (i = 0; i < 2; ++i) /* two of them in contact with one another and with the box */
-      assert_int_equal(bench_body(b.world, shape, 0, CAROM_BODY_DYNAMIC, 2.25 + 0.9 * (double)i, 3.0, 0.375, &body[i], &collider, NULL), CAROM_OK);
+      assert_int_equal(bench_body(b.world, shape, 0, CAROM_BODY_DYNAMIC, 2.25 + 0.9 * (double)i, 3.0, 0.375, &body[i],
+                                  &collider, NULL),
+                       CAROM_OK);
     assert_int_equal(carom_world_collect_events(b.world, CAROM_EVENTS_FAULT, 0, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b.world, 3, NULL), CAROM_OK);
     assert_int_equal(carom_world_get_faults(b.world, faults, sizeof *faults, 8, &count, NULL), CAROM_OK);
@@ -365,7 +370,8 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
     assert_int_equal(carom_world_get_fault_events(b.world, events, sizeof *events, 8, &told, NULL), CAROM_OK);
     assert_int_equal(told, count);
     for (i = 0; i < told; ++i) {
-      assert_true(events[i].kind == faults[i].kind && events[i].shape == faults[i].shape && events[i].body == faults[i].body);
+      assert_true(events[i].kind == faults[i].kind && events[i].shape == faults[i].shape &&
+                  events[i].body == faults[i].body);
       assert_memory_equal(events[i].dir, faults[i].dir, sizeof events[i].dir); /* bits: it may be NaN */
       assert_memory_equal(events[i].out, faults[i].out, sizeof events[i].out);
       assert_true(events[i].step == report.steps);
@@ -373,7 +379,8 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
     assert_int_equal(warnings, count);
 
     assert_int_equal(bench_steps(b.world, 60, NULL), CAROM_OK);
-    assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, NULL, BENCH_BODIES + 3, pose, 0, NULL), CAROM_OK);
+    assert_int_equal(
+        carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, NULL, BENCH_BODIES + 3, pose, 0, NULL), CAROM_OK);
     for (i = 0; i < (BENCH_BODIES + 3) * 7; ++i) assert_true(isfinite(pose[i / 7][i % 7]));
     /* In quarantine it is asked no more. */
     assert_int_equal(carom_world_get_faults(b.world, faults, sizeof *faults, 8, &count, NULL), CAROM_OK);
@@ -383,7 +390,7 @@ static void a_plugin_that_lies_later_is_quarantined_and_the_world_stays_finite(v
   }
 }
 
-static void faults_of_a_destroyed_body_are_forgotten_with_it(void **state) {
+static void faults_of_a_destroyed_body_are_forgotten_with_it(void** state) {
   Bench b;
   carom_shape_plugin p = invalid_plugin(lies_later, NULL);
   carom_plugin plugin;
@@ -400,7 +407,9 @@ static void faults_of_a_destroyed_body_are_forgotten_with_it(void **state) {
   assert_int_equal(carom_plugin_register(b.engine, &p, &plugin, NULL), CAROM_OK);
   assert_int_equal(carom_shape_create(b.engine, plugin, &radius, 1, &shape, NULL), CAROM_OK);
   for (i = 0; i < 2; ++i)
-    assert_int_equal(bench_body(b.world, shape, 0, CAROM_BODY_DYNAMIC, 50 + 0.9 * (double)i, 3, 0, &body[i], &collider, NULL), CAROM_OK);
+    assert_int_equal(
+        bench_body(b.world, shape, 0, CAROM_BODY_DYNAMIC, 50 + 0.9 * (double)i, 3, 0, &body[i], &collider, NULL),
+        CAROM_OK);
   lie = CAROM_FAULT_RETURNED;
   assert_int_equal(carom_world_step(b.world, 1.0 / 64, NULL), CAROM_OK);
   lie = 0;
@@ -414,14 +423,19 @@ static void faults_of_a_destroyed_body_are_forgotten_with_it(void **state) {
 
 /* ---- shared objects ---- */
 
-static void shared_objects_that_lie_are_refused(void **state) {
+static void shared_objects_that_lie_are_refused(void** state) {
   static const struct {
-    const char *file;
+    const char* file;
     int32_t code;
-  } files[] = {{"wrong_major", CAROM_E_PLUGIN_ABI}, {"short_struct", CAROM_E_PLUGIN_ABI}, {"long_struct", CAROM_E_PLUGIN_ABI},
-               {"null_support", CAROM_E_PLUGIN_ABI}, {"no_symbol", CAROM_E_PLUGIN_LOAD},
-               {"function_symbol", CAROM_E_PLUGIN_ABI}, {"valid", CAROM_OK}, {"valid", CAROM_E_ALREADY_EXISTS}};
-  Bench *b = *state;
+  } files[] = {{"wrong_major", CAROM_E_PLUGIN_ABI},
+               {"short_struct", CAROM_E_PLUGIN_ABI},
+               {"long_struct", CAROM_E_PLUGIN_ABI},
+               {"null_support", CAROM_E_PLUGIN_ABI},
+               {"no_symbol", CAROM_E_PLUGIN_LOAD},
+               {"function_symbol", CAROM_E_PLUGIN_ABI},
+               {"valid", CAROM_OK},
+               {"valid", CAROM_E_ALREADY_EXISTS}};
+  Bench* b = *state;
   size_t i;
   for (i = 0; i < sizeof files / sizeof *files; ++i) {
     char path[1024];
@@ -441,8 +455,8 @@ static int keeps_denormals(void) {
   return half != 0 && half * 2 == smallest;
 }
 
-static void a_loader_that_sets_flush_to_zero_does_not_change_our_thread(void **state) {
-  Bench *b = *state;
+static void a_loader_that_sets_flush_to_zero_does_not_change_our_thread(void** state) {
+  Bench* b = *state;
   carom_plugin plugin;
   fenv_t before;
   assert_true(keeps_denormals());
@@ -459,7 +473,7 @@ static void a_loader_that_sets_flush_to_zero_does_not_change_our_thread(void **s
   assert_true(keeps_denormals());
 }
 
-static void a_step_is_the_same_whatever_the_hosts_float_environment(void **state) {
+static void a_step_is_the_same_whatever_the_hosts_float_environment(void** state) {
   Bench a, b;
   fenv_t before;
   (void)state;
@@ -478,10 +492,10 @@ static void a_step_is_the_same_whatever_the_hosts_float_environment(void **state
 
 /* ---- life ---- */
 
-static void unloading_is_refused_while_shapes_live_and_is_logical(void **state) {
-  Bench *b = *state;
+static void unloading_is_refused_while_shapes_live_and_is_logical(void** state) {
+  Bench* b = *state;
   carom_shape_plugin p = invalid_plugin(ball, NULL);
-  const carom_shape_plugin *described = NULL;
+  const carom_shape_plugin* described = NULL;
   carom_plugin plugin, again;
   carom_shape shape;
   const double radius = 1;
@@ -499,8 +513,8 @@ static void unloading_is_refused_while_shapes_live_and_is_logical(void **state) 
   assert_true(again != plugin);
 }
 
-static void a_tail_of_parameters_comes_in_whole_groups(void **state) {
-  Bench *b = *state;
+static void a_tail_of_parameters_comes_in_whole_groups(void** state) {
+  Bench* b = *state;
   carom_plugin hull;
   carom_shape shape;
   double p[15] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}, got[15];
@@ -520,14 +534,14 @@ static void a_tail_of_parameters_comes_in_whole_groups(void **state) {
   assert_memory_equal(got, p, sizeof p);
 }
 
-static void all_plugins_of_the_house_are_taken_in_and_measured(void **state) {
-  static const char *names[] = {"template", "sphere", "box", "capsule", "cylinder", "cone", "ellipsoid"};
-  Bench *b = *state;
+static void all_plugins_of_the_house_are_taken_in_and_measured(void** state) {
+  static const char* names[] = {"template", "sphere", "box", "capsule", "cylinder", "cone", "ellipsoid"};
+  Bench* b = *state;
   size_t i;
   for (i = 0; i < sizeof names / sizeof *names; ++i) {
     char path[1024];
     carom_plugin plugin;
-    const carom_shape_plugin *d;
+    const carom_shape_plugin* d;
     carom_shape shape;
     carom_shape_info info;
     carom_error e = CAROM_ERROR_INIT;

@@ -1,9 +1,8 @@
 /* Resistance of materials to rolling and spinning, as a host sets and reads it. */
 #include "bench.h"
-
 #include "carom_test.h"
 
-static void it_is_nothing_until_it_is_set_and_outlives_an_update(void **state) {
+static void it_is_nothing_until_it_is_set_and_outlives_an_update(void** state) {
   Bench b;
   carom_material_desc desc;
   double rolling = 1, spinning = 1;
@@ -21,7 +20,7 @@ static void it_is_nothing_until_it_is_set_and_outlives_an_update(void **state) {
 
 /* Two worlds that differ in nothing else: once bodies touch, what resists goes another way, and what was set and taken
  * back does not. */
-static void what_is_set_is_felt(void **state) {
+static void what_is_set_is_felt(void** state) {
   uint64_t hash[3];
   int i;
   (void)state;

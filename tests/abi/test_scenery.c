@@ -1,6 +1,5 @@
 /* Meshes and height fields through the interface: made, described, stood on, asked, refused. */
 #include "bench.h"
-
 #include "carom_test.h"
 
 #define SIDE 20
@@ -16,7 +15,7 @@ static carom_mesh_desc level(void) {
   uint32_t i, j, t = 0;
   for (j = 0; j <= SIDE; j++)
     for (i = 0; i <= SIDE; i++) {
-      double *v = vertices + 3 * (j * (SIDE + 1) + i);
+      double* v = vertices + 3 * (j * (SIDE + 1) + i);
       v[0] = 0.5 * i - 5, v[1] = 0, v[2] = 0.5 * j - 5;
     }
   for (j = 0; j < SIDE; j++)
@@ -32,7 +31,7 @@ static carom_mesh_desc level(void) {
   return d;
 }
 
-static carom_collider put(carom_world *world, carom_shape shape, double y, uint32_t type, carom_body *body) {
+static carom_collider put(carom_world* world, carom_shape shape, double y, uint32_t type, carom_body* body) {
   carom_body_desc bd;
   carom_collider_desc cd;
   carom_collider collider = CAROM_NULL_HANDLE;
@@ -44,13 +43,13 @@ static carom_collider put(carom_world *world, carom_shape shape, double y, uint3
   return collider;
 }
 
-static double height_of(carom_world *world, carom_body body) {
+static double height_of(carom_world* world, carom_body body) {
   double p[3];
   assert_int_equal(carom_world_read(world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &body, 1, p, 0, NULL), CAROM_OK);
   return p[1];
 }
 
-static void what_is_known_of_a_mesh(void **state) {
+static void what_is_known_of_a_mesh(void** state) {
   Bench b;
   carom_mesh_desc d = level();
   carom_shape mesh, ball;
@@ -89,7 +88,7 @@ static void what_is_known_of_a_mesh(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void bodies_stand_on_it_and_worlds_answer_for_it(void **state) {
+static void bodies_stand_on_it_and_worlds_answer_for_it(void** state) {
   Bench b;
   carom_mesh_desc d = level();
   carom_height_field_desc h;
@@ -104,7 +103,7 @@ static void bodies_stand_on_it_and_worlds_answer_for_it(void **state) {
   h.columns = 4, h.rows = 3, h.heights = heights, h.spacing[0] = 3, h.spacing[1] = 4;
   assert_int_equal(carom_shape_create_height_field(b.engine, &h, &shapes[1], NULL), CAROM_OK);
   for (k = 0; k < 2; k++) {
-    carom_world *world;
+    carom_world* world;
     carom_body floor, ball;
     carom_collider ground;
     carom_world_hit hit;
@@ -124,7 +123,7 @@ static void bodies_stand_on_it_and_worlds_answer_for_it(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void what_cannot_be_is_refused_and_changes_nothing(void **state) {
+static void what_cannot_be_is_refused_and_changes_nothing(void** state) {
   Bench b;
   carom_mesh_desc good = level(), d;
   carom_height_field_desc field, f;
@@ -143,9 +142,9 @@ static void what_cannot_be_is_refused_and_changes_nothing(void **state) {
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   carom_height_field_desc_init(&field, sizeof field), field.columns = field.rows = 2, field.heights = heights;
 
-#define REFUSED(change, code) \
-  (d = good, change, assert_int_equal(carom_shape_create_mesh(b.engine, &d, &other, &error), code), assert_true(other == 77), \
-   assert_true(error.argument == 2 && strlen(error.remedy) > 10))
+#define REFUSED(change, code)                                                                       \
+  (d = good, change, assert_int_equal(carom_shape_create_mesh(b.engine, &d, &other, &error), code), \
+   assert_true(other == 77), assert_true(error.argument == 2 && strlen(error.remedy) > 10))
   REFUSED(d.struct_size = 3, CAROM_E_STRUCT_SIZE);
   REFUSED(d.flags = 8, CAROM_E_UNSUPPORTED);
   REFUSED(d.vertices = NULL, CAROM_E_NULL_ARGUMENT);
@@ -163,7 +162,7 @@ static void what_cannot_be_is_refused_and_changes_nothing(void **state) {
   assert_int_equal(carom_shape_create_mesh(b.engine, &good, NULL, NULL), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_shape_create_mesh(NULL, &good, &other, NULL), CAROM_E_NULL_ARGUMENT);
 
-#define NO_FIELD(change, code) \
+#define NO_FIELD(change, code)                                                                               \
   (f = field, change, assert_int_equal(carom_shape_create_height_field(b.engine, &f, &other, &error), code), \
    assert_true(other == 77))
   NO_FIELD(f.columns = 1, CAROM_E_OUT_OF_RANGE);
@@ -184,27 +183,31 @@ static void what_cannot_be_is_refused_and_changes_nothing(void **state) {
   assert_int_equal(carom_collider_create(b.world, body, &cd, &collider, &error), CAROM_E_OUT_OF_RANGE);
   assert_int_equal(carom_shape_support(b.engine, mesh, down, 1, out, NULL), CAROM_E_UNSUPPORTED);
   distance.struct_size = sizeof distance, cast.struct_size = sizeof cast;
-  assert_int_equal(carom_shape_distance(b.engine, mesh, nowhere, upright, mesh, nowhere, upright, NULL, &distance, NULL),
-                   CAROM_E_UNSUPPORTED);
-  assert_int_equal(carom_shape_cast(b.engine, mesh, nowhere, upright, down, b.ball, nowhere, upright, NULL, &cast, NULL),
-                   CAROM_E_UNSUPPORTED);
+  assert_int_equal(
+      carom_shape_distance(b.engine, mesh, nowhere, upright, mesh, nowhere, upright, NULL, &distance, NULL),
+      CAROM_E_UNSUPPORTED);
+  assert_int_equal(
+      carom_shape_cast(b.engine, mesh, nowhere, upright, down, b.ball, nowhere, upright, NULL, &cast, NULL),
+      CAROM_E_UNSUPPORTED);
   { /* but it is asked */
     const double above[3] = {1, 2, 1};
-    assert_int_equal(carom_shape_distance(b.engine, b.ball, above, upright, mesh, nowhere, upright, NULL, &distance, NULL),
-                     CAROM_OK);
+    assert_int_equal(
+        carom_shape_distance(b.engine, b.ball, above, upright, mesh, nowhere, upright, NULL, &distance, NULL),
+        CAROM_OK);
     assert_true(fabs(distance.separation - 1.5) < 1e-5 && fabs(distance.normal[1] + 1) < 1e-9);
-    assert_int_equal(carom_shape_distance(b.engine, mesh, nowhere, upright, b.ball, above, upright, NULL, &distance, NULL),
-                     CAROM_OK);
+    assert_int_equal(
+        carom_shape_distance(b.engine, mesh, nowhere, upright, b.ball, above, upright, NULL, &distance, NULL),
+        CAROM_OK);
     assert_true(fabs(distance.separation - 1.5) < 1e-5 && fabs(distance.normal[1] - 1) < 1e-9);
-    assert_int_equal(carom_shape_cast(b.engine, b.ball, above, upright, down, mesh, nowhere, upright, NULL, &cast, NULL),
-                     CAROM_OK);
+    assert_int_equal(
+        carom_shape_cast(b.engine, b.ball, above, upright, down, mesh, nowhere, upright, NULL, &cast, NULL), CAROM_OK);
     assert_int_equal(cast.outcome, CAROM_CAST_MISS);
   }
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
 /* A direction of any length: turned into the surface's frame this one would be longer than any number. */
-static void it_is_met_however_fast(void **state) {
+static void it_is_met_however_fast(void** state) {
   static const double turned[4] = {0, 0, 0.38268343236508978, 0.92387953251128674}; /* by 45 degrees about z */
   static const double direction[3] = {1.7e308, -1.7e308, 0}, from[3] = {-1, 1, 0.1};
   Bench b;
@@ -217,15 +220,15 @@ static void it_is_met_however_fast(void **state) {
   cast.struct_size = sizeof cast;
   assert_int_equal(carom_ray_cast(b.engine, surface, nowhere, turned, from, direction, 1, NULL, &cast, NULL), CAROM_OK);
   assert_true(cast.outcome == CAROM_CAST_HIT || cast.outcome == CAROM_CAST_UNDECIDED);
-  assert_int_equal(carom_shape_cast(b.engine, b.ball, from, upright, direction, surface, nowhere, turned, NULL, &cast,
-                                    NULL),
-                   CAROM_OK);
+  assert_int_equal(
+      carom_shape_cast(b.engine, b.ball, from, upright, direction, surface, nowhere, turned, NULL, &cast, NULL),
+      CAROM_OK);
   assert_true(cast.outcome != CAROM_CAST_MISS);
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
 /* From beyond the reach of short numbers (1e17 m), and from where sums overflow. */
-static void it_answers_from_any_distance(void **state) {
+static void it_answers_from_any_distance(void** state) {
   static const double far[] = {1e16, 1e18, 1e38, 1e100, 1e300, 1.7e308};
   Bench b;
   carom_mesh_desc d = level();
@@ -251,31 +254,31 @@ static void it_answers_from_any_distance(void **state) {
         carom_motion still, flies;
         from[k % 3] = sign * far[i], away[k % 3] = sign, back[k % 3] = -sign;
         cast.struct_size = sizeof cast, distance.struct_size = sizeof distance, overlap.struct_size = sizeof overlap;
-        assert_int_equal(carom_ray_cast(b.engine, surface[s], nowhere, upright, from, away, INFINITY, NULL, &cast, NULL),
-                         CAROM_OK);
+        assert_int_equal(
+            carom_ray_cast(b.engine, surface[s], nowhere, upright, from, away, INFINITY, NULL, &cast, NULL), CAROM_OK);
         assert_true(cast.outcome == CAROM_CAST_MISS || (overflows && cast.outcome == CAROM_CAST_UNDECIDED));
-        assert_int_equal(carom_ray_cast(b.engine, surface[s], nowhere, upright, from, back, INFINITY, NULL, &cast, NULL),
-                         CAROM_OK);
+        assert_int_equal(
+            carom_ray_cast(b.engine, surface[s], nowhere, upright, from, back, INFINITY, NULL, &cast, NULL), CAROM_OK);
         if (far[i] == 1e16 && k == 1)
           assert_true(cast.outcome == CAROM_CAST_HIT && fabs(cast.time / far[i] - 1) < 1e-12);
-        assert_int_equal(carom_ray_cast(b.engine, surface[s], from, upright, nowhere, away, INFINITY, NULL, &cast, NULL),
-                         CAROM_OK);
-        assert_int_equal(carom_shape_cast(b.engine, b.ball, from, upright, away, surface[s], nowhere, upright, NULL, &cast,
-                                          NULL),
-                         CAROM_OK);
+        assert_int_equal(
+            carom_ray_cast(b.engine, surface[s], from, upright, nowhere, away, INFINITY, NULL, &cast, NULL), CAROM_OK);
+        assert_int_equal(
+            carom_shape_cast(b.engine, b.ball, from, upright, away, surface[s], nowhere, upright, NULL, &cast, NULL),
+            CAROM_OK);
         assert_true(cast.outcome == CAROM_CAST_MISS || (overflows && cast.outcome == CAROM_CAST_UNDECIDED));
         carom_motion_init(&still, sizeof still), carom_motion_init(&flies, sizeof flies);
         memcpy(flies.position, from, sizeof from), memcpy(flies.linear_velocity, away, sizeof away);
         assert_int_equal(carom_shape_time_of_impact(b.engine, b.ball, &flies, surface[s], &still, 1, NULL, &cast, NULL),
                          CAROM_OK);
         assert_true(cast.outcome == CAROM_CAST_MISS || (overflows && cast.outcome == CAROM_CAST_UNDECIDED));
-        assert_int_equal(carom_shape_overlap(b.engine, b.ball, from, upright, surface[s], nowhere, upright, NULL, &overlap,
-                                             NULL),
-                         CAROM_OK);
+        assert_int_equal(
+            carom_shape_overlap(b.engine, b.ball, from, upright, surface[s], nowhere, upright, NULL, &overlap, NULL),
+            CAROM_OK);
         assert_true(overlap.outcome == CAROM_OVERLAP_APART || (overflows && overlap.outcome == CAROM_OVERLAP_TOUCHING));
-        assert_int_equal(carom_shape_distance(b.engine, b.ball, from, upright, surface[s], nowhere, upright, NULL,
-                                              &distance, NULL),
-                         CAROM_OK);
+        assert_int_equal(
+            carom_shape_distance(b.engine, b.ball, from, upright, surface[s], nowhere, upright, NULL, &distance, NULL),
+            CAROM_OK);
         if (!overflows) assert_true(fabs(distance.separation / far[i] - 1) < 1e-6);
       }
   assert_int_equal(bench_free(&b), CAROM_OK);

@@ -60,8 +60,8 @@ double depth_at_rest(const Case& c) {
   else
     assert_int_equal(carom_shape_create_half_space(engine, up, 0, &ground, nullptr), CAROM_OK);
   body_with(ground, CAROM_BODY_STATIC, c.on_box ? -5 * c.size : 0, 0);
-  const carom_body body = body_with(c.is_box ? shape_of("box", half, 3) : shape_of("sphere", half, 1), CAROM_BODY_DYNAMIC,
-                                    1.5 * c.size, -c.speed);
+  const carom_body body = body_with(c.is_box ? shape_of("box", half, 3) : shape_of("sphere", half, 1),
+                                    CAROM_BODY_DYNAMIC, 1.5 * c.size, -c.speed);
   for (int i = 0; i < 600; ++i) assert_int_equal(carom_world_step(world, 1.0 / 60, nullptr), CAROM_OK);
   double x[3];
   assert_int_equal(carom_world_read(world, CAROM_FIELD_POSITION, CAROM_SCALAR_F64, &body, 1, x, 0, nullptr), CAROM_OK);

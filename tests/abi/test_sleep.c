@@ -1,12 +1,11 @@
 /* Sleep through the boundary: the dial, the two calls, the descriptor's flag, the counts of the report; and the same bits
  * whatever the order of handles in bulk calls. */
 #include "bench.h"
-
 #include "carom_test.h"
 
 /* Without gravity, and with nothing to hit, all lie still from the first step on; those that overlap are parted without a
  * velocity. */
-static void still_stage(Bench *b) {
+static void still_stage(Bench* b) {
   const double none[3] = {0, 0, 0};
   assert_int_equal(bench_make(b, NULL, NULL), CAROM_OK);
   assert_int_equal(carom_world_set_gravity(b->world, none, NULL), CAROM_OK);
@@ -14,13 +13,13 @@ static void still_stage(Bench *b) {
   assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SLEEP, 1, NULL), CAROM_OK);
 }
 
-static uint32_t asleep(const Bench *b, int i) {
+static uint32_t asleep(const Bench* b, int i) {
   uint32_t yes = 77;
   assert_int_equal(carom_body_is_asleep(b->world, b->bodies[i], &yes, NULL), CAROM_OK);
   return yes;
 }
 
-static carom_step_report report(const Bench *b) {
+static carom_step_report report(const Bench* b) {
   carom_step_report r;
   memset(&r, 0, sizeof r);
   r.struct_size = sizeof r;
@@ -28,7 +27,7 @@ static carom_step_report report(const Bench *b) {
   return r;
 }
 
-static void a_new_world_does_not_sleep(void **state) {
+static void a_new_world_does_not_sleep(void** state) {
   Bench b;
   double value = 77;
   const double none[3] = {0, 0, 0};
@@ -42,7 +41,7 @@ static void a_new_world_does_not_sleep(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void the_report_counts_who_falls_asleep_and_wakes(void **state) {
+static void the_report_counts_who_falls_asleep_and_wakes(void** state) {
   Bench b;
   uint64_t fell = 0;
   int i;
@@ -64,7 +63,7 @@ static void the_report_counts_who_falls_asleep_and_wakes(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void the_ground_never_sleeps_and_may_be_woken(void **state) {
+static void the_ground_never_sleeps_and_may_be_woken(void** state) {
   Bench b;
   uint32_t yes = 77;
   (void)state;
@@ -76,7 +75,7 @@ static void the_ground_never_sleeps_and_may_be_woken(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void stays_awake_is_kept_told_and_heeded(void **state) {
+static void stays_awake_is_kept_told_and_heeded(void** state) {
   Bench b;
   carom_body_desc desc, got;
   carom_body body;
@@ -116,15 +115,16 @@ static uint64_t bits_of_a_night(int backwards) {
     handles[i] = b.bodies[at];
     forces[i][0] = 1000.0 * (at + 1);
   }
-  assert_int_equal(carom_world_write(b.world, CAROM_FIELD_FORCE, CAROM_SCALAR_F64, handles, BENCH_BODIES, forces, 0, NULL),
-                   CAROM_OK);
+  assert_int_equal(
+      carom_world_write(b.world, CAROM_FIELD_FORCE, CAROM_SCALAR_F64, handles, BENCH_BODIES, forces, 0, NULL),
+      CAROM_OK);
   assert_int_equal(bench_steps(b.world, 300, NULL), CAROM_OK);
   hash = bench_hash(b.world);
   assert_int_equal(bench_free(&b), CAROM_OK);
   return hash;
 }
 
-static void the_order_of_a_hosts_handles_does_not_matter(void **state) {
+static void the_order_of_a_hosts_handles_does_not_matter(void** state) {
   (void)state;
   assert_true(bits_of_a_night(0) == bits_of_a_night(0));
   assert_true(bits_of_a_night(0) == bits_of_a_night(1));

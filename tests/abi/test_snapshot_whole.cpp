@@ -15,7 +15,7 @@ void make_more(Bench& b, const carom_engine_desc* desc = nullptr) {
   carom_mesh_desc mesh;
   carom_mesh_desc_init(&mesh, sizeof mesh);
   const double xyz[] = {-9, 0, -9, 9, 0, -9, 9, 0, 9, -9, 0, 9, 9, 0, 9, 0, 1, 0};  // one place twice
-  const std::uint32_t corners[] = {0, 2, 1, 0, 3, 4, 0, 2, 4, 1, 5, 2};               // one without an area
+  const std::uint32_t corners[] = {0, 2, 1, 0, 3, 4, 0, 2, 4, 1, 5, 2};             // one without an area
   mesh.vertices = xyz, mesh.vertex_count = 6, mesh.triangles = corners, mesh.triangle_count = 4;
   carom_height_field_desc field;
   carom_height_field_desc_init(&field, sizeof field);
@@ -28,7 +28,8 @@ void make_more(Bench& b, const carom_engine_desc* desc = nullptr) {
   carom_collider collider;
   assert_int_equal(carom_shape_create_mesh(b.engine, &mesh, &level, nullptr), CAROM_OK);
   assert_int_equal(carom_shape_create_height_field(b.engine, &field, &hills, nullptr), CAROM_OK);
-  assert_int_equal(bench_body(b.world, level, b.material, CAROM_BODY_STATIC, 0, -1, 0, &body, &collider, nullptr), CAROM_OK);
+  assert_int_equal(bench_body(b.world, level, b.material, CAROM_BODY_STATIC, 0, -1, 0, &body, &collider, nullptr),
+                   CAROM_OK);
   assert_int_equal(bench_body(b.world, hills, 0, CAROM_BODY_KINEMATIC, 20, 0, 0, &body, &collider, nullptr), CAROM_OK);
   carom_body made[4];
   for (int i = 0; i < 4; ++i) {
@@ -101,7 +102,8 @@ std::vector<std::uint64_t> edits(carom_world* world, const std::vector<std::uint
   carom_body body;
   carom_collider collider;
   for (int k = 0; k < 3; ++k) {
-    assert_int_equal(bench_body(world, shape, 0, CAROM_BODY_DYNAMIC, 3.5 * k, 6, 1, &body, &collider, nullptr), CAROM_OK);
+    assert_int_equal(bench_body(world, shape, 0, CAROM_BODY_DYNAMIC, 3.5 * k, 6, 1, &body, &collider, nullptr),
+                     CAROM_OK);
     made.push_back(body), made.push_back(collider);
   }
   assert_int_equal(carom_joint_destroy(world, handles[1], nullptr), CAROM_OK);
@@ -210,8 +212,10 @@ void what_is_stiff_is_stiff_from_the_first_step(void**) {
     assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
     carom_body body, ground;
     carom_collider collider;
-    assert_int_equal(bench_body(b.world, b.crate, 0, CAROM_BODY_STATIC, 0, -1, 0, &ground, &collider, nullptr), CAROM_OK);
-    assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 0, 0.5, 0, &body, &collider, nullptr), CAROM_OK);
+    assert_int_equal(bench_body(b.world, b.crate, 0, CAROM_BODY_STATIC, 0, -1, 0, &ground, &collider, nullptr),
+                     CAROM_OK);
+    assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 0, 0.5, 0, &body, &collider, nullptr),
+                     CAROM_OK);
     assert_int_equal(bench_steps(b.world, 3, nullptr), CAROM_OK);
     if (wet) {
       carom_water water;
@@ -237,8 +241,8 @@ void joints_leave_nothing_behind(void**) {
   carom_body bodies[2], rolls;
   carom_collider collider;
   for (int i = 0; i < 2; ++i)
-    assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 0, 5 + 2 * i, 0, &bodies[i], &collider, nullptr),
-                     CAROM_OK);
+    assert_int_equal(
+        bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 0, 5 + 2 * i, 0, &bodies[i], &collider, nullptr), CAROM_OK);
   assert_int_equal(bench_body(b.world, b.crate, 0, CAROM_BODY_STATIC, 0, -1, 0, &rolls, &collider, nullptr), CAROM_OK);
   assert_int_equal(bench_body(b.world, b.ball, 0, CAROM_BODY_DYNAMIC, 0, 0, 0, &rolls, &collider, nullptr), CAROM_OK);
   carom_force_field_desc field;
@@ -342,8 +346,12 @@ void handles_are_translated_or_refused(void**) {
   const struct {
     std::uint64_t handle;
     int32_t code;
-  } bad[] = {{gone, CAROM_E_STALE_HANDLE}, {b.crate, CAROM_E_WRONG_KIND}, {b.sphere, CAROM_E_WRONG_KIND},
-             {~std::uint64_t(0), CAROM_E_WRONG_KIND}, {b.bodies[0] + 1000, CAROM_E_INVALID_HANDLE}, {1, CAROM_E_WRONG_KIND}};
+  } bad[] = {{gone, CAROM_E_STALE_HANDLE},
+             {b.crate, CAROM_E_WRONG_KIND},
+             {b.sphere, CAROM_E_WRONG_KIND},
+             {~std::uint64_t(0), CAROM_E_WRONG_KIND},
+             {b.bodies[0] + 1000, CAROM_E_INVALID_HANDLE},
+             {1, CAROM_E_WRONG_KIND}};
   for (const auto& wrong : bad) {
     const std::uint64_t two[] = {b.bodies[0], wrong.handle};
     std::uint64_t kept[] = {7, 7};
@@ -405,7 +413,8 @@ void shapes_are_found_again(void**) {
   carom_collider collider;
   const double radius = 0.5;
   assert_int_equal(carom_shape_create(b.engine, b.sphere, &radius, 1, &twin, nullptr), CAROM_OK);
-  assert_int_equal(bench_body(b.world, twin, b.material, CAROM_BODY_DYNAMIC, 9, 2, 0, &body, &collider, nullptr), CAROM_OK);
+  assert_int_equal(bench_body(b.world, twin, b.material, CAROM_BODY_DYNAMIC, 9, 2, 0, &body, &collider, nullptr),
+                   CAROM_OK);
   const Bytes whole = save(b.world, CAROM_SNAPSHOT_WHOLE);
   carom_world* world = nullptr;
   assert_int_equal(carom_world_create(b.engine, nullptr, &world, nullptr), CAROM_OK);
@@ -464,7 +473,8 @@ Bytes without_print(const Bytes& bytes) {
     std::memcpy(&size, &bytes[at + 8], 8);
     const std::size_t end = at + 16 + (size + 7) / 8 * 8;
     if (std::memcmp(&bytes[at], "STRU", 4) != 0)
-      out.insert(out.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(end));
+      out.insert(out.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(end));
     at = end;
   }
   mend(out);
@@ -491,7 +501,8 @@ void fuzz(std::uint64_t seed, int rounds) {
     if (random.below(4)) {  // most of a snapshot is state, which has a test of its own: structure comes first
       bytes = good[random.below(good.size())];
       for (std::uint64_t edits = 1 + random.below(3); edits > 0; --edits)
-        bytes[kHeader + random.below(2400)] ^= static_cast<unsigned char>(random.below(2) ? random() : 1u << random.below(8));
+        bytes[kHeader + random.below(2400)] ^=
+            static_cast<unsigned char>(random.below(2) ? random() : 1u << random.below(8));
     }
     if (random.below(16)) mend(bytes);
     carom_world* world = nullptr;

@@ -1,7 +1,6 @@
 /* Structs of other versions of the header: a shorter one means defaults, a longer one may not ask for what this library
  * does not know, and nothing is ever written beyond the size that the caller's struct has. */
 #include "bench.h"
-
 #include "carom_test.h"
 
 /* A descriptor followed by what a newer header might have added. */
@@ -18,7 +17,7 @@ typedef struct Longer {
   uint64_t tail[4];
 } Longer;
 
-static void sizes_of_no_version_are_refused(void **state) {
+static void sizes_of_no_version_are_refused(void** state) {
   static const uint32_t sizes[] = {0, 1, 4, 7, 9, 12, 4104, 0xCDCDCDCDu, 0xFFFFFFFFu};
   Bench b;
   size_t i;
@@ -36,8 +35,8 @@ static void sizes_of_no_version_are_refused(void **state) {
     carom_ledger_state ledger;
     carom_residuals residuals;
     carom_dial_info dial;
-    carom_engine *engine = NULL;
-    carom_world *world = NULL;
+    carom_engine* engine = NULL;
+    carom_world* world = NULL;
     carom_body body = 0;
     carom_material material = 0;
     carom_collider collider = 0;
@@ -60,8 +59,8 @@ static void sizes_of_no_version_are_refused(void **state) {
     carom_particles_desc_init(&particles_desc, sizeof particles_desc);
     collider_desc.shape = b.ball;
     engine_desc.struct_size = world_desc.struct_size = body_desc.struct_size = material_desc.struct_size =
-        collider_desc.struct_size = distance_desc.struct_size = particles_desc.struct_size = info.struct_size = report.struct_size =
-            dial.struct_size = ledger.struct_size = residuals.struct_size = sizes[i];
+        collider_desc.struct_size = distance_desc.struct_size = particles_desc.struct_size = info.struct_size =
+            report.struct_size = dial.struct_size = ledger.struct_size = residuals.struct_size = sizes[i];
     distance.struct_size = sizeof distance;
     assert_int_equal(carom_particles_create(b.world, &particles_desc, &particles, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_engine_create(&engine_desc, &engine, NULL), CAROM_E_STRUCT_SIZE);
@@ -77,9 +76,9 @@ static void sizes_of_no_version_are_refused(void **state) {
     assert_int_equal(carom_world_get_ledger_state(b.world, &ledger, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_world_get_residuals(b.world, &residuals, NULL), CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_dial_get_info(0, &dial, NULL), CAROM_E_STRUCT_SIZE);
-    assert_int_equal(carom_shape_distance(b.engine, b.ball, zero, upright, b.crate, zero, upright, &distance_desc,
-                                          &distance, NULL),
-                     CAROM_E_STRUCT_SIZE);
+    assert_int_equal(
+        carom_shape_distance(b.engine, b.ball, zero, upright, b.crate, zero, upright, &distance_desc, &distance, NULL),
+        CAROM_E_STRUCT_SIZE);
     distance.struct_size = sizes[i];
     assert_int_equal(
         carom_shape_distance(b.engine, b.ball, zero, upright, b.crate, zero, upright, NULL, &distance, NULL),
@@ -96,14 +95,16 @@ static void sizes_of_no_version_are_refused(void **state) {
                      CAROM_E_STRUCT_SIZE);
     assert_int_equal(carom_shape_time_of_impact(b.engine, b.ball, &good_motion, b.crate, &motion, 1, NULL, &cast, NULL),
                      CAROM_E_STRUCT_SIZE);
-    assert_int_equal(carom_rays_cast(b.engine, &b.ball, zero, upright, 1, &rays, NULL, &hits, NULL), CAROM_E_STRUCT_SIZE);
+    assert_int_equal(carom_rays_cast(b.engine, &b.ball, zero, upright, 1, &rays, NULL, &hits, NULL),
+                     CAROM_E_STRUCT_SIZE);
     rays.struct_size = sizeof rays;
     hits.struct_size = cast.struct_size = sizes[i];
-    assert_int_equal(carom_rays_cast(b.engine, &b.ball, zero, upright, 1, &rays, NULL, &hits, NULL), CAROM_E_STRUCT_SIZE);
-    assert_int_equal(carom_ray_cast(b.engine, b.ball, zero, upright, zero, zero, 1, NULL, &cast, NULL), CAROM_E_STRUCT_SIZE);
-    assert_int_equal(
-        carom_shape_cast(b.engine, b.ball, zero, upright, zero, b.crate, zero, upright, NULL, &cast, NULL),
-        CAROM_E_STRUCT_SIZE);
+    assert_int_equal(carom_rays_cast(b.engine, &b.ball, zero, upright, 1, &rays, NULL, &hits, NULL),
+                     CAROM_E_STRUCT_SIZE);
+    assert_int_equal(carom_ray_cast(b.engine, b.ball, zero, upright, zero, zero, 1, NULL, &cast, NULL),
+                     CAROM_E_STRUCT_SIZE);
+    assert_int_equal(carom_shape_cast(b.engine, b.ball, zero, upright, zero, b.crate, zero, upright, NULL, &cast, NULL),
+                     CAROM_E_STRUCT_SIZE);
     assert_int_equal(
         carom_shape_time_of_impact(b.engine, b.ball, &good_motion, b.crate, &good_motion, 1, NULL, &cast, NULL),
         CAROM_E_STRUCT_SIZE);
@@ -114,11 +115,11 @@ static void sizes_of_no_version_are_refused(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void a_shorter_descriptor_means_defaults_for_the_rest(void **state) {
+static void a_shorter_descriptor_means_defaults_for_the_rest(void** state) {
   Bench b;
   carom_body_desc desc, got;
   carom_world_desc world_desc;
-  carom_world *world;
+  carom_world* world;
   carom_body body;
   double gravity[3];
   (void)state;
@@ -146,7 +147,7 @@ static void a_shorter_descriptor_means_defaults_for_the_rest(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void a_longer_descriptor_is_fine_while_its_tail_is_zero(void **state) {
+static void a_longer_descriptor_is_fine_while_its_tail_is_zero(void** state) {
   Bench b;
   Longer longer;
   carom_body body;
@@ -157,16 +158,16 @@ static void a_longer_descriptor_is_fine_while_its_tail_is_zero(void **state) {
   carom_body_desc_init(&longer.known.body, sizeof longer.known.body);
   longer.known.body.struct_size = (uint32_t)(sizeof(carom_body_desc) + 16);
   assert_int_equal(carom_body_create(b.world, &longer.known.body, &body, &e), CAROM_OK);
-  ((unsigned char *)&longer)[sizeof(carom_body_desc) + 15] = 1; /* the last byte that the newer header has */
+  ((unsigned char*)&longer)[sizeof(carom_body_desc) + 15] = 1; /* the last byte that the newer header has */
   assert_int_equal(carom_body_create(b.world, &longer.known.body, &body, &e), CAROM_E_UNSUPPORTED);
   assert_int_equal(e.argument, 2);
-  ((unsigned char *)&longer)[sizeof(carom_body_desc) + 15] = 0;
-  ((unsigned char *)&longer)[sizeof(carom_body_desc) + 16] = 1; /* beyond it: none of our business */
+  ((unsigned char*)&longer)[sizeof(carom_body_desc) + 15] = 0;
+  ((unsigned char*)&longer)[sizeof(carom_body_desc) + 16] = 1; /* beyond it: none of our business */
   assert_int_equal(carom_body_create(b.world, &longer.known.body, &body, &e), CAROM_OK);
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void outputs_are_written_up_to_the_callers_size(void **state) {
+static void outputs_are_written_up_to_the_callers_size(void** state) {
   Bench b;
   carom_shape_info full, part;
   Longer longer;
@@ -178,26 +179,26 @@ static void outputs_are_written_up_to_the_callers_size(void **state) {
   assert_int_equal(carom_shape_get_info(b.engine, b.crate, &full, NULL), CAROM_OK);
   assert_int_equal(full.struct_size, sizeof full);
   for (size = 8; size <= sizeof full; size += 8) {
-    const unsigned char *bytes = (const unsigned char *)&part;
+    const unsigned char* bytes = (const unsigned char*)&part;
     memset(&part, 0xA5, sizeof part);
     part.struct_size = (uint32_t)size;
     assert_int_equal(carom_shape_get_info(b.engine, b.crate, &part, NULL), CAROM_OK);
     assert_int_equal(part.struct_size, size);
-    assert_memory_equal(bytes + 4, (const unsigned char *)&full + 4, size - 4);
+    assert_memory_equal(bytes + 4, (const unsigned char*)&full + 4, size - 4);
     for (i = size; i < sizeof part; ++i) assert_int_equal(bytes[i], 0xA5);
   }
   /* A newer caller: what this library does not know stays as it was. */
   memset(&longer, 0xA5, sizeof longer);
   longer.known.info.struct_size = (uint32_t)(sizeof(carom_shape_info) + 24);
   assert_int_equal(carom_shape_get_info(b.engine, b.crate, &longer.known.info, NULL), CAROM_OK);
-  assert_memory_equal((const unsigned char *)&longer + 4, (const unsigned char *)&full + 4, sizeof full - 4);
-  for (i = sizeof full; i < sizeof longer; ++i) assert_int_equal(((const unsigned char *)&longer)[i], 0xA5);
+  assert_memory_equal((const unsigned char*)&longer + 4, (const unsigned char*)&full + 4, sizeof full - 4);
+  for (i = sizeof full; i < sizeof longer; ++i) assert_int_equal(((const unsigned char*)&longer)[i], 0xA5);
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void errors_are_written_up_to_the_callers_size(void **state) {
+static void errors_are_written_up_to_the_callers_size(void** state) {
   carom_error full = CAROM_ERROR_INIT, part;
-  const unsigned char *bytes = (const unsigned char *)&part;
+  const unsigned char* bytes = (const unsigned char*)&part;
   size_t size, i;
   (void)state;
   assert_int_equal(carom_world_step(NULL, 0, &full), CAROM_E_NULL_ARGUMENT);
@@ -209,15 +210,17 @@ static void errors_are_written_up_to_the_callers_size(void **state) {
     assert_int_equal(part.code, CAROM_E_NULL_ARGUMENT);
     for (i = size; i < sizeof part; ++i) assert_int_equal(bytes[i], 0xA5);
     /* Text that is cut still ends. */
-    if (size > offsetof(carom_error, message)) assert_non_null(memchr(part.message, 0, size - offsetof(carom_error, message)));
-    if (size > offsetof(carom_error, remedy)) assert_non_null(memchr(part.remedy, 0, size - offsetof(carom_error, remedy)));
+    if (size > offsetof(carom_error, message))
+      assert_non_null(memchr(part.message, 0, size - offsetof(carom_error, message)));
+    if (size > offsetof(carom_error, remedy))
+      assert_non_null(memchr(part.remedy, 0, size - offsetof(carom_error, remedy)));
   }
 }
 
-static void a_success_leaves_the_error_object_alone(void **state) {
+static void a_success_leaves_the_error_object_alone(void** state) {
   carom_error e = CAROM_ERROR_INIT;
   carom_error before;
-  carom_engine *engine = NULL;
+  carom_engine* engine = NULL;
   (void)state;
   e.code = 5;
   memset(e.message, 'x', sizeof e.message);
@@ -227,7 +230,7 @@ static void a_success_leaves_the_error_object_alone(void **state) {
   assert_int_equal(carom_engine_destroy(engine, &e), CAROM_OK);
 }
 
-static void elements_of_an_older_header_get_their_prefix(void **state) {
+static void elements_of_an_older_header_get_their_prefix(void** state) {
   Bench b;
   carom_contact full[16];
   struct {
@@ -242,7 +245,8 @@ static void elements_of_an_older_header_get_their_prefix(void **state) {
   assert_true(count > 0 && count <= 16);
   memset(old, 0xA5, sizeof old);
   /* Stride is the whole record here, so the record of 24 bytes is filled with the first 24 of the element. */
-  assert_int_equal(carom_world_get_contacts(b.world, (carom_contact *)(void *)old, sizeof *old, 16, &again, NULL), CAROM_OK);
+  assert_int_equal(carom_world_get_contacts(b.world, (carom_contact*)(void*)old, sizeof *old, 16, &again, NULL),
+                   CAROM_OK);
   assert_true(again == count);
   for (i = 0; i < count; ++i) {
     assert_true(old[i].a == full[i].collider_a && old[i].b == full[i].collider_b && old[i].canary == full[i].body_a);

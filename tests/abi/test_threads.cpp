@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bench.h"
-
 #include "carom_test.h"
 
 namespace {
@@ -43,7 +42,8 @@ bool make_and_destroy(const Bench& shared, int seed) {
          std::fabs(distance.separation - 6.5) < 1e-5 &&  // 9 - 2 - 0.5, to the default tolerance of the smaller radius
          carom_shape_destroy(shared.engine, shape, nullptr) == CAROM_OK &&
          carom_plugin_unload(shared.engine, handle, nullptr) == CAROM_OK &&
-         carom_engine_create(nullptr, &engine, nullptr) == CAROM_OK && carom_engine_destroy(engine, nullptr) == CAROM_OK;
+         carom_engine_create(nullptr, &engine, nullptr) == CAROM_OK &&
+         carom_engine_destroy(engine, nullptr) == CAROM_OK;
 }
 
 void worlds_on_threads_get_the_same_bits_as_alone(void**) {
@@ -77,8 +77,8 @@ void readers_run_side_by_side_and_a_writer_among_them_is_busy_or_done(void**) {
     threads.emplace_back([&] {
       while (!stop) {
         double pose[BENCH_BODIES][7];
-        const int32_t r = carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, pose, 0,
-                                           nullptr);
+        const int32_t r =
+            carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, pose, 0, nullptr);
         if (r == CAROM_OK) {
           ++reads;
           for (const auto& p : pose) {  // never a half-written one

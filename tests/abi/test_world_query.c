@@ -1,7 +1,6 @@
 /* Questions to a world through the interface: single and in batches, in float and double, at any stride, first, any and
  * all, truncated lists, moving shapes, overlap, nearest, and what is passed over. */
 #include "bench.h"
-
 #include "carom_test.h"
 
 static const double upright[4] = {0, 0, 0, 1};
@@ -11,7 +10,7 @@ static int near_to(double x, double y, double error) { return fabs(x - y) <= err
 /* The stage: floor y <= 0, balls of radius 0.5 at (0, 1, 0), (0.75, 1.5, 0.125), (1.5, 2, 0.25), a crate of half extents
  * 0.5, 0.25, 0.75 at (2.25, 2.5, 0.375). */
 
-static void one_ray_meets_what_is_first(void **state) {
+static void one_ray_meets_what_is_first(void** state) {
   Bench b;
   carom_world_hit hit;
   carom_query_desc desc;
@@ -55,7 +54,7 @@ static void one_ray_meets_what_is_first(void **state) {
 
 #define RAYS 40
 
-static void batches_answer_as_single_rays_do(void **state) {
+static void batches_answer_as_single_rays_do(void** state) {
   Bench b;
   struct {
     float o[3], d[3], max, canary;
@@ -125,7 +124,8 @@ static void batches_answer_as_single_rays_do(void **state) {
   /* All: counted first, then written; the first of each ray is the first; too little room is told. */
   assert_int_equal(carom_world_cast_rays_all(b.world, &rays, NULL, NULL, 0, 0, &count, NULL), CAROM_OK);
   assert_true(count > hits_seen && count <= RAYS * 5);
-  assert_int_equal(carom_world_cast_rays_all(b.world, &rays, NULL, all, sizeof all[0], RAYS * 5, &again, NULL), CAROM_OK);
+  assert_int_equal(carom_world_cast_rays_all(b.world, &rays, NULL, all, sizeof all[0], RAYS * 5, &again, NULL),
+                   CAROM_OK);
   assert_true(again == count);
   for (k = 0; k < count; ++k) {
     const int first = k == 0 || all[k].question != all[k - 1].question;
@@ -140,7 +140,7 @@ static void batches_answer_as_single_rays_do(void **state) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
-static void shapes_are_cast_placed_and_measured(void **state) {
+static void shapes_are_cast_placed_and_measured(void** state) {
   Bench b;
   carom_shape shapes[3];
   const double positions[9] = {0, 5, 0, 2.25, 8, 0.375, 9, 9, 9}, motions[9] = {0, -10, 0, 0, -10, 0, 0, 1, 0};
@@ -168,7 +168,8 @@ static void shapes_are_cast_placed_and_measured(void **state) {
   assert_true(hit[1].outcome == CAROM_CAST_HIT && hit[1].collider == b.colliders[3] && near_to(hit[1].time, 0.5, 1e-9));
   assert_true(hit[2].outcome == CAROM_CAST_MISS && hit[2].question == 2 && hit[2].time == 1);
   assert_int_equal(carom_world_cast_shapes(b.world, &ask, CAROM_WANT_ANY, NULL, hit, 0, NULL), CAROM_OK);
-  assert_true(hit[0].outcome == CAROM_CAST_HIT && hit[1].outcome == CAROM_CAST_HIT && hit[2].outcome == CAROM_CAST_MISS);
+  assert_true(hit[0].outcome == CAROM_CAST_HIT && hit[1].outcome == CAROM_CAST_HIT &&
+              hit[2].outcome == CAROM_CAST_MISS);
   assert_int_equal(carom_world_cast_shapes_all(b.world, &ask, NULL, all, sizeof all[0], 9, &count, NULL), CAROM_OK);
   assert_true(count >= 5 && all[0].collider == b.colliders[1] && all[1].collider == b.colliders[0]);
 
@@ -199,7 +200,8 @@ static void shapes_are_cast_placed_and_measured(void **state) {
     ask.shapes = NULL; /* points */
     ask.positions = here + 6;
     assert_int_equal(carom_world_find_nearest(b.world, &ask, 1, NULL, hit, 0, NULL), CAROM_OK);
-    assert_true(near_to(hit[0].separation, 0.25, 1e-9)); /* 0.25 m above the floor and below the first ball: the lower slot */
+    assert_true(
+        near_to(hit[0].separation, 0.25, 1e-9)); /* 0.25 m above the floor and below the first ball: the lower slot */
     assert_true(hit[0].collider == b.ground_collider);
   }
   assert_int_equal(bench_free(&b), CAROM_OK);

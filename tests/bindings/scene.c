@@ -5,18 +5,18 @@
 #include <stdio.h>
 #include <string.h>
 
-#define CHECK(call)                                                              \
-  do {                                                                           \
-    if ((call) != CAROM_OK) {                                                    \
-      fprintf(stderr, "%s\n%s\n%s\n", #call, error.message, error.remedy);       \
-      return 1;                                                                  \
-    }                                                                            \
+#define CHECK(call)                                                        \
+  do {                                                                     \
+    if ((call) != CAROM_OK) {                                              \
+      fprintf(stderr, "%s\n%s\n%s\n", #call, error.message, error.remedy); \
+      return 1;                                                            \
+    }                                                                      \
   } while (0)
 
 static carom_error error = CAROM_ERROR_INIT;
 
-static int32_t load(carom_engine *engine, const char *folder, const char *name, const double *params, uint64_t count,
-                    carom_shape *shape) {
+static int32_t load(carom_engine* engine, const char* folder, const char* name, const double* params, uint64_t count,
+                    carom_shape* shape) {
   char path[4096];
   carom_plugin plugin;
   const int32_t result = snprintf(path, sizeof path, "%s/%s.so", folder, name) < (int)sizeof path
@@ -25,11 +25,11 @@ static int32_t load(carom_engine *engine, const char *folder, const char *name, 
   return result == CAROM_OK ? carom_shape_create(engine, plugin, params, count, shape, &error) : result;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   const double ball_params[] = {0.3}, box_params[] = {0.4, 0.25, 0.3}, top_params[] = {0.35, 0.4}, up[3] = {0, 1, 0};
   const double at[3] = {4, 3, 0}, wind[3] = {1.5, 0, 0.5};
-  carom_engine *engine;
-  carom_world *world;
+  carom_engine* engine;
+  carom_world* world;
   carom_shape shapes[3], ground;
   carom_material material;
   carom_material_desc surface;

@@ -1,15 +1,14 @@
 /* Same input, same bits: twice in one process, in another engine with other addresses and handles, after edits that were
  * refused, and against a golden hash that every compiler and build type must print. */
 #define _POSIX_C_SOURCE 200112L
-#include "../abi/bench.h"
-
 #include <stdlib.h>
 
+#include "../abi/bench.h"
 #include "carom_test.h"
 
 /* By setting; the last three with contacts in floats. */
-static const double kSolvers[] = {CAROM_SOLVER_SEVERITY,   CAROM_SOLVER_SEVERITY,  CAROM_SOLVER_SOFT_STEP,
-                                  CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_DIRECT,    CAROM_SOLVER_AUTO,
+static const double kSolvers[] = {CAROM_SOLVER_SEVERITY,   CAROM_SOLVER_SEVERITY,   CAROM_SOLVER_SOFT_STEP,
+                                  CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_DIRECT,     CAROM_SOLVER_AUTO,
                                   CAROM_SOLVER_SOFT_STEP,  CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_AUTO};
 enum { kSettings = 9, kFirstInFloat = 6 };
 
@@ -17,9 +16,9 @@ enum { kSettings = 9, kFirstInFloat = 6 };
  * other half. */
 static int detour = 0;
 
-static int32_t steps_of(carom_world *world, int n, carom_error *e) {
+static int32_t steps_of(carom_world* world, int n, carom_error* e) {
   uint64_t size = 0;
-  void *bytes;
+  void* bytes;
   int32_t r;
   if (!detour) return bench_steps(world, n, e);
   r = bench_steps(world, n / 2, e);
@@ -33,7 +32,7 @@ static int32_t steps_of(carom_world *world, int n, carom_error *e) {
 }
 
 /* Bits of a world's state: those of carom_world_hash, and of every pose and velocity read in bulk. */
-static uint64_t bits_after(const carom_engine_desc *desc, int steps, int setting) {
+static uint64_t bits_after(const carom_engine_desc* desc, int steps, int setting) {
   Bench b;
   double poses[BENCH_BODIES][7], velocities[BENCH_BODIES][6];
   uint64_t hash, words[BENCH_BODIES * 13];
@@ -52,8 +51,11 @@ static uint64_t bits_after(const carom_engine_desc *desc, int steps, int setting
   assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_DIRECT_SINK, 1e-4, NULL), CAROM_OK);
   assert_int_equal(steps_of(b.world, steps, NULL), CAROM_OK);
   hash = bench_hash(b.world);
-  assert_int_equal(carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, poses, 0, NULL), CAROM_OK);
-  assert_int_equal(carom_world_read(b.world, CAROM_FIELD_VELOCITY, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, velocities, 0, NULL), CAROM_OK);
+  assert_int_equal(
+      carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, poses, 0, NULL), CAROM_OK);
+  assert_int_equal(
+      carom_world_read(b.world, CAROM_FIELD_VELOCITY, CAROM_SCALAR_F64, b.bodies, BENCH_BODIES, velocities, 0, NULL),
+      CAROM_OK);
   memcpy(words, poses, sizeof poses);
   memcpy(words + BENCH_BODIES * 7, velocities, sizeof velocities);
   for (i = 0; i < BENCH_BODIES * 13; ++i) hash = (hash ^ words[i]) * 0x9E3779B97F4A7C15u;
@@ -62,40 +64,40 @@ static uint64_t bits_after(const carom_engine_desc *desc, int steps, int setting
 }
 
 /* An allocator that returns other addresses each time, with other rubbish in them. */
-static void *shifting_alloc(void *user, uint64_t size, uint64_t alignment) {
+static void* shifting_alloc(void* user, uint64_t size, uint64_t alignment) {
   static int calls = 0;
   const size_t shift = (size_t)alignment * (size_t)(++calls % 7);
-  void *raw = NULL;
-  unsigned char *p;
+  void* raw = NULL;
+  unsigned char* p;
   (void)user;
-  if (alignment < 2 * sizeof(void *)) alignment = 2 * sizeof(void *);
+  if (alignment < 2 * sizeof(void*)) alignment = 2 * sizeof(void*);
   if (posix_memalign(&raw, (size_t)alignment, (size_t)(size + 8 * alignment))) return NULL;
   memset(raw, calls * 37, (size_t)(size + 8 * alignment));
-  p = (unsigned char *)raw + alignment + shift;
+  p = (unsigned char*)raw + alignment + shift;
   memcpy(p - sizeof raw, &raw, sizeof raw);
   return p;
 }
-static void shifting_free(void *user, void *pointer, uint64_t size, uint64_t alignment) {
-  void *raw;
+static void shifting_free(void* user, void* pointer, uint64_t size, uint64_t alignment) {
+  void* raw;
   (void)user, (void)size, (void)alignment;
-  memcpy(&raw, (unsigned char *)pointer - sizeof raw, sizeof raw);
+  memcpy(&raw, (unsigned char*)pointer - sizeof raw, sizeof raw);
   free(raw);
 }
 
-static void the_same_scene_twice_gives_the_same_bits(void **state) {
+static void the_same_scene_twice_gives_the_same_bits(void** state) {
   (void)state;
   assert_true(bits_after(NULL, 200, 0) == bits_after(NULL, 200, 0));
   assert_true(bits_after(NULL, 200, 1) == bits_after(NULL, 200, 1));
   assert_true(bits_after(NULL, 200, 2) == bits_after(NULL, 200, 2));
 }
 
-static void the_hash_tells_one_step_and_one_dial_from_another(void **state) {
+static void the_hash_tells_one_step_and_one_dial_from_another(void** state) {
   (void)state;
   assert_true(bits_after(NULL, 200, 0) != bits_after(NULL, 201, 0));
   assert_true(bits_after(NULL, 200, 0) != bits_after(NULL, 200, 1));
 }
 
-static void addresses_and_what_memory_held_do_not_matter(void **state) {
+static void addresses_and_what_memory_held_do_not_matter(void** state) {
   carom_engine_desc desc;
   (void)state;
   carom_engine_desc_init(&desc, sizeof desc);
@@ -106,8 +108,8 @@ static void addresses_and_what_memory_held_do_not_matter(void **state) {
   assert_true(bits_after(&desc, 200, 2) == bits_after(NULL, 200, 2));
 }
 
-static void handle_numbers_do_not_matter(void **state) {
-  carom_engine *others[40];
+static void handle_numbers_do_not_matter(void** state) {
+  carom_engine* others[40];
   uint64_t before;
   size_t i;
   (void)state;
@@ -120,7 +122,7 @@ static void handle_numbers_do_not_matter(void **state) {
 /* What every compiler (gcc, clang), build type (Release, Debug, sanitizers) and machine must get: 200 steps of the stage, by
  * the specific routines, by the generic path, by the other solvers (soft_step, sequential, direct, auto), and with contacts in
  * floats (soft_step, sequential, auto). When physics is meant to change, so do these: say why in the commit. */
-static void the_bits_are_those_of_every_other_build(void **state) {
+static void the_bits_are_those_of_every_other_build(void** state) {
   const uint64_t golden[kSettings] = {0xe23961f3e3fcd2f7u, 0xec2c25f96faf8269u, 0xd0bc847ec64b03ecu,
                                       0xb00fb3d8cea4a3f7u, 0x22f37b77c642c997u, 0x0ccefe641598007fu,
                                       0xa86d34435b5bef6du, 0xd853ce4b65bd4b18u, 0xbb79b3ca239d1158u};
@@ -136,7 +138,7 @@ static void the_bits_are_those_of_every_other_build(void **state) {
 
 /* The same of a set of particles, by integrator: 200 steps with drag, of masses alike and, in the second half, each its
  * own. Their number fills neither lanes nor blocks. */
-static void so_are_those_of_particles(void **state) {
+static void so_are_those_of_particles(void** state) {
   const uint64_t golden[4] = {0x656db2edaf9fb44au, 0xe10c751a5c6fd98du, 0x071954b2debbbf21u, 0x8755eef36ecd809bu};
   static double x[1003][3], kg[1003];
   int integrator, i, wrong = 0;
@@ -159,7 +161,9 @@ static void so_are_those_of_particles(void **state) {
     assert_int_equal(carom_particles_create(b.world, &desc, &b.particles, NULL), CAROM_OK);
     assert_int_equal(carom_particles_add(b.world, b.particles, 1003, CAROM_SCALAR_F64, x, 0, x, 0, NULL), CAROM_OK);
     assert_int_equal(steps_of(b.world, 100, NULL), CAROM_OK);
-    assert_int_equal(carom_particles_write(b.world, b.particles, CAROM_FIELD_MASS, CAROM_SCALAR_F64, NULL, 1003, kg, 0, NULL), CAROM_OK);
+    assert_int_equal(
+        carom_particles_write(b.world, b.particles, CAROM_FIELD_MASS, CAROM_SCALAR_F64, NULL, 1003, kg, 0, NULL),
+        CAROM_OK);
     assert_int_equal(steps_of(b.world, 100, NULL), CAROM_OK);
     report.struct_size = sizeof report;
     assert_int_equal(carom_world_get_report(b.world, &report, NULL), CAROM_OK);
@@ -174,9 +178,8 @@ static void so_are_those_of_particles(void **state) {
 
 /* The same of joints, by solver (sequential, soft_step, direct, auto): one of each kind between the world and the bodies of
  * the stage, a motor, a spring and limits on them; 200 steps. */
-static void so_are_those_of_joints(void **state) {
-  const uint64_t golden[4] = {0x00049a7c50d5e07du, 0x1fc131ab6b2aebf8u, 0xf4dad72782e5fa7cu,
-                                      0x300efb3182e93c5fu};
+static void so_are_those_of_joints(void** state) {
+  const uint64_t golden[4] = {0x00049a7c50d5e07du, 0x1fc131ab6b2aebf8u, 0xf4dad72782e5fa7cu, 0x300efb3182e93c5fu};
   uint32_t solver, kind;
   int wrong = 0;
   (void)state;
@@ -197,7 +200,8 @@ static void so_are_those_of_joints(void **state) {
       d.position_a[0] = 0.5 * kind, d.position_a[1] = 3 + 0.25 * kind, d.position_a[2] = 0.125;
       assert_int_equal(carom_joint_create(b.world, &d, &joints[kind], NULL), CAROM_OK);
     }
-    carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
+    carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor),
+        carom_joint_spring_init(&spring, sizeof spring);
     limit.enabled = motor.enabled = spring.enabled = 1;
     limit.upper = 0.5, motor.speed = 3, motor.max_force = 5, spring.target = 0.25, spring.damping = 0.25;
     assert_int_equal(carom_joint_set_limit(b.world, joints[0], CAROM_COORDINATE_SWING, &limit, NULL), CAROM_OK);
@@ -214,9 +218,9 @@ static void so_are_those_of_joints(void **state) {
 
 /* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver, and of sequential and
  * soft_step with contacts in floats. 200 steps. */
-static void so_are_those_of_factors_locks_and_belts(void **state) {
+static void so_are_those_of_factors_locks_and_belts(void** state) {
   const uint64_t golden[6] = {0xc460e6e239868efau, 0xaf4ed887956990e3u, 0x9324a3d0f9ff621du,
-                                      0x032944b4af334d25u, 0xf7c00a33022580e1u, 0xf6df34060dd01f37u};
+                              0x032944b4af334d25u, 0xf7c00a33022580e1u, 0xf6df34060dd01f37u};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;
@@ -234,7 +238,8 @@ static void so_are_those_of_factors_locks_and_belts(void **state) {
     assert_int_equal(carom_collider_set_surface_velocity(b.world, b.colliders[3], turn, belt, NULL), CAROM_OK);
     assert_int_equal(carom_body_set_gravity_factor(b.world, b.bodies[0], 0.75, NULL), CAROM_OK);
     assert_int_equal(carom_body_set_locks(b.world, b.bodies[1], CAROM_LOCK_PLANE, NULL), CAROM_OK);
-    assert_int_equal(carom_body_set_locks(b.world, b.bodies[3], CAROM_LOCK_LINEAR_X | CAROM_LOCK_ANGULAR_Y, NULL), CAROM_OK);
+    assert_int_equal(carom_body_set_locks(b.world, b.bodies[3], CAROM_LOCK_LINEAR_X | CAROM_LOCK_ANGULAR_Y, NULL),
+                     CAROM_OK);
     carom_joint_desc_init(&d, sizeof d);
     d.kind = CAROM_JOINT_BALL, d.fields = CAROM_JOINT_WORLD_FRAME;
     d.body_a = b.bodies[1], d.body_b = b.bodies[2], d.position_a[0] = 1.25, d.position_a[1] = 2;
@@ -242,7 +247,8 @@ static void so_are_those_of_factors_locks_and_belts(void **state) {
     assert_int_equal(steps_of(b.world, 200, NULL), CAROM_OK);
     got = bench_hash(b.world);
     wrong += got != golden[i];
-    if (got != golden[i]) print_error("solver %u, precision %u: 0x%016llx\n", solver, precision, (unsigned long long)got);
+    if (got != golden[i])
+      print_error("solver %u, precision %u: 0x%016llx\n", solver, precision, (unsigned long long)got);
     assert_int_equal(bench_free(&b), CAROM_OK);
   }
   assert_int_equal(wrong, 0);
@@ -250,11 +256,12 @@ static void so_are_those_of_factors_locks_and_belts(void **state) {
 
 /* The same of a heap so large that its bodies are halved into regions, on one to three threads: sequential and
  * soft_step with contacts in doubles, auto, and soft_step with contacts in floats. 40 steps. */
-static void so_are_those_of_heaps(void **state) {
-  const uint64_t golden[4] = {0x1e484b5dc83b287du, 0x43f3114754559a4du, 0x269859b48745965eu,
-                                      0x837e168adf65f23au};
-  const uint32_t solver[4] = {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_AUTO, CAROM_SOLVER_SOFT_STEP};
-  const uint32_t precision[4] = {CAROM_PRECISION_DOUBLE, CAROM_PRECISION_DOUBLE, CAROM_PRECISION_AUTO, CAROM_PRECISION_FLOAT};
+static void so_are_those_of_heaps(void** state) {
+  const uint64_t golden[4] = {0x1e484b5dc83b287du, 0x43f3114754559a4du, 0x269859b48745965eu, 0x837e168adf65f23au};
+  const uint32_t solver[4] = {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_AUTO,
+                              CAROM_SOLVER_SOFT_STEP};
+  const uint32_t precision[4] = {CAROM_PRECISION_DOUBLE, CAROM_PRECISION_DOUBLE, CAROM_PRECISION_AUTO,
+                                 CAROM_PRECISION_FLOAT};
   int i, k, wrong = 0;
   (void)state;
   for (i = 0; i < 4; ++i) {
@@ -279,7 +286,8 @@ static void so_are_those_of_heaps(void **state) {
     for (k = 0; k < 7 * 7 * 12; ++k)
       assert_int_equal(bench_body(b.world, k % 3 ? b.crate : b.ball, b.material, CAROM_BODY_DYNAMIC,
                                   4 + 1.0625 * (k % 7) + 0.03125 * (k % 5), 0.375 + 0.625 * (k / 49),
-                                  1.5625 * (k / 7 % 7) + 0.03125 * (k % 3), &body, &collider, NULL), CAROM_OK);
+                                  1.5625 * (k / 7 % 7) + 0.03125 * (k % 3), &body, &collider, NULL),
+                       CAROM_OK);
     assert_int_equal(steps_of(b.world, 40, NULL), CAROM_OK);
     got = bench_hash(b.world);
     wrong += got != golden[i];
@@ -290,7 +298,7 @@ static void so_are_those_of_heaps(void **state) {
 }
 
 /* And all of these with a restore in the middle. */
-static void a_restore_changes_no_bit(void **state) {
+static void a_restore_changes_no_bit(void** state) {
   detour = 1;
   the_bits_are_those_of_every_other_build(state);
   so_are_those_of_particles(state);

@@ -37,8 +37,7 @@ struct Stage0 {
     other = t.add(ball, Vec3(0.99, 0, 0), BodyType::dynamic, Quat::identity(), material);
   }
   void apart() {
-    while (t.world.scene.first_collider[one] != kInvalid)
-      t.world.remove_collider(t.world.scene.first_collider[one]);
+    while (t.world.scene.first_collider[one] != kInvalid) t.world.remove_collider(t.world.scene.first_collider[one]);
     if (other != kInvalid) t.world.remove_body(std::exchange(other, kInvalid));
   }
   void steps(int n) { t.run(n, kStep); }
@@ -189,7 +188,8 @@ inline std::vector<Subject> subjects() {
       {+EffectId::joints, hinge, unhinge, false, true},
       {+EffectId::joint_limits, [drive](Stage0& s) { drive(s, true); }, unhinge, false, true},
       {+EffectId::joint_motors, [drive](Stage0& s) { drive(s, false); }, unhinge, false, true},
-      {+EffectId::axis_locks, [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::locks, {Real(1)}); }, [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::locks, {}); }},
+      {+EffectId::axis_locks, [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::locks, {Real(1)}); },
+       [](Stage0& s) { s.t.world.set_attribute(s.one, AttributeId::locks, {}); }},
       {+EffectId::particles,
        [](Stage0& s) {
          s.thing = s.t.world.particles.create({}, 1);
@@ -198,8 +198,8 @@ inline std::vector<Subject> subjects() {
        [](Stage0& s) { s.t.world.particles.destroy(handle_slot(s.thing)); }, false, true},
       {+EffectId::events, [](Stage0& s) { collect(s.t.world, Events::contact, 1); },
        [](Stage0& s) { collect(s.t.world, 0, 1); }, false, true},
-      {+EffectId::ledger, [](Stage0& s) { s.t.world.keep_ledger(true); }, [](Stage0& s) { s.t.world.keep_ledger(false); },
-       false},
+      {+EffectId::ledger, [](Stage0& s) { s.t.world.keep_ledger(true); },
+       [](Stage0& s) { s.t.world.keep_ledger(false); }, false},
       {+EffectId::sleep, [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 1); },
        [](Stage0& s) { s.t.world.set_dial(Dial::sleep, 0); }, false},
   };

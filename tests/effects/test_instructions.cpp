@@ -115,7 +115,8 @@ int main(int argc, char** argv) {
   if (argc > 1) return count_all(), 0;
   g_self = std::filesystem::read_symlink("/proc/self/exe").string();
 #else
-  (void)argc, (void)kSome, (void)kCrowd, (void)kSlack, (void)kFlight, (void)binds, (void)kWarm, (void)kCounted, (void)label;
+  (void)argc, (void)kSome, (void)kCrowd, (void)kSlack, (void)kFlight, (void)binds, (void)kWarm, (void)kCounted,
+      (void)label;
 #endif
   (void)argv;
   const CMUnitTest tests[] = {cmocka_unit_test(one_among_ten_thousand_costs_what_one_alone_costs)};

@@ -79,7 +79,8 @@ std::vector<ScenePart> parts() {
       {+EffectId::joint_motors, {}, drive(false), true},
   };
   for (const Subject& subject : subjects())  // those that bring a collider of their own are not for this scene
-    if (subject.flies && subject.row != +EffectId::gyroscopic && subject.row != +EffectId::buoyancy && subject.row != +EffectId::springs)
+    if (subject.flies && subject.row != +EffectId::gyroscopic && subject.row != +EffectId::buoyancy &&
+        subject.row != +EffectId::springs)
       all.push_back({subject.row, {}, subject.call});
   return all;
 }
@@ -170,7 +171,8 @@ static void a_forbidden_effect_does_nothing_and_says_so(void**) {
 
 static void forbidden_it_has_the_bits_of_a_scene_that_does_not_call_for_it(void**) {
   for (const Subject& subject : subjects()) {
-    if (!subject.flies || subject.row == +EffectId::gyroscopic || subject.row == +EffectId::buoyancy || subject.row == +EffectId::wind)
+    if (!subject.flies || subject.row == +EffectId::gyroscopic || subject.row == +EffectId::buoyancy ||
+        subject.row == +EffectId::wind)
       continue;  // the scene of these has a collider, or drag, more
     const std::uint64_t quiet = run_with_mode(subject, EffectMode::as_needed, false);
     if (run_with_mode(subject, EffectMode::forbid, true) != quiet)
@@ -269,7 +271,8 @@ static void every_two_effects_compose(void**) {
   for (const Subject& a : flying)
     for (const Subject& b : flying) {
       if (a.row == b.row) continue;
-      if (a.row == +EffectId::drag && b.row == +EffectId::wind) continue;  // wind is what drag is relative to: without it, nothing
+      if (a.row == +EffectId::drag && b.row == +EffectId::wind)
+        continue;  // wind is what drag is relative to: without it, nothing
       const auto both = change({&a, &b}, kEffectCount), without = change({&a, &b}, a.row);
       // Switched off, nobody else is served more or less often.
       for (std::size_t row = 0; row < kEffectCount; ++row)
@@ -288,14 +291,16 @@ static void every_two_effects_of_a_contact_compose(void**) {
   for (const ScenePart& a : all)
     for (const ScenePart& b : all) {
       // Wind is what drag is relative to; without it drag is left, @see above.
-      if (a.row == b.row || a.row == +EffectId::wind || (a.row == +EffectId::drag && b.row == +EffectId::wind)) continue;
+      if (a.row == b.row || a.row == +EffectId::wind || (a.row == +EffectId::drag && b.row == +EffectId::wind))
+        continue;
       const std::string names = name_of(a.row) + " beside " + name_of(b.row);
       const Outcome both = outcome_of(a, b, true, kEffectCount), off = outcome_of(a, b, true, a.row),
                     without = outcome_of(a, b, false, kEffectCount);
       if (off.bits != without.bits) wrong("%s, forbidden, leaves a trace", names.c_str());
       if (both.evaluations[a.row] == 0) wrong("%s is not served", names.c_str());
       for (std::size_t row = 0; row < kEffectCount; ++row)
-        if (row != a.row && !(row == +EffectId::wind && a.row == +EffectId::drag) && both.evaluations[row] != off.evaluations[row])
+        if (row != a.row && !(row == +EffectId::wind && a.row == +EffectId::drag) &&
+            both.evaluations[row] != off.evaluations[row])
           wrong("%s: without it %s is served %d times instead of %d", names.c_str(), name_of(row).c_str(),
                 static_cast<int>(off.evaluations[row]), static_cast<int>(both.evaluations[row]));
       ++pairs;
@@ -333,7 +338,8 @@ static void accelerations_add_up(void**) {
   int rows = 0;
   for (PlannedEffect& row : w.plan->effects) {
     if (row.served != Served::force || row.participants.count == 0) continue;
-    const auto alone = evaluate([&](const Accelerate& out) { row.effect->force(w.scene, st, row.participants, at, out); });
+    const auto alone =
+        evaluate([&](const Accelerate& out) { row.effect->force(w.scene, st, row.participants, at, out); });
     v += alone.first, omega += alone.second;
     size += alone.first.norm() + alone.second.norm();
     ++rows;
@@ -344,7 +350,8 @@ static void accelerations_add_up(void**) {
 }
 
 static void forced_on_everybody_it_changes_nothing(void**) {
-  for (const std::size_t row : {+EffectId::gravity, +EffectId::linear_damping, +EffectId::angular_damping, +EffectId::drag, +EffectId::fields}) {
+  for (const std::size_t row : {+EffectId::gravity, +EffectId::linear_damping, +EffectId::angular_damping,
+                                +EffectId::drag, +EffectId::fields}) {
     Stage0 quiet, forced;
     forced.t.world.set_mode(row, EffectMode::force);
     quiet.steps(kSteps), forced.steps(kSteps);

@@ -180,7 +180,8 @@ Real error_of_springs(Preset preset) {
   for (int i = 1; i <= 300; ++i) {
     t.run(1, 1.0 / 60);
     const Real s = i / 60.0;
-    worst = std::max(worst, std::fabs(t.world.state.x[0].x() - (1 + 0.1 * std::cos(slow * s) + 0.1 * std::cos(fast * s))));
+    worst =
+        std::max(worst, std::fabs(t.world.state.x[0].x() - (1 + 0.1 * std::cos(slow * s) + 0.1 * std::cos(fast * s))));
   }
   return worst;
 }
@@ -209,7 +210,9 @@ static void every_effect_acts_alike_beside_strangers(void**) {
 
 static void springs_and_air_know_no_strangers(void**) { compare(three_springs, "springs"); }
 static void forces_know_no_strangers(void**) { compare(many_forces, "forces"); }
-static void joints_and_hands_know_no_strangers(void**) { compare(joints_and_hands, "joints"), compare(one_hand, "hand"); }
+static void joints_and_hands_know_no_strangers(void**) {
+  compare(joints_and_hands, "joints"), compare(one_hand, "hand");
+}
 
 static void what_slides_knows_no_strangers(void**) {
   for (int solver = 0; solver < 5; ++solver)
@@ -293,7 +296,8 @@ static void the_plan_says_that_all_sleep(void**) {
     assert_true(says(static_cast<std::size_t>(s)) == "all asleep");
   assert_true(says(kStageCount + +EffectId::gravity) == "all asleep");
   assert_true(says(kStageCount + +EffectId::collision) == "all asleep");
-  assert_true(says(kStageCount + +EffectId::drag) == effect_table()[+EffectId::drag].missing);  // nobody has any, awake or not
+  assert_true(says(kStageCount + +EffectId::drag) ==
+              effect_table()[+EffectId::drag].missing);  // nobody has any, awake or not
   t.world.set_velocity(cube, Vec3(0, 3, 0), Vec3::zero());
   t.run(1, 1.0 / 60);
   assert_true(says(kStageCount + +EffectId::gravity) == effect_table()[+EffectId::gravity].called_by);

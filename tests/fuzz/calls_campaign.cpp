@@ -128,6 +128,8 @@ int main(int argc, char** argv) {
   }
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, crashed);
   if (o.count > 0 && o.jobs > 0) return campaign(o);
-  std::fprintf(stderr, "usage: fuzz_calls_campaign --count N [--from K] [--jobs J] [--seconds S] [--edge 1] | [--edge 1] --show K\n");
+  std::fprintf(
+      stderr,
+      "usage: fuzz_calls_campaign --count N [--from K] [--jobs J] [--seconds S] [--edge 1] | [--edge 1] --show K\n");
   return 2;
 }

@@ -226,7 +226,8 @@ std::string stl_of(bool binary) {
   std::string bytes(80, '\0');
   const std::uint32_t n = 2;
   bytes.append(reinterpret_cast<const char*>(&n), 4);
-  for (std::uint32_t k = 0; k < n; ++k) bytes.append(reinterpret_cast<const char*>(facet), sizeof facet).append(2, '\0');
+  for (std::uint32_t k = 0; k < n; ++k)
+    bytes.append(reinterpret_cast<const char*>(facet), sizeof facet).append(2, '\0');
   return bytes;
 }
 
@@ -244,7 +245,8 @@ std::string ply_of(bool binary) {
 std::vector<std::string> make_seeds(FileFormat format) {
   switch (format) {
     case FileFormat::gltf:
-      return {by_hand(false), omi_by_hand(), stage_as("falling", {{"n", 6}}, format), stage_as("ragdoll", {{"n", 1}}, format)};
+      return {by_hand(false), omi_by_hand(), stage_as("falling", {{"n", 6}}, format),
+              stage_as("ragdoll", {{"n", 1}}, format)};
     case FileFormat::glb:
       return {by_hand(true)};
     case FileFormat::obj:
@@ -273,20 +275,56 @@ std::vector<std::string> make_seeds(FileFormat format) {
   return {};
 }
 
-const std::vector<std::string> kNumbers = {"0",   "-1",   "1",          "255",        "256",         "65536",      "2147483647", "4294967295",
-                                           "1e3", "1e308", "-1e308",     "1e-320",     "0.5",         "4294967298", "1099511627776", "1e309"};
+const std::vector<std::string> kNumbers = {
+    "0",   "-1",    "1",      "255",    "256", "65536",      "2147483647",    "4294967295",
+    "1e3", "1e308", "-1e308", "1e-320", "0.5", "4294967298", "1099511627776", "1e309"};
 
 std::vector<std::string> make_words(FileFormat format) {
   std::vector<std::string> words = kNumbers;
-  const auto add = [&](std::initializer_list<const char*> more) { words.insert(words.end(), more.begin(), more.end()); };
+  const auto add = [&](std::initializer_list<const char*> more) {
+    words.insert(words.end(), more.begin(), more.end());
+  };
   if (format == FileFormat::gltf || format == FileFormat::glb)
-    add({"\"nodes\"", "\"children\"", "\"mesh\"", "\"matrix\"", "\"scale\"", "\"count\"", "\"byteStride\"", "\"byteOffset\"", "\"bufferView\"",
-         "\"shape\"", "\"collider\"", "\"trigger\"", "\"geometry\"", "\"convexHull\"", "\"limits\"", "\"drives\"", "\"linearAxes\"",
-         "\"angularAxes\"", "\"plugin\"", "\"params\"", "\"height_field\"", "\"half_space\"", "\"hull\"", "\"mesh\"", "\"particle\"", "\"attributes\"",
-         "[0,0,0]", "[]", "{}", "null", "true", "\"\"", "\"../x\"", "\"a%20b.bin\"", "[0,1,2]"});
+    add({"\"nodes\"",
+         "\"children\"",
+         "\"mesh\"",
+         "\"matrix\"",
+         "\"scale\"",
+         "\"count\"",
+         "\"byteStride\"",
+         "\"byteOffset\"",
+         "\"bufferView\"",
+         "\"shape\"",
+         "\"collider\"",
+         "\"trigger\"",
+         "\"geometry\"",
+         "\"convexHull\"",
+         "\"limits\"",
+         "\"drives\"",
+         "\"linearAxes\"",
+         "\"angularAxes\"",
+         "\"plugin\"",
+         "\"params\"",
+         "\"height_field\"",
+         "\"half_space\"",
+         "\"hull\"",
+         "\"mesh\"",
+         "\"particle\"",
+         "\"attributes\"",
+         "[0,0,0]",
+         "[]",
+         "{}",
+         "null",
+         "true",
+         "\"\"",
+         "\"../x\"",
+         "\"a%20b.bin\"",
+         "[0,1,2]"});
   if (format == FileFormat::obj) add({"v ", "f ", "g ", "/", "//", "\n", "nan", "inf"});
   if (format == FileFormat::stl) add({"vertex ", "facet", "endfacet", "nan", "inf"});
-  if (format == FileFormat::ply) add({"property list uchar int vertex_indices\n", "element face ", "property double x\n", "binary_big_endian", "end_header\n"});
+  if (format == FileFormat::ply)
+    add({"property list uchar int vertex_indices\n", "element face ", "property double x\n", "binary_big_endian",
+         "end_header\n"});
   return words;
 }
 

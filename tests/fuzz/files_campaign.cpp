@@ -37,7 +37,8 @@ class Draw {
 
 bool is_number_at(const std::string& text, std::size_t at) { return text[at] >= '0' && text[at] <= '9'; }
 
-void mutate(std::string& bytes, Draw& draw, const std::vector<std::string>& words, const std::vector<std::string>& seeds) {
+void mutate(std::string& bytes, Draw& draw, const std::vector<std::string>& words,
+            const std::vector<std::string>& seeds) {
   constexpr std::size_t kLargest = 1 << 16;
   const std::size_t at = draw.below(bytes.size() + 1), run = 1 + draw.below(draw.below(4) ? 8 : 64);
   const auto within = [&](std::size_t n) { return std::min(n, bytes.size() - at); };
@@ -92,7 +93,8 @@ std::string input(FileFormat format, std::uint64_t index) {
 std::uint64_t g_index = 0;
 const char* g_format = "";
 void crashed(int signal) {
-  std::fprintf(stderr, "SIGNAL %d by fuzz_files_campaign --format %s --show %llu FILE\n", signal, g_format, static_cast<unsigned long long>(g_index));
+  std::fprintf(stderr, "SIGNAL %d by fuzz_files_campaign --format %s --show %llu FILE\n", signal, g_format,
+               static_cast<unsigned long long>(g_index));
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -112,12 +114,14 @@ int run(FileFormat format, std::uint64_t from, std::uint64_t count) {
     read += heard.read;
     if (heard.violation.empty()) continue;
     ++bad;
-    std::printf("VIOLATION in %s %llu: %s\n", name_of(format), static_cast<unsigned long long>(g_index), heard.violation.c_str());
+    std::printf("VIOLATION in %s %llu: %s\n", name_of(format), static_cast<unsigned long long>(g_index),
+                heard.violation.c_str());
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  std::printf("%-9s %9llu files, %8llu read, %llu violations, %.0f a second; longest %.3f s (%llu); %ld MiB so far\n", name_of(format),
-              static_cast<unsigned long long>(count), static_cast<unsigned long long>(read), static_cast<unsigned long long>(bad),
+  std::printf("%-9s %9llu files, %8llu read, %llu violations, %.0f a second; longest %.3f s (%llu); %ld MiB so far\n",
+              name_of(format), static_cast<unsigned long long>(count), static_cast<unsigned long long>(read),
+              static_cast<unsigned long long>(bad),
               static_cast<double>(count) / std::chrono::duration<double>(Clock::now() - start).count(), longest,
               static_cast<unsigned long long>(worst), usage.ru_maxrss / 1024);
   std::fflush(stdout);
@@ -135,14 +139,18 @@ void write_corpus(const std::filesystem::path& folder) {
     const auto own = folder / name_of(format);
     std::filesystem::create_directories(own);
     std::size_t n = 0;
-    for (const std::string& seed : seeds_of(format)) std::ofstream(own / ("seed" + std::to_string(n++)), std::ios::binary) << seed;
+    for (const std::string& seed : seeds_of(format))
+      std::ofstream(own / ("seed" + std::to_string(n++)), std::ios::binary) << seed;
     std::ofstream words(folder / (std::string(name_of(format)) + ".dict"));
     for (const std::string& word : words_of(format)) {
       words << '"';
       for (const char c : word) {
-        if (c == '"' || c == '\\') words << '\\' << c;
-        else if (c == '\n') words << "\\x0a";
-        else words << c;
+        if (c == '"' || c == '\\')
+          words << '\\' << c;
+        else if (c == '\n')
+          words << "\\x0a";
+        else
+          words << c;
       }
       words << "\"\n";
     }
@@ -156,16 +164,22 @@ int main(int argc, char** argv) {
   std::string only;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string option = argv[i], value = argv[i + 1];
-    if (option == "--format") only = value;
-    else if (option == "--count") count = std::strtoull(value.c_str(), nullptr, 10);
-    else if (option == "--from") from = std::strtoull(value.c_str(), nullptr, 10);
-    else if (option == "--write-corpus") return write_corpus(value), 0;
+    if (option == "--format")
+      only = value;
+    else if (option == "--count")
+      count = std::strtoull(value.c_str(), nullptr, 10);
+    else if (option == "--from")
+      from = std::strtoull(value.c_str(), nullptr, 10);
+    else if (option == "--write-corpus")
+      return write_corpus(value), 0;
     else if (option == "--show" && i + 2 < argc) {
       for (std::size_t f = 0; f < kFileFormats; ++f)
         if (only == name_of(static_cast<FileFormat>(f)))
-          std::ofstream(argv[i + 2], std::ios::binary) << input(static_cast<FileFormat>(f), std::strtoull(value.c_str(), nullptr, 10));
+          std::ofstream(argv[i + 2], std::ios::binary)
+              << input(static_cast<FileFormat>(f), std::strtoull(value.c_str(), nullptr, 10));
       return 0;
-    } else return std::fprintf(stderr, "usage: see the head of files_campaign.cpp\n"), 2;
+    } else
+      return std::fprintf(stderr, "usage: see the head of files_campaign.cpp\n"), 2;
   }
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) std::signal(signal, crashed);
   int bad = 0, ran = 0;

@@ -246,8 +246,7 @@ void Judge::answer(const Answer& x, const char* which) {
   judged_ = &x;
   form(x);
   if (x.invalid_plugin) return;
-  demand(x.r.status != QueryStatus::fault, "a valid function was blamed, kind %u",
-         static_cast<unsigned>(x.fault.kind));
+  demand(x.r.status != QueryStatus::fault, "a valid function was blamed, kind %u", static_cast<unsigned>(x.fault.kind));
   if (!x.known()) return;
   effort(x);
   if (x.a.form == Form::half_space || x.b.form == Form::half_space) return half_space(x);
@@ -281,8 +280,8 @@ void Judge::same(const Answer& x, const Answer& y, Real slack, const char* which
 void measure(Answer& x, Real shell) {
   const Shape &a = x.a, &b = x.b;
   x.shell = shell;
-  x.size = x.b_in_a.p.abs().sum() + a.bounding_radius + b.bounding_radius + std::fabs(a.offset) +
-           std::fabs(b.offset) + shell;
+  x.size = x.b_in_a.p.abs().sum() + a.bounding_radius + b.bounding_radius + std::fabs(a.offset) + std::fabs(b.offset) +
+           shell;
   x.radii = a.core_radius + b.core_radius + shell;
   const auto radius = [](const Shape& s) { return s.form == Form::half_space ? kInfinity : s.bounding_radius; };
   const bool flat = a.form == Form::half_space || b.form == Form::half_space;

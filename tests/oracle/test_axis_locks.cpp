@@ -5,9 +5,9 @@
 
 #include "carom_test.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/force/force.h"
 #include "joint_scenes.h"
-#include "dynamics/contact_views.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -320,7 +320,9 @@ static void who_is_locked_is_nothing_to_its_neighbours(void**) {
         join(t, JointKind::ball, kInvalid, bodies[i], Vec3(0, 0, 3 * i));
         t.world.set_velocity(bodies[i], Vec3::zero(), Vec3(1, 2, 0.5));
       }
-      if (locked) t.world.set_attribute(bodies[1], AttributeId::locks, {Real(kPlane)}), t.world.set_attribute(bodies[2], AttributeId::locks, {Real(kAboutY)});
+      if (locked)
+        t.world.set_attribute(bodies[1], AttributeId::locks, {Real(kPlane)}),
+            t.world.set_attribute(bodies[2], AttributeId::locks, {Real(kAboutY)});
       t.run(60, 1.0 / 60);
       x[locked] = t.world.state.x[bodies[0]], q[locked] = t.world.state.q[bodies[0]];
       unlike[locked] = t.world.hash();

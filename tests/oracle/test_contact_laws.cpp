@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "carom_test.h"
-#include "world_builder.h"
 #include "dynamics/contact_views.h"
+#include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;

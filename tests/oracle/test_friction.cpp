@@ -177,7 +177,6 @@ void so_do_barrels_and_slim_rollers(void**) {
       }
 }
 
-
 // ---- held out: looked at once what is above held ----
 
 constexpr On kGrounds[] = {On::plane, On::box, On::mesh, On::field};

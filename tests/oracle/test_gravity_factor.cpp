@@ -1,7 +1,7 @@
 // Bodies that gravity pulls by a factor of their own, against closed forms and against worlds with another gravity.
 #include "carom_test.h"
-#include "world_builder.h"
 #include "dynamics/contact_views.h"
+#include "world_builder.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -58,7 +58,7 @@ static void a_body_falls_by_its_factor(void**) {
     assert_true((t.world.state.x[bodies[i]] - want).norm() < kSteps * kEpsilon * (want.norm() + 10));
   }
   const PlannedEffect* gravity = t.world.plan->find("gravity");
-  assert_int_equal(gravity->participants.count, 4);           // what floats is none
+  assert_int_equal(gravity->participants.count, 4);        // what floats is none
   assert_int_equal(gravity->evaluations, 2 * 4 * kSteps);  // Verlet kicks twice
 }
 

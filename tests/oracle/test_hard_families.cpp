@@ -22,8 +22,7 @@ struct Tally {
 const char* fault_in(const Known& e, const Shape& a, const Shape& b, const Frame& f, const QuerySettings& s, Real shell,
                      Real slack, const QueryResult& r) {
   const Real size = f.p.abs().sum() + a.bounding_radius + b.bounding_radius + shell;
-  const Real rounding = kBracketRounding * kUnitRoundoff * size,
-             asked = s.tolerance * size_of_pair(a, b, f);
+  const Real rounding = kBracketRounding * kUnitRoundoff * size, asked = s.tolerance * size_of_pair(a, b, f);
   const Real width = r.upper - r.lower, radii = a.core_radius + b.core_radius + shell;
   if (!(carom::finite(r.normal) && carom::finite(r.point_a) && carom::finite(r.point_b))) return "not finite";
   if (!(r.lower <= r.separation && r.separation <= r.upper)) return "separation outside its bracket";

@@ -32,9 +32,7 @@ QueryResult ask(const HardPair& p, Simplex simplex, Real tolerance) {
 }
 
 /// What was asked for, in metres: the tolerance is relative to the smaller shape.
-Real metres(const HardPair& p, Real tolerance) {
-  return tolerance * size_of_pair(p.a, p.b, p.b_in_a);
-}
+Real metres(const HardPair& p, Real tolerance) { return tolerance * size_of_pair(p.a, p.b, p.b_in_a); }
 
 Real size_of(const HardPair& p) { return p.b_in_a.p.abs().sum() + p.a.bounding_radius + p.b.bounding_radius; }
 

@@ -283,9 +283,9 @@ const std::vector<Vec3>& heavy_top_places() {
     const auto weight = [](Real, const Quat& at) { return (kStick * (at * Vec3::unit_x())).cross(Vec3(0, -kG, 0)); };
     std::vector<Vec3> at;
     for (int k = 1; k <= 10; ++k)
-      at.push_back(
-          kStick *
-          (fine_top(Vec3(kAxial, about_tip, about_tip), Vec3(kSpin, 0, 0), 0.2 * k, 2000 * k, weight) * Vec3::unit_x()));
+      at.push_back(kStick *
+                   (fine_top(Vec3(kAxial, about_tip, about_tip), Vec3(kSpin, 0, 0), 0.2 * k, 2000 * k, weight) *
+                    Vec3::unit_x()));
     return at;
   }();
   return places;

@@ -38,8 +38,8 @@ Real period_of(Real w0, Real angle) {
 
 /// rad: how far a compass is from where it was let go, a period later.
 struct Compass {
-  Vec3 half;        // m: a cube, so that its moment of inertia is one number
-  Vec3 axis;        // unit, at right angles to the field
+  Vec3 half;  // m: a cube, so that its moment of inertia is one number
+  Vec3 axis;  // unit, at right angles to the field
   Vec3 tesla;
   Real moment, angle;
   Real error_after_a_period(Real integrator, int steps) const {
@@ -61,7 +61,8 @@ Real order_of(const std::function<Real(int)>& error, int n) { return std::log2(e
 /// Semi-implicit Euler is Verlet's method seen half a kick apart. Let go at rest and back there, that half kick drops out, and its
 /// second order shows.
 void swings_with_its_order(const Compass& c) {
-  for (const auto& [integrator, order, steps] : {std::tuple{kSemiImplicit, 2.0, 800}, {kVerlet, 2.0, 400}, {kRk4, 4.0, 200}}) {
+  for (const auto& [integrator, order, steps] :
+       {std::tuple{kSemiImplicit, 2.0, 800}, {kVerlet, 2.0, 400}, {kRk4, 4.0, 200}}) {
     const auto error = [&, method = integrator](int n) { return c.error_after_a_period(method, n); };
     const Real found = order_of(error, steps);
     // Over a whole period a term of the error may drop out, and a higher order show: one held-out swing does so with rk4.
@@ -72,7 +73,8 @@ void swings_with_its_order(const Compass& c) {
 
 /// A spinning dipole goes round the field at the rate `turn`, its angle to it unchanged, where its spin about its own axis is
 /// -m B / (I turn), I the same about all axes.
-Real error_of_precession(const Vec3& half, Real moment, const Vec3& tesla, Real tilt, Real turn, Real integrator, Real T, int steps) {
+Real error_of_precession(const Vec3& half, Real moment, const Vec3& tesla, Real tilt, Real turn, Real integrator,
+                         Real T, int steps) {
   TestWorld t(Vec3::zero());
   t.world.set_dial(Dial::integrator, integrator);
   const Vec3 north = tesla.normalized();
@@ -113,7 +115,9 @@ static void so_do_others(void**) {
   swings_with_its_order({Vec3::constant(0.4), Vec3(3, 0, -4).normalized(), Vec3(0.4, 1, 0.3), 900, 0.3});
   swings_with_its_order({Vec3::constant(1e-3), Vec3(0, 0, -1), Vec3(-5e-5, 0, 0), 1e-4, 3.0});
   swings_with_its_order({Vec3::constant(30), Vec3(1, -1, 0).normalized(), Vec3(0, 0, 1e3), 7e4, 1.4});
-  const auto fast = [](int n) { return error_of_precession(Vec3::constant(0.2), 500, Vec3(1, 2, -2), 2.4, -0.8, kVerlet, 0.5, n); };
+  const auto fast = [](int n) {
+    return error_of_precession(Vec3::constant(0.2), 500, Vec3(1, 2, -2), 2.4, -0.8, kVerlet, 0.5, n);
+  };
   assert_true(std::fabs(order_of(fast, 2000) - 2) < 0.15);
 }
 
@@ -126,7 +130,9 @@ static void what_no_torque_has_is_conserved(void**) {
     const std::uint32_t i = magnet(t, half, exp_map(Vec3(0.3, 1, -0.4)), moment);
     field(t, tesla);
     t.world.set_velocity(i, Vec3::zero(), Vec3(1, -2, 3));
-    const auto along = [&] { return (inertia_at(t.world.scene, i, t.world.state.q[i]) * t.world.state.omega[i]).dot(tesla); };
+    const auto along = [&] {
+      return (inertia_at(t.world.scene, i, t.world.state.q[i]) * t.world.state.omega[i]).dot(tesla);
+    };
     const Real e0 = energy_of(t.world, i, moment, tesla), l0 = along(), scale = moment.norm() * tesla.norm();
     Real first = 0, last = 0;
     for (int k = 0; k < 20000; ++k) {
@@ -158,7 +164,7 @@ static void a_field_turns_only_what_has_a_moment_and_shares_a_bit_and_is_within(
   assert_true(s.omega[in].y() > 0 && s.omega[in].x() == 0 && s.omega[in].z() == 0);
   for (const std::uint32_t i : {none, deaf, out, held, point}) assert_true(s.omega[i] == Vec3::zero());
   for (std::uint32_t i = 0; i < 6; ++i) assert_true(s.v[i] == Vec3::zero());  // it pushes nothing
-  assert_int_equal(t.world.plan->find("magnetism")->participants.count, 3);      // in, out, held
+  assert_int_equal(t.world.plan->find("magnetism")->participants.count, 3);   // in, out, held
   assert_int_equal(t.world.plan->find("fields")->participants.count, 0);
   FieldDef push;
   push.vector = Vec3(0, 0, 9);

@@ -62,8 +62,9 @@ static void drag_converges_with_orders_one_one_four_and_two(void**) {
   } cases[] = {{kExplicitEuler, 1, 64}, {kSemiImplicit, 1, 64}, {kRk4, 4, 16}, {kVerlet, 2, 16}};
   for (const auto& k : cases)
     for (const Real factor : {1.0, 0.5})
-      assert_true(std::fabs(slope(flight_error(k.integrator, c, factor, k.n),
-                                  flight_error(k.integrator, c, factor, 2 * k.n)) - k.order) < 0.15);
+      assert_true(
+          std::fabs(slope(flight_error(k.integrator, c, factor, k.n), flight_error(k.integrator, c, factor, 2 * k.n)) -
+                    k.order) < 0.15);
 }
 
 static void drag_alone_is_exact_at_any_step_and_stable_at_any_rate(void**) {

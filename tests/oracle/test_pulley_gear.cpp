@@ -120,8 +120,9 @@ static void a_rope_does_no_work(void**) {
     t.run(steps, kDt);
     const auto of = [&](Cause cause) { return t.world.ledger->since[index_of(cause)].value(); };
     const Atwood m{3, 2, 2};
-    const Real fell = m.a() * (steps * kDt) * (steps * kDt) / 2, through = std::fabs(m.tension() * fell);  // J, A's to B
-    const Real gives = kG * 3 / (240.0 * 240.0);  // m: a soft rope, in its first substep
+    const Real fell = m.a() * (steps * kDt) * (steps * kDt) / 2,
+               through = std::fabs(m.tension() * fell);  // J, A's to B
+    const Real gives = kG * 3 / (240.0 * 240.0);         // m: a soft rope, in its first substep
     assert_true(through > 1 && std::fabs(of(Cause::joints).kinetic) <= m.tension() * gives);
     assert_true(std::fabs(of(Cause::unassigned).energy()) <= 8 * steps * 4 * kUnitRoundoff * through);
     const Vec3 up = of(Cause::joints).linear;  // N s: both sides pull upwards, T and 2 T
@@ -242,7 +243,8 @@ static void geared_flywheels_speed_up_in_closed_form(void**) {
         const Real rounding = 8 * steps * substeps * kUnitRoundoff * a * time * std::max(1.0, 1 / std::fabs(ratio));
         assert_true(std::fabs(f.spin(f.a) - a * time) <= rounding);
         assert_true(std::fabs(f.spin(f.b) + a * time / ratio) <= rounding);
-        assert_true(std::fabs(joint(f.t, gear).torque.z() / (-f.i_b * a / ratio) - 1) <= 8 * steps * substeps * kUnitRoundoff);
+        assert_true(std::fabs(joint(f.t, gear).torque.z() / (-f.i_b * a / ratio) - 1) <=
+                    8 * steps * substeps * kUnitRoundoff);
         const Real h = kDt / substeps, gives = solver >= kDirectChoice ? 1e-9 : torque / f.i_a * h * h;
         assert_true(place_of(f.t.world, joint(f.t, gear)).angle <= gives);
       }

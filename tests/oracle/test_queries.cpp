@@ -175,12 +175,14 @@ void ask_shapes(Park& park, int count, Tally& tally) {
     options.cast.routines = i % 2 != 0;
     if (i % 5 == 0) options.cast.target = park.random.uniform(0, 0.5);
     if (i % 7 == 0) options.filter.mask = 1;
-    const QueryShape query_shape{park.any_shape(), Frame(random_rotation(park.random).matrix(),
-                                              park.random.in_cube(1.5 * park.spread) + Vec3(0, park.spread, 0))};
+    const QueryShape query_shape{
+        park.any_shape(),
+        Frame(random_rotation(park.random).matrix(), park.random.in_cube(1.5 * park.spread) + Vec3(0, park.spread, 0))};
     Vec3 motion = park.random.in_cube(1.5 * park.spread);
     if (i % 13 == 0) motion.set_zero();
-    Array<WorldHit> truth = ask_all(
-        world, options, [&](std::uint32_t slot) { return shape_against(world, slot, query_shape, motion, options.cast); });
+    Array<WorldHit> truth = ask_all(world, options, [&](std::uint32_t slot) {
+      return shape_against(world, slot, query_shape, motion, options.cast);
+    });
     std::sort(truth.begin(), truth.end(), earlier);
     const WorldHit first = cast_shape(world, query_shape, motion, options);
     if (truth.empty())
@@ -333,8 +335,7 @@ static void what_stands_on_a_lattice_is_met_along_its_faces(void**) {
       const Vec3 in = random.in_cube(9);
       const Vec3 through(std::round(in.x()) / 2, std::round(in.y()) / 2, std::round(in.z()) / 2);
       const Ray ray{through - far * direction, direction, i % 4 ? 2 * far : kInfinity};
-      Array<WorldHit> truth =
-          ask_all(world, {}, [&](std::uint32_t slot) { return ray_against(world, slot, ray, {}); });
+      Array<WorldHit> truth = ask_all(world, {}, [&](std::uint32_t slot) { return ray_against(world, slot, ray, {}); });
       std::sort(truth.begin(), truth.end(), earlier);
       Array<WorldHit> all;
       cast_ray_all(world, ray, {}, all);
@@ -343,7 +344,8 @@ static void what_stands_on_a_lattice_is_met_along_its_faces(void**) {
       hits += !truth.empty(), grazes += truth.size() > 1 && truth[0].cast.time == truth[1].cast.time;
       const QueryShape query_shape{cube, Frame(Mat3::identity(), ray.origin)};
       const Vec3 motion = 2 * far * direction;
-      truth = ask_all(world, {}, [&](std::uint32_t slot) { return shape_against(world, slot, query_shape, motion, {}); });
+      truth =
+          ask_all(world, {}, [&](std::uint32_t slot) { return shape_against(world, slot, query_shape, motion, {}); });
       std::sort(truth.begin(), truth.end(), earlier);
       all.clear();
       cast_shape_all(world, query_shape, motion, {}, all);
@@ -409,7 +411,8 @@ static void invalid_plugins_are_met_where_their_bounds_are(void**) {
   // Valid along the axes, where bounds are asked for, and an invalid plugin elsewhere.
   Shape invalid_plugin = box(Vec3(1, 1, 1));
   invalid_plugin.form = Form::none;
-  invalid_plugin.support = [](void* user, const double* p, std::uint64_t n, const double* d, double* out) -> std::int32_t {
+  invalid_plugin.support = [](void* user, const double* p, std::uint64_t n, const double* d,
+                              double* out) -> std::int32_t {
     const int zeros = (d[0] == 0) + (d[1] == 0) + (d[2] == 0);
     return zeros == 2 ? box_support(user, p, n, d, out) : 9;
   };

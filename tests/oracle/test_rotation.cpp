@@ -73,15 +73,13 @@ static void the_closed_form_is_what_tiny_runge_kutta_steps_end_at(void**) {
     const auto rate = [&](const Vec3& w) { return Vec3(-w.cross(inertia.times(w)).over(inertia)); };
     Vec3 w = w0;
     Quat q = Quat::identity();
-    const auto turn = [](const Quat& at, const Vec3& v) {
-      return at * Quat(0, v.x() / 2, v.y() / 2, v.z() / 2);
-    };
+    const auto turn = [](const Quat& at, const Vec3& v) { return at * Quat(0, v.x() / 2, v.y() / 2, v.z() / 2); };
     const int n = 20000;
     const Real T = 3, h = T / n;
     for (int i = 0; i < n; ++i) {
       const Vec3 w1 = rate(w), w2 = rate(w + h / 2 * w1), w3 = rate(w + h / 2 * w2), w4 = rate(w + h * w3);
-      const Quat q1 = turn(q, w), q2 = turn(q + h / 2 * q1, w + h / 2 * w1),
-                 q3 = turn(q + h / 2 * q2, w + h / 2 * w2), q4 = turn(q + h * q3, w + h * w3);
+      const Quat q1 = turn(q, w), q2 = turn(q + h / 2 * q1, w + h / 2 * w1), q3 = turn(q + h / 2 * q2, w + h / 2 * w2),
+                 q4 = turn(q + h * q3, w + h * w3);
       w += h / 6 * (w1 + 2 * w2 + 2 * w3 + w4);
       q += h / 6 * (q1 + 2 * q2 + 2 * q3 + q4);
     }

@@ -90,8 +90,8 @@ Frame odd_frame(Random& random, Real distance) {
 LongMat exact_rotation(const Quat& q) {
   const Long x = q.x(), y = q.y(), z = q.z(), w = q.w(), n = x * x + y * y + z * z + w * w;
   const LongMat r(w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
-      2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),   //
-      2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z);
+                  2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),  //
+                  2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z);
   return r / n;
 }
 

@@ -68,7 +68,8 @@ static void a_lock_at_an_offset_bears_the_weight(void**) {
       const Real m = 2;
       const Vec3 arm(0.5, 0, 0.2);  // of the weight, from the frame
       const Pose frame_a{kOblique, Vec3(1, 2, 3)}, there = frame_a * at_axes(kOffset);
-      const std::uint32_t body = add_body(t, there.p + there.q * arm, m, Vec3(0.1, 0.2, 0.3), BodyType::dynamic, there.q);
+      const std::uint32_t body =
+          add_body(t, there.p + there.q * arm, m, Vec3(0.1, 0.2, 0.3), BodyType::dynamic, there.q);
       JointDef def;
       def.kind = JointKind::six_axis;
       def.body_b = body, def.frame_a = frame_a, def.frame_b.p = -arm;

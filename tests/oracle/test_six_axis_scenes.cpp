@@ -23,7 +23,9 @@ void hold_all_but(TestWorld& t, std::uint32_t j, std::uint32_t axis) {
   for (std::uint32_t k = 0; k < kAxes; ++k)
     if (k != axis) t.world.set_joint_axis(j, k, held());
 }
-Real where(const TestWorld& t, std::uint32_t j, std::uint32_t k) { return axes_at(ends_of(t.world, joint(t, j).def))[k]; }
+Real where(const TestWorld& t, std::uint32_t j, std::uint32_t k) {
+  return axes_at(ends_of(t.world, joint(t, j).def))[k];
+}
 
 }  // namespace
 
@@ -107,7 +109,8 @@ static Real sag(int solver, int substeps, bool about_y) {
   t.run(1200, 1.0 / 120);
   const auto since = [&](Cause cause) { return t.world.ledger->since[index_of(cause)].value().energy(); };
   assert_true(std::fabs(since(Cause::unassigned)) < 1e-9 && std::fabs(since(Cause::drives)) > 1);
-  return std::max(std::fabs(where(t, joints[0], axis) - expected[0]), std::fabs(where(t, joints[1], axis) - expected[1]));
+  return std::max(std::fabs(where(t, joints[0], axis) - expected[0]),
+                  std::fabs(where(t, joints[1], axis) - expected[1]));
 }
 
 /// It sags to where drives balance its weight, a fixed point that is found without the engine; what drives and joints give is
@@ -155,7 +158,8 @@ static void a_gimbal_turns_overdamped(void**) {
         const State& s = t.world.state;
         const Quat off = s.q[a].conjugate() * s.q[b];
         const Real left = 2 * std::atan2(off.vec().norm(), std::fabs(off.w())), time = i / 50.0;
-        worst = std::max(worst, std::fabs(left - e0 * (r2 * std::exp(r1 * time) - r1 * std::exp(r2 * time)) / (r2 - r1)));
+        worst =
+            std::max(worst, std::fabs(left - e0 * (r2 * std::exp(r1 * time) - r1 * std::exp(r2 * time)) / (r2 - r1)));
         spin = std::max(spin, (i1 * s.omega[a] + i2 * s.omega[b]).norm());
         across = std::max(across, off.vec().cross(axis).norm());
       }

@@ -87,8 +87,8 @@ static void a_ball_is_driven_about_three_axes(void**) {
       t.run(steps, kStep);
       const Real time = steps * kStep;
       const Vec3 omega = kOblique.conjugate() * t.world.state.omega[body];
-      const Vec3 expected = mode == AxisDrive::velocity ? Vec3(0.7, -0.6 / inertia * time, 1.1)
-                                                        : time / inertia * Vec3(0.2, -0.4, 0.1);
+      const Vec3 expected =
+          mode == AxisDrive::velocity ? Vec3(0.7, -0.6 / inertia * time, 1.1) : time / inertia * Vec3(0.2, -0.4, 0.1);
       assert_true((omega - expected).norm() < 16 * steps * substeps * kUnitRoundoff * 3);
     }
 }
@@ -126,8 +126,7 @@ std::array<Pose, 2> end_of(int solver, int substeps, JointKind kind, bool as_axe
 static Real unlike(int solver, int substeps, JointKind kind, int drive) {
   const auto one = end_of(solver, substeps, kind, false, drive), other = end_of(solver, substeps, kind, true, drive);
   Real most = 0;
-  for (int i = 0; i < 2; ++i)
-    most = std::max({most, (one[i].p - other[i].p).norm(), (one[i].q - other[i].q).norm()});
+  for (int i = 0; i < 2; ++i) most = std::max({most, (one[i].p - other[i].p).norm(), (one[i].q - other[i].q).norm()});
   return most;
 }
 
@@ -186,7 +185,8 @@ static JointAxis axis_in_chain(int i, int k) {
     if (i % 2) a.stop = {Gains::force, 90, 1};
   }
   if ((i + k) % 4 == 1) a = JointAxis{}, a.spring = {Gains::frequency, 3, 0.2};
-  if ((i + k) % 8 == 5) a.drive = k % 2 ? AxisDrive::velocity : AxisDrive::effort, a.speed = 0.5, a.effort = 1, a.max_force = 2;
+  if ((i + k) % 8 == 5)
+    a.drive = k % 2 ? AxisDrive::velocity : AxisDrive::effort, a.speed = 0.5, a.effort = 1, a.max_force = 2;
   return a;
 }
 
@@ -202,7 +202,8 @@ static void every_width_gives_the_same_bits(void**) {
       for (int i = 0; i < 40; ++i) {
         const std::uint32_t next = add_body(t, Vec3(i + 0.5, 0, 0), 1 + 0.1 * (i % 7), Vec3(0.1, 0.2, 0.25));
         const bool is_ball = i % 5 == 4;
-        const std::uint32_t j = join(t, is_ball ? JointKind::ball : JointKind::six_axis, before, next, Vec3(i, 0, 0.1), kOblique);
+        const std::uint32_t j =
+            join(t, is_ball ? JointKind::ball : JointKind::six_axis, before, next, Vec3(i, 0, 0.1), kOblique);
         for (int k = 0; !is_ball && k < static_cast<int>(kAxes); ++k)
           t.world.set_joint_axis(j, static_cast<std::uint32_t>(k), axis_in_chain(i, k));
         TurnDrive d;

@@ -63,8 +63,7 @@ static void until_the_first_sleep_a_world_is_that_without(void**) {
     assert_true(until_asleep(a, b) > 0);  // compares
     assert_true(a.world.hash() != b.world.hash());
     for (std::uint32_t i = 0; i < a.world.scene.bodies.slots(); ++i)
-      assert_true(a.world.state.x[i] == b.world.state.x[i] &&
-                  a.world.state.q[i] == b.world.state.q[i]);
+      assert_true(a.world.state.x[i] == b.world.state.x[i] && a.world.state.q[i] == b.world.state.q[i]);
   }
 }
 

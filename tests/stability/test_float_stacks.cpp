@@ -109,7 +109,8 @@ static void a_heap_settles_as_in_doubles(void**) {
     std::mt19937 bits(7);
     const auto jitter = [&] { return 0.05 * (static_cast<Real>(bits()) / 4294967296.0 - 0.5); };
     for (int i = 0; i < 300; ++i)
-      t.add(i % 2 ? cube : ball, Vec3(0.8 * (i % 5) - 1.6 + jitter(), 0.5 + 0.7 * (i / 25), 0.8 * (i / 5 % 5) - 1.6 + jitter()));
+      t.add(i % 2 ? cube : ball,
+            Vec3(0.8 * (i % 5) - 1.6 + jitter(), 0.5 + 0.7 * (i / 25), 0.8 * (i / 5 % 5) - 1.6 + jitter()));
     t.run(480, kStep);
     Real sum = 0, most = 0;
     std::size_t count = 0;

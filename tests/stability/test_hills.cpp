@@ -56,9 +56,8 @@ struct Hills {
   }
   Real at(int x, int z) const { return height[static_cast<std::size_t>(z * kSide + x)]; }
   Shape shape() const {
-    return height_field(kSide, kSide, spacing, spacing, [&](std::uint32_t x, std::uint32_t z) {
-      return at(static_cast<int>(x), static_cast<int>(z));
-    });
+    return height_field(kSide, kSide, spacing, spacing,
+                        [&](std::uint32_t x, std::uint32_t z) { return at(static_cast<int>(x), static_cast<int>(z)); });
   }
   /// How far out a place is: 0 in the middle, 1 at the rim.
   Real reach(const Vec3& p) const {
@@ -84,14 +83,14 @@ constexpr Made kAll[] = {Made::box,  Made::sphere,    Made::capsule, Made::cylin
 
 struct Fall {
   Made kind = Made::box;
-  Real spacing, slope;           // of the hills: m, 1
-  Real size;                     // m: the longest half of the body; others are up to three times less
+  Real spacing, slope;  // of the hills: m, 1
+  Real size;            // m: the longest half of the body; others are up to three times less
   Real hz;
-  Real height = 1;               // m: that it falls from
-  Real speed = 0, spin = 0;      // m/s, rad/s: the most, along each axis
+  Real height = 1;           // m: that it falls from
+  Real speed = 0, spin = 0;  // m/s, rad/s: the most, along each axis
   Real friction = 0.5;
-  Real thin = 1;                 // how many times thinner than else
-  int bodies = 1;                // one above the other
+  Real thin = 1;   // how many times thinner than else
+  int bodies = 1;  // one above the other
 };
 
 Vec3 halves(const Fall& f, Dice& dice) {

@@ -18,7 +18,7 @@ namespace {
 struct Weights {
   JointKind kind;
   int links;
-  Real ratio;  // of each link's mass to the one before
+  Real ratio;            // of each link's mass to the one before
   Real hz, slant, side;  // Hz, rad from the vertical, m
   int seconds = 4;
 };

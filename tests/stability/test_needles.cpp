@@ -124,8 +124,8 @@ struct Tally {
       const Real gain = most_gained(f, seed);
       gaining += gain > 0.02;
       if (!(gain <= bound))
-        print_message("kind %d form %d chain %d solver %d, %g Hz, %g rad/s, seed %d: gains %g\n", int(f.kind), int(f.form),
-                      int(f.chain), f.solver, double(f.hz), double(f.spin), int(seed), double(gain));
+        print_message("kind %d form %d chain %d solver %d, %g Hz, %g rad/s, seed %d: gains %g\n", int(f.kind),
+                      int(f.form), int(f.chain), f.solver, double(f.hz), double(f.spin), int(seed), double(gain));
       assert_true(gain <= bound);
     }
   }
@@ -139,8 +139,8 @@ constexpr Chain kChains[] = {Chain::single, Chain::three, Chain::loaded, Chain::
 constexpr Real kTwice = 1;
 
 /// Solvers and spins in turn.
-void sweep(Tally& tally, std::vector<int> solvers, Real size, Real ratio, std::vector<Real> rates, std::vector<Real> spins,
-           int order = 0) {
+void sweep(Tally& tally, std::vector<int> solvers, Real size, Real ratio, std::vector<Real> rates,
+           std::vector<Real> spins, int order = 0) {
   std::size_t n = 0;
   for (const JointKind kind : kKinds)
     for (const Build form : kBuilds)
@@ -149,7 +149,8 @@ void sweep(Tally& tally, std::vector<int> solvers, Real size, Real ratio, std::v
           const std::size_t at = n++;
           if (at % kOneOf != 0) continue;
           for (std::size_t k = 0; k < (of_each > 1 ? spins.size() : 1); ++k)
-            tally.add({kind, form, chain, solvers[(at + k) % solvers.size()], hz, spins[(at / solvers.size() + k) % spins.size()], size, ratio, order},
+            tally.add({kind, form, chain, solvers[(at + k) % solvers.size()], hz,
+                       spins[(at / solvers.size() + k) % spins.size()], size, ratio, order},
                       kTwice);
         }
 }

@@ -57,8 +57,8 @@ void draw_pinch(Pinch& p, std::uint64_t seed) {
   const Real size = draw() < 0.5 ? draw(0.02, 0.1) : draw(0.1, 1), room = draw(1.5, 3) * size;
   const Shape* wall = t.keep(box(Vec3(0.1 * size, 4 * size, 4 * size)));
   t.add(wall, Vec3(-room - 0.1 * size, 4 * size, 0), BodyType::fixed, Quat::identity(), m);
-  const std::uint32_t jaw = t.add(wall, Vec3(room + 0.1 * size, 4 * size, 0), BodyType::kinematic,
-                                  any_turn(draw, 0.3), m);
+  const std::uint32_t jaw =
+      t.add(wall, Vec3(room + 0.1 * size, 4 * size, 0), BodyType::kinematic, any_turn(draw, 0.3), m);
   p.jaws = {jaw};
   p.speed = draw(0.05, 2) * size;
   const Vec3 way{draw(-1, 1), draw(-1, 1), draw(-1, 1)}, spin = way * (draw() * 0.3);
@@ -69,10 +69,18 @@ void draw_pinch(Pinch& p, std::uint64_t seed) {
     const Shape* shape = nullptr;
     const Real r = draw(0.3, 0.5) * size;
     switch (static_cast<int>(draw() * 4)) {
-      case 0: shape = t.keep(sphere(r)); break;
-      case 1: shape = t.keep(box(Vec3{r, draw(0.3, 1) * r, draw(0.3, 1) * r})); break;
-      case 2: shape = t.keep(capsule(0.5 * r, 0.5 * r)); break;
-      default: shape = t.keep(cylinder(0.6 * r, 0.8 * r)); break;
+      case 0:
+        shape = t.keep(sphere(r));
+        break;
+      case 1:
+        shape = t.keep(box(Vec3{r, draw(0.3, 1) * r, draw(0.3, 1) * r}));
+        break;
+      case 2:
+        shape = t.keep(capsule(0.5 * r, 0.5 * r));
+        break;
+      default:
+        shape = t.keep(cylinder(0.6 * r, 0.8 * r));
+        break;
     }
     BodyDef def;
     def.pose.p = Vec3{draw(-0.8, 0.8) * size, (0.6 + 1.1 * i) * size, draw(-0.3, 0.3) * size};
@@ -123,7 +131,8 @@ static void what_a_jaw_closes_on_is_not_shot_out(void**) {
       draw_pinch(p, seed);
       p.t.world.set_dial(Dial::solver, solver);
       const Real of = worst_energy(p, 1.0 / 60);
-      if (of > kSqueezedMore) print_error("seed %llu, solver %d: %g\n", static_cast<unsigned long long>(seed), solver, of);
+      if (of > kSqueezedMore)
+        print_error("seed %llu, solver %d: %g\n", static_cast<unsigned long long>(seed), solver, of);
       worst = std::max(worst, of);
     }
   assert_true(worst < kSqueezedMore);

@@ -20,8 +20,7 @@ Real depth(const World& w) { return w.scene.dials[Dial::position_tolerance]; }
 
 bool all_finite(const World& w) {
   for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i)
-    if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) ||
-        !w.state.q[i].all_finite())
+    if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) || !w.state.q[i].all_finite())
       return false;
   return true;
 }

@@ -38,7 +38,6 @@ Shape round_hull(Real radius) {
   return hull(v);
 }
 
-
 /// A shape turned so that the flat piece with this outward normal and distance from its origin lies on y = 0.
 struct Rest {
   Shape shape;

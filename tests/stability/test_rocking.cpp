@@ -26,9 +26,9 @@ struct Dice {
 
 enum class Made { hull, ellipsoid };
 struct Fall {
-  Real size, flat;   // m: the longest half; how many times longer than the shortest
-  Real hz, height;   // m: that it falls from
-  Real spin = 0;     // rad/s, at most along each axis
+  Real size, flat;  // m: the longest half; how many times longer than the shortest
+  Real hz, height;  // m: that it falls from
+  Real spin = 0;    // rad/s, at most along each axis
 };
 
 const Shape* shape_for(TestWorld& t, Made kind, const Vec3& half, Dice& dice) {
@@ -50,8 +50,7 @@ Real sinks_for(Made kind, const Fall& f, std::uint64_t seed) {
   const Vec3 half(f.size, f.size / f.flat, f.size * dice(0.5, 1));
   const Shape* const shape = shape_for(t, kind, half, dice);
   const Vec3 turn = dice.within(Vec3::constant(2)), spin = dice.within(Vec3::constant(f.spin));
-  const std::uint32_t body =
-      t.add(shape, Vec3(0, f.size + f.height, 0), BodyType::dynamic, normalized(exp_map(turn)));
+  const std::uint32_t body = t.add(shape, Vec3(0, f.size + f.height, 0), BodyType::dynamic, normalized(exp_map(turn)));
   t.world.set_velocity(body, Vec3::zero(), spin);
   Real now = 0, most = 0;
   for (int step = 0; step < 3 * f.hz; ++step) {

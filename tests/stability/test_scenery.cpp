@@ -3,10 +3,10 @@
 #include <random>
 
 #include "carom_test.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/sleep/sleep.h"
 #include "scenery_builder.h"
 #include "world_builder.h"
-#include "dynamics/contact_views.h"
 
 using namespace carom;
 using namespace carom::test;

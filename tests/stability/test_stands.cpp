@@ -70,8 +70,8 @@ struct Standing {
       const Real now = newton_steps(t.world, t.world.plan->substeps);
       (i == 0 ? first : taken) += now;
     }
-    print_message("%zu bodies: %g steps of Newton at first, %g in %d steps; off by %.1e m\n", bodies.size(), first, taken,
-                  steps - 1, worst_place());
+    print_message("%zu bodies: %g steps of Newton at first, %g in %d steps; off by %.1e m\n", bodies.size(), first,
+                  taken, steps - 1, worst_place());
     assert_true(t.world.report.direct_groups > 0);
     assert_true(taken <= allowed);
     assert_true(worst_place() < off);
@@ -141,8 +141,8 @@ static void what_drifts_is_set_right_by_a_factor_or_two(void**) {
       taken += now;
       dear += now > 2;
     }
-    print_message("%zu bodies: %g factors in %d steps, more than two in %d; off by %.1e m\n", s.bodies.size(), taken, kSteps,
-                  dear, s.worst_place());
+    print_message("%zu bodies: %g factors in %d steps, more than two in %d; off by %.1e m\n", s.bodies.size(), taken,
+                  kSteps, dear, s.worst_place());
     assert_true(dear <= kSteps / 20);  // where contacts at the edges of their cones change places
     assert_true(s.worst_place() < kSeldomOff);
   };

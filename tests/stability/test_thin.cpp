@@ -90,7 +90,8 @@ Real most_energy(const Drop& f, std::uint64_t seed) {
   t.ground();
   const std::uint32_t material = f.restitution > 0 ? t.material(0.5, f.restitution) : Colliders::kNoMaterial;
   const Quat q = Quat(dice(-1, 1), dice(-1, 1), dice(-1, 1), dice(-1, 1));
-  const std::uint32_t body = t.add(shape_for(t, f), Vec3(0, 1.2 * f.size, 0), BodyType::dynamic, normalized(q), material);
+  const std::uint32_t body =
+      t.add(shape_for(t, f), Vec3(0, 1.2 * f.size, 0), BodyType::dynamic, normalized(q), material);
   const auto any = [&](Real most) {
     return most > 0 ? Vec3(dice(-most, most), dice(-most, most), dice(-most, most)) : Vec3(Vec3::zero());
   };

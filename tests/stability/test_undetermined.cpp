@@ -91,7 +91,8 @@ static void a_slider_on_the_ground_slides(void**) {
   struct Case {
     Real side, density, friction, push;
   };
-  for (const Case& c : {Case{1, 100, 0.5, 1e4}, Case{0.2, 1000, 0.8, 500}, Case{2, 50, 0.2, 1e5}, Case{1, 100, 0.5, 600}})
+  for (const Case& c :
+       {Case{1, 100, 0.5, 1e4}, Case{0.2, 1000, 0.8, 500}, Case{2, 50, 0.2, 1e5}, Case{1, 100, 0.5, 600}})
     for (const int solver : {kSoftChoice, kAutoChoice}) {
       TestWorld t;
       choose(t, solver);
@@ -123,7 +124,8 @@ static void a_lift_moves_in_its_shaft(void**) {
       choose(t, solver);
       const std::uint32_t m = t.material(0.3, 0);
       const Shape* wall = t.keep(box(Vec3(side / 10, 5 * side, side)));
-      for (const Real s : {-1.0, 1.0}) t.add(wall, Vec3(s * 0.6 * side, 5 * side, 0), BodyType::fixed, Quat::identity(), m);
+      for (const Real s : {-1.0, 1.0})
+        t.add(wall, Vec3(s * 0.6 * side, 5 * side, 0), BodyType::fixed, Quat::identity(), m);
       BodyDef def;
       def.pose.p = Vec3(0, side, 0);
       const std::uint32_t lift = handle_slot(t.world.add_body(def));

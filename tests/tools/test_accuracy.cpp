@@ -215,7 +215,8 @@ static void flights_show_the_order_of_their_integrator(void**) {
   };
   Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
   for (const auto& row : rows) {
-    const std::vector<Result> runs = run_halved(engine, find_challenge(row.name), at(row.coarse, {row.dial, "substeps=1"}), 1);
+    const std::vector<Result> runs =
+        run_halved(engine, find_challenge(row.name), at(row.coarse, {row.dial, "substeps=1"}), 1);
     const double order = observed_order(runs[0].errors[row.metric], runs[1].errors[row.metric]);
     if (!(std::fabs(order - row.order) < row.off))
       std::printf("%s, %s: %.3g, %.3g, order %.3g\n", row.name, row.dial, runs[0].errors[row.metric],
@@ -320,8 +321,7 @@ static void the_list_is_the_suites(void**) {
     assert_int_equal(result.errors.size(), challenge.metrics.size());
     for (double error : result.errors) assert_true(error >= 0);
   }
-  for (int row = 1; row <= 37; ++row)
-    assert_true(rows.count(row) == 1);
+  for (int row = 1; row <= 37; ++row) assert_true(rows.count(row) == 1);
   bool refused = false;
   try {
     find_challenge("slidee");
@@ -335,8 +335,8 @@ static void the_list_is_the_suites(void**) {
 /// more substeps add up.
 static void no_preset_is_worse_than_a_cheaper_one(void**) {
   Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
-  for (const char* name : {"drag", "heavytop", "pendulum", "bricard", "bounce05", "slide", "slip", "stack10", "massratio1e3",
-                           "governor", "cannon", "chain1e4", "stick", "massratio1e5"}) {
+  for (const char* name : {"drag", "heavytop", "pendulum", "bricard", "bounce05", "slide", "slip", "stack10",
+                           "massratio1e3", "governor", "cannon", "chain1e4", "stick", "massratio1e5"}) {
     const Challenge& challenge = find_challenge(name);
     const double of_no_account = 0.2 * challenge.metrics[0].bound;
     double least = HUGE_VAL;

@@ -43,13 +43,16 @@ const Sweep& tiny() {
     SweepPlan plan;
     for (const char* name : {"slide", "skid", "massratio1e2"}) plan.scenes.push_back(&find_challenge(name));
     for (Entry& entry : carom_entries())
-      if (entry.setting == kDefaultSetting || entry.setting == "direct, 1 substep") plan.entries.push_back(std::move(entry));
+      if (entry.setting == kDefaultSetting || entry.setting == "direct, 1 substep")
+        plan.entries.push_back(std::move(entry));
     // Another engine that is Carom in disguise: at its worst, so that it is beaten, and at its best on one scene.
-    plan.entries.push_back({"Other 1.0 (double)", "as it comes",
+    plan.entries.push_back({"Other 1.0 (double)",
+                            "as it comes",
                             [](const Challenge& c) { return c.scene.name != "massratio1e2"; },
                             {"solver=sequential", "substeps=1"},
                             {}});
-    plan.entries.push_back({"Other 1.0 (double)", "finer",
+    plan.entries.push_back({"Other 1.0 (double)",
+                            "finer",
                             [](const Challenge& c) { return c.scene.name == "slide"; },
                             {"solver=direct", "substeps=16"},
                             {}});
@@ -76,7 +79,8 @@ static void a_front_is_what_no_point_beats(void**) {
     for (std::size_t k = 0; k < front.size(); ++k) {
       for (const auto& other : points) assert_false(beats(other, points[front[k]]));
       if (k > 0)
-        assert_true(points[front[k]].cost > points[front[k - 1]].cost && points[front[k]].error < points[front[k - 1]].error);
+        assert_true(points[front[k]].cost > points[front[k - 1]].cost &&
+                    points[front[k]].error < points[front[k - 1]].error);
     }
     for (const auto& p : points) {  // and every other one is beaten by, or the same as, one on it
       if (!std::isfinite(p.error)) continue;
@@ -90,11 +94,11 @@ static void a_front_is_what_no_point_beats(void**) {
 
 static void a_lead_is_the_smaller_of_both_factors(void**) {
   const std::vector<accuracy::Point> ours = {{1, 1e-2}, {10, 1e-4}};
-  assert_true(std::fabs(lead_of({2, 1e-3}, ours) - 5) < 1e-12);         // 10 in error, 5 in cost
-  assert_true(std::fabs(lead_of({8, 1e-3}, ours) - 1.25) < 1e-12);      // 10 in error, 1.25 in cost
+  assert_true(std::fabs(lead_of({2, 1e-3}, ours) - 5) < 1e-12);                 // 10 in error, 5 in cost
+  assert_true(std::fabs(lead_of({8, 1e-3}, ours) - 1.25) < 1e-12);              // 10 in error, 1.25 in cost
   assert_true(lead_of({2, 1e-2}, ours) == 1 && lead_of({20, 1e-3}, ours) < 1);  // beaten
-  assert_true(std::fabs(lead_of({0.5, 1e-2}, ours) - 2) < 1e-12);       // nothing as cheap: half the cost
-  assert_true(std::fabs(lead_of({20, 1e-5}, ours) - 10) < 1e-12);       // nothing as exact
+  assert_true(std::fabs(lead_of({0.5, 1e-2}, ours) - 2) < 1e-12);               // nothing as cheap: half the cost
+  assert_true(std::fabs(lead_of({20, 1e-5}, ours) - 10) < 1e-12);               // nothing as exact
   assert_true(std::isinf(lead_of({0.5, 1e-5}, ours)) && std::isinf(lead_of({1, 1}, {})));
   // Brute force: the largest factor f by which ours may be improved in both at once and still not beat theirs... is what
   // the smaller one of the two single factors bounds: at f below the lead no point of ours, scaled, reaches theirs.
@@ -148,7 +152,8 @@ static void a_profile_counts_who_is_within_tau_of_the_best(void**) {
           for (const auto& row : costs) best = std::min(best, row[p]);
           within += std::isfinite(costs[s][p]) && costs[s][p] <= tau * best;
         }
-        assert_true(std::fabs(profile_at(ratios[s], problems, tau) - static_cast<double>(within) / static_cast<double>(problems)) < 1e-15);
+        assert_true(std::fabs(profile_at(ratios[s], problems, tau) -
+                              static_cast<double>(within) / static_cast<double>(problems)) < 1e-15);
       }
   }
 }
@@ -188,7 +193,8 @@ static void a_sweep_is_what_runs_one_by_one_give(void**) {
   }
   assert_int_equal(compared, 3);
   // Maps come with massratio1e2: seven ratios at three steps, both settings.
-  assert_int_equal(std::count_if(tiny().rows.begin(), tiny().rows.end(), [](const Row& r) { return !r.knobs.empty(); }), 42);
+  assert_int_equal(std::count_if(tiny().rows.begin(), tiny().rows.end(), [](const Row& r) { return !r.knobs.empty(); }),
+                   42);
 }
 
 static void what_does_not_fit_into_the_time_is_left_out_and_says_so(void**) {
@@ -242,26 +248,28 @@ static void the_page_is_well_formed_has_every_section_and_the_numbers_of_the_fil
   const XmlCheck xml(without_doctype(page));
   assert_true(xml.well_formed());
   for (const char* outside : {"http://www.w3.org/2000/svg"}) assert_true(page.find(outside) != std::string::npos);
-  for (const char* refers : {"src=", "@import", "url(", "<link", "https:"}) assert_true(page.find(refers) == std::string::npos);
+  for (const char* refers : {"src=", "@import", "url(", "<link", "https:"})
+    assert_true(page.find(refers) == std::string::npos);
   std::vector<std::string> ids;
   for (const Element& e : xml.elements())
     if (e.attributes.count("id")) {
       assert_true(std::find(ids.begin(), ids.end(), e.attributes.at("id")) == ids.end());
       ids.push_back(e.attributes.at("id"));
     }
-  for (const char* id : {"findings", "defaults", "peers", "work-precision", "wp-slide", "wp-skid", "orders", "maps",
-                         "map-massratio", "profiles", "profile-solvers", "profile-engines", "effects", "tolerance", "method"})
+  for (const char* id :
+       {"findings", "defaults", "peers", "work-precision", "wp-slide", "wp-skid", "orders", "maps", "map-massratio",
+        "profiles", "profile-solvers", "profile-engines", "effects", "tolerance", "method"})
     assert_true(std::find(ids.begin(), ids.end(), id) != ids.end());
   for (const Element& e : xml.elements())  // the contents lead somewhere
-    if (e.name == "a")
-      assert_true(std::find(ids.begin(), ids.end(), e.attributes.at("href").substr(1)) != ids.end());
+    if (e.name == "a") assert_true(std::find(ids.begin(), ids.end(), e.attributes.at("href").substr(1)) != ids.end());
   // A dot for every run that was not left out, with its figures to the last bit.
   std::size_t dots = 0;
   for (const Row& row : tiny().rows) {
     if (!row.knobs.empty() || row.left_out) continue;
     const auto found = std::count_if(xml.elements().begin(), xml.elements().end(), [&](const Element& e) {
       return e.attributes.count("data-setting") && e.attributes.at("data-setting") == row.engine + ": " + row.setting &&
-             std::atof(e.attributes.at("data-dt").c_str()) == row.dt && std::atof(e.attributes.at("data-cost").c_str()) == row.cost &&
+             std::atof(e.attributes.at("data-dt").c_str()) == row.dt &&
+             std::atof(e.attributes.at("data-cost").c_str()) == row.cost &&
              (std::atof(e.attributes.at("data-error").c_str()) == row.errors[0] || !std::isfinite(row.errors[0]));
     });
     assert_true(found >= 1);
@@ -282,11 +290,11 @@ static void a_peer_that_is_ahead_is_marked_and_one_that_is_not_is_not(void**) {
     both.rows.back().cost = cost, both.rows.back().errors[0] = error, both.rows.back().fell_at = fell_at;
     return report_page(both, {}).find("<tr class=\"bad\"") != std::string::npos;
   };
-  assert_true(marked(1e-3, 1e-4));         // ten times less error for the same
-  assert_true(marked(1e-4, 1e-3));         // ten times cheaper
-  assert_false(marked(2e-3, 1e-3));        // dearer
-  assert_false(marked(0.9e-3, 1e-3));      // within what times differ by
-  assert_false(marked(1e-3, 1e-4, 0.5));   // it fell
+  assert_true(marked(1e-3, 1e-4));        // ten times less error for the same
+  assert_true(marked(1e-4, 1e-3));        // ten times cheaper
+  assert_false(marked(2e-3, 1e-3));       // dearer
+  assert_false(marked(0.9e-3, 1e-3));     // within what times differ by
+  assert_false(marked(1e-3, 1e-4, 0.5));  // it fell
   const auto ahead = view_of(sweep);
   assert_true(worst_lead(ahead.scenes[0]).theirs == nullptr);
 }
@@ -309,12 +317,14 @@ static void tolerances_and_effects_are_measured(void**) {
     // A bracket is as narrow as was asked, relative to the pair's size of at most 3 m; rounding of metres beside it. A deep
     // pair of curved shapes ends where its polytope has as many faces as there is room for, and says how wide that is.
     const double least = t.pair == "ellipsoids, deep" ? 1e-8 : 1e-13;
-    if (!(t.width <= 3 * t.tolerance + least)) std::printf("%s, tolerance %g: %g m wide\n", t.pair.c_str(), t.tolerance, t.width);
+    if (!(t.width <= 3 * t.tolerance + least))
+      std::printf("%s, tolerance %g: %g m wide\n", t.pair.c_str(), t.tolerance, t.width);
     assert_true(t.ns > 0 && t.width >= 0 && t.width <= 3 * t.tolerance + least);
   }
   const auto path = temporary("effects.csv");
-  std::ofstream(path) << "effect,participants,unit,evaluations_a_step,ns_a_participant,ns_an_evaluation,ms_a_scene,spread_ms,"
-                         "ms_a_step,ns_alone,spread_alone_ns\n\"drag, air\",10000,bodies,8,350,44,3.5,0.1,9,120,5\n";
+  std::ofstream(path)
+      << "effect,participants,unit,evaluations_a_step,ns_a_participant,ns_an_evaluation,ms_a_scene,spread_ms,"
+         "ms_a_step,ns_alone,spread_alone_ns\n\"drag, air\",10000,bodies,8,350,44,3.5,0.1,9,120,5\n";
   const auto effects = read_effects(path.string());
   std::filesystem::remove(path);
   assert_int_equal(effects.size(), 1);

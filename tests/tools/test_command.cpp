@@ -72,7 +72,9 @@ static void lists_show_every_scene_shape_and_dial(void**) {
   for (const char* name : {"seesaw", "catapult", "bunnies", "particles", "falling"}) assert_true(says(scenes, name));
   for (const char* name : {"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "hull"})
     assert_true(says(shapes, name));
-  for (const char* name : {"broad_phase", "sweep_and_prune", "gjk_tolerance", "Constants", "direct_impact_share = 0.1", "facet_tilt = 0.03 rad"}) assert_true(says(dials, name));
+  for (const char* name : {"broad_phase", "sweep_and_prune", "gjk_tolerance", "Constants", "direct_impact_share = 0.1",
+                           "facet_tilt = 0.03 rad"})
+    assert_true(says(dials, name));
 }
 
 static void a_run_reports_itself_as_json_and_csv(void**) {
@@ -147,7 +149,8 @@ static void a_plan_tells_what_runs_for_whom_and_what_is_left_out(void**) {
 
   const Outcome text = carom("plan falling --n 8 --forbid gravity");
   assert_int_equal(text.code, 0);
-  for (const char* expected : {"participants", "left out", "no body has drag", "though the scene calls for it: 8 bodies"})
+  for (const char* expected :
+       {"participants", "left out", "no body has drag", "though the scene calls for it: 8 bodies"})
     assert_true(says(text, expected));
 }
 

@@ -69,9 +69,11 @@ struct Session {
     std::vector<carom_body> bodies = stage.world.bodies();
     bodies.resize(3);
     float wide[3 * 4] = {1, 2, 3, 99, 4, 5, 6, 99, 7, 8, 9, 99};
-    call.done(carom_world_write(w, CAROM_FIELD_LINEAR_VELOCITY, CAROM_SCALAR_F32, &bodies[0], 0, wide, 16, call), "none");
+    call.done(carom_world_write(w, CAROM_FIELD_LINEAR_VELOCITY, CAROM_SCALAR_F32, &bodies[0], 0, wide, 16, call),
+              "none");
     for (carom_body& body : bodies) body = late;
-    call.done(carom_world_write(w, CAROM_FIELD_LINEAR_VELOCITY, CAROM_SCALAR_F32, bodies.data(), 3, wide, 16, call), "bulk");
+    call.done(carom_world_write(w, CAROM_FIELD_LINEAR_VELOCITY, CAROM_SCALAR_F32, bodies.data(), 3, wide, 16, call),
+              "bulk");
     carom_particles set;
     const double at[6] = {1, 5, 1, 2, 5, 2};
     call.done(carom_particles_create(w, nullptr, &set, call), "particles");
@@ -107,8 +109,9 @@ static void a_session_comes_out_the_same(void**) {
     Session session(flags);
     for (const std::uint32_t threads : {1u, 3u}) {
       const Outcome outcome = replayed(session.bytes, threads);
-      if (outcome.parting) print_error("parts at step %llu: %s %s\n", (unsigned long long)outcome.parting->step,
-                                       outcome.parting->sections.c_str(), outcome.parting->refused.c_str());
+      if (outcome.parting)
+        print_error("parts at step %llu: %s %s\n", (unsigned long long)outcome.parting->step,
+                    outcome.parting->sections.c_str(), outcome.parting->refused.c_str());
       assert_true(!outcome.parting && outcome.ended);
       assert_true(outcome.steps == session.taken - 10);
       assert_true(outcome.calls > outcome.steps + 10);
@@ -141,14 +144,16 @@ static void what_was_changed_is_named(void**) {
   assert_true(p.calls[1].rfind("carom_world_step(", 0) == 0);
   assert_true(p.sections.rfind("bodies", 0) == 0);
   assert_true((p.first & 0xFFFFFFFFFFFull) == (session.late & 0xFFFFFFFFFFFull) && p.second == 0);
-  assert_true(std::any_of(p.details.begin(), p.details.end(),
-                          [](const std::string& d) { return d.rfind("linear velocity: recorded (0.7310585786300", 0) == 0; }));
+  assert_true(std::any_of(p.details.begin(), p.details.end(), [](const std::string& d) {
+    return d.rfind("linear velocity: recorded (0.7310585786300", 0) == 0;
+  }));
   // Without states the step and the calls are still named.
   Session brief(CAROM_RECORD_HASHES, push);
   bytes = brief.bytes;
   std::memcpy(&bytes[place_of(bytes, push)], &other, 8);
   const Outcome less = replayed(bytes);
-  assert_true(less.parting && less.parting->step == 21 && less.parting->calls == p.calls && less.parting->sections.empty());
+  assert_true(less.parting && less.parting->step == 21 && less.parting->calls == p.calls &&
+              less.parting->sections.empty());
 }
 
 static void a_recording_that_is_cut_off_is_played_as_far_as_it_goes(void**) {
@@ -303,7 +308,8 @@ static void worlds_are_compared(void**) {
 /// Every scene, from its first step on.
 static void scenes_come_out_the_same(void**) {
   for (const Scene& scene : all_scenes()) {
-    if (scene.name == "catapult" || scene.name == "bunnies") continue;  // hulls of thousands of vertices: long, and no other calls
+    if (scene.name == "catapult" || scene.name == "bunnies")
+      continue;  // hulls of thousands of vertices: long, and no other calls
     Bytes bytes;
     {
       Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
@@ -316,8 +322,9 @@ static void scenes_come_out_the_same(void**) {
       for (int k = 0; k < 20; ++k) stage.world.step(scene.dt);
     }
     const Outcome outcome = replayed(bytes);
-    if (outcome.parting) print_error("%s parts at step %llu: %s\n", scene.name.c_str(),
-                                     (unsigned long long)outcome.parting->step, outcome.parting->refused.c_str());
+    if (outcome.parting)
+      print_error("%s parts at step %llu: %s\n", scene.name.c_str(), (unsigned long long)outcome.parting->step,
+                  outcome.parting->refused.c_str());
     assert_true(!outcome.parting && outcome.ended && outcome.steps == 20);
   }
 }

@@ -139,7 +139,8 @@ static void every_attribute_of_a_body_travels_too(void**) {
   for (std::uint32_t k = 0; k < CAROM_ATTRIBUTE_COUNT; ++k)  // each on a body of its own, and all on one
     for (const std::size_t actor : {falls[0], falls.at(1 + k % 6)})
       call.done(carom_body_set_attribute(stage.world.get(), stage.actors[actor].body, k,
-                                         unusual_value(attribute_info(k)).data(), call), "setting");
+                                         unusual_value(attribute_info(k)).data(), call),
+                "setting");
   const File file(".gltf");
   write_scene(file.path, stage, 1, 0.01);
   read_scene(file.path, again);
@@ -414,22 +415,28 @@ static void joints_are_told_by_their_limits(void**) {
 /// velocities. Angles and places are those of the file's axes.
 static void other_joints_are_told_by_their_axes(void**) {
   const json joints = {
-      {{"limits", {{{"linearAxes", {0}}, {"min", 0.25}, {"max", 0.25}}, {{"angularAxes", {0, 1, 2}}, {"min", 0}, {"max", 0}}}}},
+      {{"limits",
+        {{{"linearAxes", {0}}, {"min", 0.25}, {"max", 0.25}}, {{"angularAxes", {0, 1, 2}}, {"min", 0}, {"max", 0}}}}},
       {{"limits",
         {{{"linearAxes", {0, 2}}, {"min", 0}, {"max", 0}},
          {{"linearAxes", {1}}, {"min", -0.5}, {"stiffness", 400}, {"damping", 30}},
          {{"angularAxes", {2}}, {"min", -0.5}, {"max", 0.75}}}},
        {"drives",
         {{{"type", "angular"}, {"axis", 1}, {"velocityTarget", 2}, {"damping", 5}, {"maxForce", 7}},
-         {{"type", "linear"}, {"mode", "acceleration"}, {"axis", 1}, {"positionTarget", 1}, {"stiffness", 100}, {"damping", 8}}}}}};
+         {{"type", "linear"},
+          {"mode", "acceleration"},
+          {"axis", 1},
+          {"positionTarget", 1},
+          {"stiffness", 100},
+          {"damping", 8}}}}}};
   json nodes = json::array();
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const double x = 10.0 * static_cast<double>(k);
     nodes.push_back({{"name", "body " + std::to_string(k)},
                      {"translation", {x, 0, 0}},
                      {"extensions", physics({{"motion", json::object()}, {"collider", with_shape(0)}})}});
-    nodes.push_back({{"translation", {x, 0, 0}},
-                     {"extensions", physics({{"joint", {{"connectedNode", 2 * k}, {"joint", k}}}})}});
+    nodes.push_back(
+        {{"translation", {x, 0, 0}}, {"extensions", physics({{"joint", {{"connectedNode", 2 * k}, {"joint", k}}}})}});
   }
   Read r(scene(nodes, json::array({box(0.5, 0.5, 0.5)}), json::object({{"physicsJoints", joints}})));
   for (const std::string& remark : r.stage.remarks) assert_true(remark.find("left out") == std::string::npos);
@@ -445,11 +452,14 @@ static void other_joints_are_told_by_their_axes(void**) {
     return d;
   };
   assert_true(axis(0, CAROM_AXIS_X).mode == CAROM_AXIS_MODE_LOCKED && axis(0, CAROM_AXIS_X).lower == 0.25);
-  assert_true(axis(0, CAROM_AXIS_Y).mode == CAROM_AXIS_MODE_FREE && axis(0, CAROM_AXIS_TURN_Z).mode == CAROM_AXIS_MODE_LOCKED);
-  const carom_joint_axis soft = axis(1, CAROM_AXIS_Y), turn = axis(1, CAROM_AXIS_TURN_Y), hard = axis(1, CAROM_AXIS_TURN_Z);
+  assert_true(axis(0, CAROM_AXIS_Y).mode == CAROM_AXIS_MODE_FREE &&
+              axis(0, CAROM_AXIS_TURN_Z).mode == CAROM_AXIS_MODE_LOCKED);
+  const carom_joint_axis soft = axis(1, CAROM_AXIS_Y), turn = axis(1, CAROM_AXIS_TURN_Y),
+                         hard = axis(1, CAROM_AXIS_TURN_Z);
   assert_true(soft.lower == -0.5 && soft.upper == 1e9 && soft.stop_stiffness == 400 && soft.stop_damping == 30);
   assert_true(soft.drive == CAROM_DRIVE_POSITION && soft.drive_gains == CAROM_GAINS_ACCELERATION && soft.target == 1);
-  assert_true(turn.drive_gains == CAROM_GAINS_FORCE && turn.speed == 2 && turn.drive_damping == 5 && turn.max_force == 7);
+  assert_true(turn.drive_gains == CAROM_GAINS_FORCE && turn.speed == 2 && turn.drive_damping == 5 &&
+              turn.max_force == 7);
   assert_true(hard.lower == -0.5 && hard.upper == 0.75 && hard.stop_stiffness == 0);
   const File file(".gltf");  // and so they are written, and read back to the same bits
   write_scene(file.path, r.stage, 1, 0.01);

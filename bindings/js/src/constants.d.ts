@@ -349,8 +349,8 @@ export const CAROM_DRAW_CONTACTS: 8;
 export const CAROM_DRAW_JOINTS: 16;
 /** frames of bodies about their centres of mass */
 export const CAROM_DRAW_BODIES: 32;
-/** How lines are coloured where their kind does not say: by body type (static grey, kinematic blue, dynamic sand, asleep dim),
- *  or a colour for each island, what hangs together by contacts of the last step and joints. */
+/** How lines are coloured where their kind does not say: by body type (static grey, kinematic blue, dynamic sand,
+ *  asleep dim), or a colour for each island, what hangs together by contacts of the last step and joints. */
 export const CAROM_DRAW_BY_TYPE: 0;
 export const CAROM_DRAW_BY_ISLAND: 1;
 export const CAROM_LOG_INFO: 1;

@@ -17,31 +17,32 @@ export interface Raw {
    *      carom_error 0 576 struct              name, offset, size in bytes, kind
    *      carom_error.struct_size 0 4 u32
    *      carom_error.witness_dir 16 24 f64[3]
-   *  Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array. Newer
-   *  libraries have more lines, and a struct may be larger; a field stays as it is.
+   *  Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array.
+   *  Newer libraries have more lines, and a struct may be larger; a field stays as it is.
    *  Static storage.   @thread any */
   carom_abi_manifest(): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_accuracy_init(accuracy: number, struct_size: number): number;
   /** Ask for an accuracy from the next step on.
    *  @param accuracy NULL: none, as a world is created
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for); BUSY;
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for);
+   *  BUSY;
    *          REENTRANT */
   carom_world_set_accuracy(world: number, accuracy: number, error: number): number;
   /** @param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_accuracy(world: number, accuracy: number, present: number, error: number): number;
-  /** Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for. Bodies
-   *  in free flight are in none: nothing acts on them but what is constant, and their step is exact.
+  /** Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for.
+   *  Bodies in free flight are in none: nothing acts on them but what is constant, and their step is exact.
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_island) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
    *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_get_islands(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
-  /** Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a little over
-   *  twice as much as they; nothing of the world itself changes. The same world gives the same answer.
-   *  Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by until
-   *  they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
+  /** Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a
+   *  little over twice as much as they; nothing of the world itself changes. The same world gives the same answer.
+   *  Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by
+   *  until they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
    *  @param dt      s, of a step: as for carom_world_step()
    *  @param steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
    *  @param growth  out, its struct_size set
@@ -65,50 +66,55 @@ export interface Raw {
   carom_material_destroy(world: number, material: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_body_desc_init(desc: number, struct_size: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; REENTRANT; LIMIT;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY;
+   *  REENTRANT; LIMIT;
    *          OUT_OF_MEMORY */
   carom_body_create(world: number, desc: number, body: number, error: number): number;
   /** Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_body_destroy(world: number, body: bigint, error: number): number;
-  /** Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a body that
-   *  cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
+  /** Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a
+   *  body that cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_body_get(world: number, body: bigint, desc: number, error: number): number;
-  /** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY; REENTRANT */
+  /** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY;
+   *  REENTRANT */
   carom_body_set_pose(world: number, body: bigint, position: number, orientation: number, error: number): number;
   /** @param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
    *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
   carom_body_set_velocity(world: number, body: bigint, linear: number, angular: number, error: number): number;
-  /** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z, w, body
-   *  to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+  /** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z,
+   *  w, body to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_pose(world: number, body: bigint, position: number, orientation: number, error: number): number;
   /** @param linear [3] out, or NULL: m/s, world, of the centre of mass   @param angular [3] out, or NULL: rad/s, world
    *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_velocity(world: number, body: bigint, linear: number, angular: number, error: number): number;
-  /** Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
-   *  that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
+  /** Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept
+   *  as that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
    *  @param mass kg, at least 1e-300; or 0: from the densities of its colliders, with center and inertia NULL
    *  @param center [3] m, body frame, or NULL: from its colliders
-   *  @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
+   *  @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero;
+   *  or NULL:
    *                 from its colliders, scaled to the mass
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0, and a
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0,
+   *  and a
    *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_mass(world: number, body: bigint, mass: number, center: number, inertia: number, error: number): number;
   /** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
-   *  @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg m^2, body
-   *  frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+   *  @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg
+   *  m^2, body frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_mass(world: number, body: bigint, mass: number, center: number, inertia: number, error: number): number;
-  /** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
-   *  longer loses the mass that it was given, pending forces and what only dynamic bodies may have
+  /** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic
+   *  no longer loses the mass that it was given, pending forces and what only dynamic bodies may have
    *  (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
    *  @param type CAROM_BODY_*
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that
+   *  is not
    *          dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_type(world: number, body: bigint, type: number, error: number): number;
   /** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_type(world: number, body: bigint, type: number, error: number): number;
-  /** @param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
-   *  OUT_OF_RANGE; BUSY; REENTRANT */
+  /** @param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE;
+   *  NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_body_set_damping(world: number, body: bigint, linear: number, angular: number, error: number): number;
   /** @param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_damping(world: number, body: bigint, linear: number, angular: number, error: number): number;
@@ -117,7 +123,8 @@ export interface Raw {
   /** @param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_user(world: number, body: bigint, user: number, error: number): number;
   /** Number of a body's colliders, and their handles in the order of the slots.
-   *  @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are written)
+   *  @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are
+   *  written)
    *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_colliders(world: number, body: bigint, colliders: number, capacity: bigint, count: number, error: number): number;
   /** Add a force and a torque about the centre of mass, for the next step only.
@@ -134,9 +141,9 @@ export interface Raw {
   carom_body_set_gravity_factor(world: number, body: bigint, factor: number, error: number): number;
   /** @param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_gravity_factor(world: number, body: bigint, factor: number, error: number): number;
-  /** Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move it
-   *  along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of it
-   *  later is dropped; a pose that a host sets is taken, and kept from then on. Wakes the body and its island.
+  /** Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move
+   *  it along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of
+   *  it later is dropped; a pose that a host sets is taken, and kept from then on. Wakes the body and its island.
    *  
    *  Every solver but CAROM_SOLVER_SEVERITY knows locks: a world with that dial refuses them, and a world with a locked
    *  body refuses that dial.
@@ -152,7 +159,8 @@ export interface Raw {
   carom_attribute_get_info(attribute: number, info: number, error: number): number;
   /** Set an attribute. Another value than it has wakes the body and its island.
    *  @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are whole; a
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are
+   *  whole; a
    *          body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_attribute(world: number, body: bigint, attribute: number, value: number, error: number): number;
   /** @param value [4] out: numbers that the attribute does not have are 0
@@ -169,9 +177,9 @@ export interface Raw {
   carom_body_set_continuous(world: number, body: bigint, mode: number, error: number): number;
   /** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_continuous(world: number, body: bigint, mode: number, error: number): number;
-  /** Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing moves
-   *  it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on it wake.
-   *  It costs a step nothing. A host may still read and write it.
+  /** Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing
+   *  moves it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on
+   *  it wake. It costs a step nothing. A host may still read and write it.
    *  @param enabled 1 or 0
    *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (enabled: pass 0 or 1); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_enabled(world: number, body: bigint, enabled: number, error: number): number;
@@ -179,14 +187,17 @@ export interface Raw {
   carom_body_is_enabled(world: number, body: bigint, enabled: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_collider_desc_init(desc: number, struct_size: number): number;
-  /** Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new centre.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a half-space on a
-   *          body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT; OUT_OF_MEMORY */
+  /** Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new
+   *  centre.
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a
+   *  half-space on a
+   *          body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT;
+   *          OUT_OF_MEMORY */
   carom_collider_create(world: number, body: bigint, desc: number, collider: number, error: number): number;
-  /** The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the same
-   *  parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
-   *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its friction
-   *  0.5, its restitution 0. carom_body_get_colliders() tells its collider.
+  /** The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the
+   *  same parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
+   *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
+   *  friction 0.5, its restitution 0. carom_body_get_colliders() tells its collider.
    *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
    *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
@@ -202,7 +213,8 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_collider_set_density(world: number, collider: bigint, density: number, error: number): number;
   /** Move a shape on its body; the body's mass follows. What is remembered of its contacts is dropped.
-   *  @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape to body
+   *  @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape
+   *  to body
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_collider_set_pose(world: number, collider: bigint, position: number, orientation: number, error: number): number;
   /** Let a collider's surface move though the collider stays: a conveyor belt, a turntable, a track. Friction then brings
@@ -227,7 +239,8 @@ export interface Raw {
    *  @param handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart
    *  @param stride  bytes from one record to the next; 0: tightly packed
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+   *  BUSY */
   carom_world_read(world: number, field: number, scalar: number, handles: number, n: bigint, dst: number, stride: bigint, error: number): number;
   /** Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
    *  @status as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT */
@@ -249,8 +262,8 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
    *  @thread any */
   carom_shape_cast(engine: number, shape_a: bigint, position_a: number, orientation_a: number, motion: number, shape_b: bigint, position_b: number, orientation_b: number, desc: number, result: number, error: number): number;
-  /** First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing touches
-   *  before `lower`.
+  /** First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing
+   *  touches before `lower`.
    *  @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
    *  @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
@@ -282,19 +295,20 @@ export interface Raw {
   carom_constant_get_info(constant: number, info: number, error: number): number;
   /** Static name of a preset ("balanced"), or "?".   @thread any */
   carom_preset_name(preset: number): number;
-  /** What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
-   *  finds pairs, what sleeps, and what a host chose for its look they leave alone.
+  /** What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a
+   *  world finds pairs, what sleeps, and what a host chose for its look they leave alone.
    *  @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any */
   carom_preset_get_dial(preset: number, dial: number, value: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_draw_desc_init(desc: number, struct_size: number): number;
-  /** All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left out, and so are
-   *  bodies in quarantine. The same world gives the same lines.
+  /** All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left
+   *  out, and so are bodies in quarantine. The same world gives the same lines.
    *  @param desc     NULL: defaults
    *  @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
    *  @param count    out: lines there are; more than capacity: the first `capacity` of them were written
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE, OUT_OF_RANGE (scale);
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE,
+   *  OUT_OF_RANGE (scale);
    *          BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
    *  @thread one of many readers of the world */
   carom_world_draw(world: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
@@ -304,15 +318,17 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
    *  @thread any */
   carom_engine_create(desc: number, engine: number, error: number): number;
-  /** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first); REENTRANT */
+  /** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+   *  REENTRANT */
   carom_engine_destroy(engine: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_jobs_desc_init(desc: number, struct_size: number): number;
-  /** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support functions are then
-   *  called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
+  /** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support
+   *  functions are then called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked
+   *  on the stepping one.
    *  @param desc may be NULL: the stepping thread alone
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more
-   *  threads); OUT_OF_MEMORY; REENTRANT   @thread any */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+   *  no more threads); OUT_OF_MEMORY; REENTRANT   @thread any */
   carom_engine_set_jobs(engine: number, desc: number, error: number): number;
   /** Load a shape plugin from a shared object. @param path absolute.
    *  The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
@@ -323,8 +339,8 @@ export interface Raw {
   /** Register a plugin by pointer: static linking, WebAssembly, or a shape written in the host's language.
    *  The struct and all it points to must outlive the engine.   @status as carom_plugin_load() */
   carom_plugin_register(engine: number, description: number, plugin: number, error: number): number;
-  /** Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in WebAssembly, and
-   *  where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
+  /** Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in
+   *  WebAssembly, and where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
    *  @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY
    *  @thread any, also while worlds step */
   carom_plugins_register_standard(engine: number, error: number): number;
@@ -332,8 +348,8 @@ export interface Raw {
   carom_plugin_unload(engine: number, plugin: bigint, error: number): number;
   /** Find a loaded plugin by its id.   @status OK; NULL_ARGUMENT; NOT_FOUND (load it first) */
   carom_plugin_find(engine: number, id: number, plugin: number, error: number): number;
-  /** The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within its
-   *  struct_size are there. Valid while the engine lives.
+  /** The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within
+   *  its struct_size are there. Valid while the engine lives.
    *  @status OK; NULL_ARGUMENT; *_HANDLE */
   carom_plugin_describe(engine: number, plugin: bigint, description: number, error: number): number;
   /** Say what to collect from the next step on; nothing at first. Contacts and overlaps that there are already begin in
@@ -370,8 +386,8 @@ export interface Raw {
    *  @param apart 1 or 0
    *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_hold_apart(world: number, body_a: bigint, body_b: bigint, apart: number, error: number): number;
-  /** Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It obeys
-   *  its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
+  /** Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It
+   *  obeys its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
    *  before.
    *  @param sensor 1 or 0
    *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY */
@@ -383,9 +399,9 @@ export interface Raw {
    *  @param force [3] N, world   @param point [3] m, world
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
   carom_body_add_force_at(world: number, body: bigint, force: number, point: number, error: number): number;
-  /** How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without other
-   *  forces speeds follow the closed form at any step. (carom_body_desc.linear_damping is relative to the world, not to the
-   *  air, and to mass.)
+  /** How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without
+   *  other forces speeds follow the closed form at any step. (carom_body_desc.linear_damping is relative to the world,
+   *  not to the air, and to mass.)
    *  @param linear    kg/s, [0, 1e12]: slow, small bodies (6 pi eta r of a ball); 0 when a body is created
    *  @param quadratic kg/m, [0, 1e12]: fast, large ones, rho c_d A / 2 (a ball of 0.1 m in air: 0.0087); 0 likewise
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
@@ -402,7 +418,8 @@ export interface Raw {
   carom_force_field_name(kind: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_force_field_desc_init(desc: number, struct_size: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
+   *  REENTRANT;
    *          LIMIT; OUT_OF_MEMORY */
   carom_force_field_create(world: number, desc: number, field: number, error: number): number;
   /** Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE */
@@ -459,9 +476,11 @@ export interface Raw {
   /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_orientation_drive_init(drive: number, struct_size: number): number;
   /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
-   *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
-   *          8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
+   *  NOT_UNIT;
+   *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
+   *          body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
+   *          LIMIT; OUT_OF_MEMORY */
   carom_joint_create(world: number, desc: number, joint: number, error: number): number;
   /** @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_joint_destroy(world: number, joint: bigint, error: number): number;
@@ -472,17 +491,20 @@ export interface Raw {
   carom_joint_get_state(world: number, joint: bigint, state: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+   *  limit
    *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_limit(world: number, joint: bigint, coordinate: number, limit: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+   *  limit
    *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_motor(world: number, joint: bigint, coordinate: number, motor: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+   *  limit
    *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_spring(world: number, joint: bigint, coordinate: number, spring: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
@@ -491,26 +513,29 @@ export interface Raw {
   carom_joint_get_motor(world: number, joint: bigint, coordinate: number, motor: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_spring(world: number, joint: bigint, coordinate: number, spring: number, error: number): number;
-  /** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
-   *  distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
-   *  are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in one; a pose that the
-   *  host sets between steps is no turn.
-   *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
-   *  direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
+  /** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a
+   *  pulley's distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they
+   *  may turn: turns are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in
+   *  one; a pose that the host sets between steps is no turn.
+   *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and
+   *  under the direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle:
+   *  tests/oracle/test_pulley_gear.
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
+   *  NOT_FINITE;
    *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
   carom_joint_set_transmission(world: number, joint: bigint, transmission: number, error: number): number;
   /** @param transmission out: as it was set, with its length; ratio 0: not yet
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_transmission(world: number, joint: bigint, transmission: number, error: number): number;
-  /** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
-   *  and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
-   *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the frequency and
-   *  b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their amplitude and fade slower by
-   *  b h of their rate; at rest they sag by load / stiffness, to rounding where one joint bears all, in first order where soft_step
-   *  sweeps over several. A drive to a velocity holds that of the middle of a substep under the direct solver, and one with a damping
-   *  alone does under any: what a step ends with differs by what the load does in h / 2. Forces of drives are met to rounding.
-   *  Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
+  /** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+   *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
+   *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
+   *  frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
+   *  amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
+   *  bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
+   *  substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
+   *  the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
+   *  test_six_axis_scenes.
    *  @param axis CAROM_AXIS_*
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
    *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
@@ -518,10 +543,11 @@ export interface Raw {
   /** @param axis CAROM_AXIS_*   @param desc out: as it was set
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_axis(world: number, joint: bigint, axis: number, desc: number, error: number): number;
-  /** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
-   *  Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
-   *  rounding. Oracle: tests/oracle/test_six_axis.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
+  /** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect
+   *  joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
+   *  it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
+   *  field; a
    *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_orientation_drive(world: number, joint: bigint, drive: number, error: number): number;
   /** @param drive out: as it was set
@@ -533,7 +559,8 @@ export interface Raw {
    *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
    *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+   *  BUSY */
   carom_world_read_joints(world: number, field: number, scalar: number, joints: number, n: bigint, dst: number, stride: bigint, error: number): number;
   /** Number of joints, and their handles in creation order of the slots.
    *  @param joints [capacity] or NULL   @param count out: how many there are
@@ -573,7 +600,8 @@ export interface Raw {
    *  @param positions       [n] m, world, three scalars each, within 1e15 m of the origin
    *  @param position_stride bytes from one to the next; 0: tightly packed
    *  @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31 - 1
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31
+   *  - 1
    *          in a set); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_particles_add(world: number, set: bigint, n: bigint, scalar: number, positions: number, position_stride: bigint, velocities: number, velocity_stride: bigint, error: number): number;
   /** Remove n particles. The others keep their order, so each moves up by as many as went before it.
@@ -584,16 +612,17 @@ export interface Raw {
    *  @param indices [n] in any order, or NULL: all of them (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart
    *  @param stride  bytes from one record to the next; 0: tightly packed
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE (an
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE
+   *  (an
    *          index, n); BUFFER_TOO_SMALL (stride); BUSY */
   carom_particles_read(world: number, set: bigint, field: number, scalar: number, indices: number, n: bigint, dst: number, stride: bigint, error: number): number;
   /** Write one field of n particles; all values are checked before the first is written, bounds as carom_particles_add(),
    *  masses as carom_particles_desc. Arguments as carom_particles_read(); where an index comes twice, the last counts.
    *  @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY */
   carom_particles_write(world: number, set: bigint, field: number, scalar: number, indices: number, n: bigint, src: number, stride: bigint, error: number): number;
-  /** A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still where
-   *  it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells of the
-   *  first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
+  /** A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still
+   *  where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells
+   *  of the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
    *  @param indices [capacity] out; may be NULL if capacity is 0
    *  @param count   out: how many there are (may exceed capacity; capacity are written)
    *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
@@ -611,9 +640,10 @@ export interface Raw {
   carom_world_set_effect(world: number, effect: number, mode: number, error: number): number;
   /** @param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
   carom_world_get_effect(world: number, effect: number, mode: number, error: number): number;
-  /** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for the
-   *  world is forbidden for it. Particles, events and the ledger are not a body's.
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use carom_world_set_effect());
+  /** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for
+   *  the world is forbidden for it. Particles, events and the ledger are not a body's.
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use
+   *  carom_world_set_effect());
    *          BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_effect(world: number, body: bigint, effect: number, mode: number, error: number): number;
   /** @param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY */
@@ -656,11 +686,12 @@ export interface Raw {
    *  @accuracy rounding; effective masses are those along the normal
    *  @cost linear in contact points, joints and bodies */
   carom_world_get_residuals(world: number, residuals: number, error: number): number;
-  /** Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
-   *  last steps; if one took too long, substeps drop at once; if there is time left, one is added a step. Trajectories then
-   *  depend on the machine's speed: two runs are not the same to the bit. Off (as a world is created) for lockstep and tests.
-   *  The steps of a scene that is too expensive even with `fewest` take longer. A budget is the host's: no snapshot holds it, a
-   *  copy begins without one, and a record (carom/record.h) has the substeps that it chose.
+  /** Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from
+   *  the last steps; if one took too long, substeps drop at once; if there is time left, one is added a step.
+   *  Trajectories then depend on the machine's speed: two runs are not the same to the bit. Off (as a world is created)
+   *  for lockstep and tests. The steps of a scene that is too expensive even with `fewest` take longer. A budget is the
+   *  host's: no snapshot holds it, a copy begins without one, and a record (carom/record.h) has the substeps that it
+   *  chose.
    *  @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
    *  @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
    *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
@@ -670,14 +701,16 @@ export interface Raw {
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_mesh_desc_init(desc: number, struct_size: number): number;
   /** Make scenery of a mesh. All is copied.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far out, no
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far
+   *  out, no
    *          triangle that has an area); LIMIT; OUT_OF_MEMORY
    *  @thread any, also while worlds step */
   carom_shape_create_mesh(engine: number, desc: number, shape: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_height_field_desc_init(desc: number, struct_size: number): number;
   /** Make scenery of a height field. All is copied.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a count, a
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a
+   *  count, a
    *          spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
    *  @thread any, also while worlds step */
   carom_shape_create_height_field(engine: number, desc: number, shape: number, error: number): number;
@@ -693,16 +726,18 @@ export interface Raw {
   /** Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
    *  scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
    *  @param params [count] doubles, meaning as the plugin documents
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_INVALID;
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which);
+   *  PLUGIN_INVALID;
    *          DECLARATION_FALSE; OUT_OF_MEMORY
    *  @thread any, also while worlds step */
   carom_shape_create(engine: number, plugin: bigint, params: number, count: bigint, shape: number, error: number): number;
-  /** Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the engine has come
-   *  first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not
-   *  in programs that run with raised privileges), beside the library, in the folder where plugins are installed. "half_space"
-   *  is built in: normal x, y, z, offset.
+  /** Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the
+   *  engine has come first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute,
+   *  separated by ':'; not in programs that run with raised privileges), beside the library, in the folder where plugins
+   *  are installed. "half_space" is built in: normal x, y, z, offset.
    *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
-   *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
+   *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE;
+   *  PLUGIN_PATH;
    *          PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
    *  @thread any, also while worlds step */
   carom_shape_create_named(engine: number, name: number, params: number, count: bigint, shape: number, error: number): number;
@@ -732,22 +767,23 @@ export interface Raw {
   /** Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
    *  anything of the world changes.
    *  An empty world is rebuilt from a snapshot that is whole; `user` values come with it, a ledger
-   *  begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's, as
-   *  if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one that
-   *  is not whole.
+   *  begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's,
+   *  as if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one
+   *  that is not whole.
    *  @param bytes [size], of any alignment   @param size as carom_world_save() told
-   *  @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a newer
-   *          format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of that
-   *          id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message says id and
-   *          version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
+   *  @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a
+   *  newer
+   *          format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of
+   *          that id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message
+   *          says id and version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_world_restore(world: number, bytes: number, size: bigint, error: number): number;
   /** Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
    *  changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
    *  @param copy out: to be destroyed as any world
    *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_world_fork(world: number, copy: number, error: number): number;
-  /** Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world that
-   *  it has forked, or of one that was saved whole, in another process too.
+  /** Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world
+   *  that it has forked, or of one that was saved whole, in another process too.
    *  @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
    *  @param translated [n] out; may be `handles`. All of them or, where one is refused, none
    *  @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
@@ -814,7 +850,8 @@ export interface Raw {
   /** What each of many rays meets first, or whether it meets anything. A bad ray (not finite, or max negative) spoils no
    *  other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
    *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE;
+   *  OUT_OF_RANGE;
    *          BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
   carom_world_cast_rays(world: number, rays: number, want: number, desc: number, hits: number, error: number): number;
   /** All that each of many rays meets: by ray, then by time, then by slot. A bad ray has one record that says so.
@@ -827,7 +864,8 @@ export interface Raw {
    *  @param shapes every shape, position, orientation and motion must be good, else nothing is written
    *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
    *  @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT;
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE;
+   *  NOT_UNIT;
    *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
   carom_world_cast_shapes(world: number, shapes: number, want: number, desc: number, dst: number, stride: bigint, error: number): number;
   /** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all(). */

@@ -384,8 +384,8 @@ class carom_error(ctypes.Structure):
     message: builtins.bytes
     remedy: builtins.bytes
 class carom_accuracy(ctypes.Structure):
-    """An error tolerance. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that snapshots, recordings and
-    scene files have them. Fill with carom_accuracy_init()."""
+    """An error tolerance. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that
+    snapshots, recordings and scene files have them. Fill with carom_accuracy_init()."""
     struct_size: int
     substeps: int
     place: float
@@ -402,8 +402,9 @@ class carom_island(ctypes.Structure):
     turn: float
     share: float
 class carom_growth(ctypes.Structure):
-    """How errors grow by themselves, whatever work a step is given: two motions that begin 1e-9 m/s and rad/s apart. Their distance is
-    the largest over all bodies of that of places (m), of turns (rad), and of velocities and spins times 1 s."""
+    """How errors grow by themselves, whatever work a step is given: two motions that begin 1e-9 m/s and rad/s apart. Their
+    distance is the largest over all bodies of that of places (m), of turns (rad), and of velocities and spins times 1
+    s."""
     struct_size: int
     steps: int
     body: int
@@ -514,8 +515,8 @@ class carom_overlap(ctypes.Structure):
     support_calls: int
     reserved: int
 class carom_rays(ctypes.Structure):
-    """Rays in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and scalar set by the
-    caller, what is not set zero."""
+    """Rays in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and scalar set by
+    the caller, what is not set zero."""
     struct_size: int
     scalar: int
     count: int
@@ -566,8 +567,8 @@ class carom_dial_info(ctypes.Structure):
     max: float
     initial: float
 class carom_constant_info(ctypes.Structure):
-    """What a constant is. Strings have static storage. Names are distinct from those of dials; which constants there are, and
-    in which order, may change from version to version."""
+    """What a constant is. Strings have static storage. Names are distinct from those of dials; which constants there are,
+    and in which order, may change from version to version."""
     struct_size: int
     constant: int
     name: Any
@@ -638,8 +639,8 @@ class carom_joint_event(ctypes.Structure):
     torque: Any
     step: int
 class carom_fault_event(ctypes.Structure):
-    """A support function that answered falsely: its shape is disabled from the next step on. Or a body or particles whose state
-    was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
+    """A support function that answered falsely: its shape is disabled from the next step on. Or a body or particles whose
+    state was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
     that keep their names when what they name is destroyed."""
     kind: int
     reserved: int
@@ -687,10 +688,10 @@ class carom_spring_desc(ctypes.Structure):
     user: int
 class carom_water(ctypes.Structure):
     """All of space where normal . x <= level is water. What of a body's colliders is in it (not sensors, not scenery) is
-    pushed by the weight of what it displaces, at the middle of that part, against the world's gravity, and is taken along
-    by the current: F = -drag * density * volume * (v - current). Balls, ellipsoids, boxes and hulls displace exactly what
-    they cover, other shapes what a hull of 256 of their support points covers, scaled to their volume. Fill with
-    carom_water_init()."""
+    pushed by the weight of what it displaces, at the middle of that part, against the world's gravity, and is taken
+    along by the current: F = -drag * density * volume * (v - current). Balls, ellipsoids, boxes and hulls displace
+    exactly what they cover, other shapes what a hull of 256 of their support points covers, scaled to their volume.
+    Fill with carom_water_init()."""
     struct_size: int
     reserved: int
     normal: Any
@@ -699,8 +700,8 @@ class carom_water(ctypes.Structure):
     current: Any
     drag: float
 class carom_joint_desc(ctypes.Structure):
-    """Fill with carom_joint_desc_init(): a ball joint, frames at the origins of both bodies, unbreakable. A door on a hinge that stands
-    upright, the joint's x axis along the world's y:
+    """Fill with carom_joint_desc_init(): a ball joint, frames at the origins of both bodies, unbreakable. A door on a
+    hinge that stands upright, the joint's x axis along the world's y:
         desc.kind = CAROM_JOINT_HINGE, desc.fields = CAROM_JOINT_WORLD_FRAME, desc.body_b = door;
         desc.position_a[0] = 1, desc.orientation_a[2] = desc.orientation_a[3] = 0.70710678118654752;"""
     struct_size: int
@@ -730,8 +731,9 @@ class carom_joint_motor(ctypes.Structure):
     speed: float
     max_force: float
 class carom_joint_spring(ctypes.Structure):
-    """A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi frequency
-    and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w x')."""
+    """A coordinate pulled towards a place: a spring, or a motor that holds a position. With x the stretch, w = 2 pi
+    frequency and m what the joint's bodies weigh along the coordinate were they alone: force = -m (w^2 x + 2 damping w
+    x')."""
     struct_size: int
     enabled: int
     target: float
@@ -747,8 +749,8 @@ class carom_joint_transmission(ctypes.Structure):
     anchor_b: Any
     length: float
 class carom_joint_axis(ctypes.Structure):
-    """What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside each other; of
-    what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it."""
+    """What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+    each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it."""
     struct_size: int
     mode: int
     lower: float
@@ -769,10 +771,10 @@ class carom_joint_axis(ctypes.Structure):
     spring_stiffness: float
     spring_damping: float
 class carom_joint_orientation_drive(ctypes.Structure):
-    """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is locked (else
-    it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's frame is, its torque is
-    stiffness (-e) + damping (velocity - omega), about each of A's axes `max_force` at most. Fill with
-    carom_joint_orientation_drive_init()."""
+    """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
+    locked (else it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's
+    frame is, its torque is stiffness (-e) + damping (velocity - omega), about each of A's axes `max_force` at most.
+    Fill with carom_joint_orientation_drive_init()."""
     struct_size: int
     drive: int
     gains: int
@@ -805,8 +807,8 @@ class carom_ledger_entry(ctypes.Structure):
     total_linear: Any
     total_angular: Any
 class carom_ledger_state(ctypes.Structure):
-    """The state itself, summed apart from the causes. After a step `now` is `before` plus the causes of that step, and `start` plus
-    their totals, but for rounding: no more than the bounds here."""
+    """The state itself, summed apart from the causes. After a step `now` is `before` plus the causes of that step, and
+    `start` plus their totals, but for rounding: no more than the bounds here."""
     struct_size: int
     is_kept: int
     steps: int
@@ -859,9 +861,9 @@ class carom_param(ctypes.Structure):
     min: float
     max: float
 class carom_param_rule(ctypes.Structure):
-    """What several parameters fulfil together: the sum of weight[i] * params[param[i]] over its terms is at most `most`. Parameters
-    that do not are refused when a shape is made (OUT_OF_RANGE, with `text`), and the plugin is not judged by them.
-    A lens that is thinner than its radius: {"height <= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}."""
+    """What several parameters fulfil together: the sum of weight[i] * params[param[i]] over its terms is at most `most`.
+    Parameters that do not are refused when a shape is made (OUT_OF_RANGE, with `text`), and the plugin is not judged by
+    them. A lens that is thinner than its radius: {"height <= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}."""
     text: Any
     term_count: int
     param: Any
@@ -928,9 +930,9 @@ class carom_difference(ctypes.Structure):
     second: int
     sections: builtins.bytes
 class carom_residuals(ctypes.Structure):
-    """What is left undone. Contacts are those of the last step, with the velocities that it ended with; joints and energy are
-    those of the present poses and velocities. Violations of Coulomb's law are in m/s: by how much the velocity at the
-    worst contact would have to be another for its impulse to be right."""
+    """What is left undone. Contacts are those of the last step, with the velocities that it ended with; joints and energy
+    are those of the present poses and velocities. Violations of Coulomb's law are in m/s: by how much the velocity at
+    the worst contact would have to be another for its impulse to be right."""
     struct_size: int
     ledger_is_kept: int
     contact_points: int
@@ -946,8 +948,8 @@ class carom_residuals(ctypes.Structure):
     energy_drift: float
 class carom_mesh_desc(ctypes.Structure):
     """A triangle mesh. Corners at the same place are made one, so vertices may be repeated; triangles without area are
-    dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone is a boundary edge, and so
-    is a side of three. Fill with carom_mesh_desc_init()."""
+    dropped (carom_scenery_info counts them). Two triangles that share a side are one surface there; a side of one alone
+    is a boundary edge, and so is a side of three. Fill with carom_mesh_desc_init()."""
     struct_size: int
     flags: int
     vertices: Any
@@ -955,9 +957,9 @@ class carom_mesh_desc(ctypes.Structure):
     triangles: Any
     triangle_count: int
 class carom_height_field_desc(ctypes.Structure):
-    """A height field: vertices at (column spacing[0], height, row spacing[1]) in the shape's frame, met from above (+y). Each
-    cell is two triangles, divided from its first corner (column, row) to (column + 1, row + 1). What has its middle in the
-    ground, by no more than its bounding radius, is lifted out. Fill with carom_height_field_desc_init()."""
+    """A height field: vertices at (column spacing[0], height, row spacing[1]) in the shape's frame, met from above (+y).
+    Each cell is two triangles, divided from its first corner (column, row) to (column + 1, row + 1). What has its
+    middle in the ground, by no more than its bounding radius, is lifted out. Fill with carom_height_field_desc_init()."""
     struct_size: int
     flags: int
     columns: int
@@ -1098,8 +1100,8 @@ class carom_world_hit(ctypes.Structure):
     point: Any
     point_own: Any
 class carom_query_shapes(ctypes.Structure):
-    """Shapes that ask, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and scalar
-    set by the caller, what is not set zero."""
+    """Shapes that ask, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and
+    scalar set by the caller, what is not set zero."""
     struct_size: int
     scalar: int
     count: int
@@ -1112,8 +1114,8 @@ class carom_query_shapes(ctypes.Structure):
     orientation_stride: int
     motion_stride: int
 class carom_world_hits(ctypes.Structure):
-    """Where answers to rays go, one each: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly
-    packed."""
+    """Where answers to rays go, one each: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0:
+    tightly packed."""
     struct_size: int
     scalar: int
     records: Any
@@ -1145,8 +1147,8 @@ def carom_abi_manifest() -> bytes:
         carom_error 0 576 struct              name, offset, size in bytes, kind
         carom_error.struct_size 0 4 u32
         carom_error.witness_dir 16 24 f64[3]
-    Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array. Newer
-    libraries have more lines, and a struct may be larger; a field stays as it is.
+    Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array.
+    Newer libraries have more lines, and a struct may be larger; a field stays as it is.
     Static storage.   @thread any"""
     ...
 def carom_accuracy_init(accuracy: Any, struct_size: Any) -> int:
@@ -1155,7 +1157,8 @@ def carom_accuracy_init(accuracy: Any, struct_size: Any) -> int:
 def carom_world_set_accuracy(world: Any, accuracy: Any, error: Any) -> int:
     """Ask for an accuracy from the next step on.
     @param accuracy NULL: none, as a world is created
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for); BUSY;
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for);
+    BUSY;
             REENTRANT"""
     ...
 def carom_world_get_accuracy(world: Any, accuracy: Any, present: Any, error: Any) -> int:
@@ -1163,18 +1166,18 @@ def carom_world_get_accuracy(world: Any, accuracy: Any, present: Any, error: Any
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
     ...
 def carom_world_get_islands(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for. Bodies
-    in free flight are in none: nothing acts on them but what is constant, and their step is exact.
+    """Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for.
+    Bodies in free flight are in none: nothing acts on them but what is constant, and their step is exact.
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_island) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
     @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_world_measure_growth(world: Any, dt: Any, steps: Any, growth: Any, error: Any) -> int:
-    """Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a little over
-    twice as much as they; nothing of the world itself changes. The same world gives the same answer.
-    Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by until
-    they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
+    """Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a
+    little over twice as much as they; nothing of the world itself changes. The same world gives the same answer.
+    Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by
+    until they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
     @param dt      s, of a step: as for carom_world_step()
     @param steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
     @param growth  out, its struct_size set
@@ -1206,61 +1209,66 @@ def carom_body_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_body_create(world: Any, desc: Any, body: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; REENTRANT; LIMIT;
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY;
+    REENTRANT; LIMIT;
             OUT_OF_MEMORY"""
     ...
 def carom_body_destroy(world: Any, body: Any, error: Any) -> int:
     """Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_body_get(world: Any, body: Any, desc: Any, error: Any) -> int:
-    """Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a body that
-    cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
+    """Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a
+    body that cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
     ...
 def carom_body_set_pose(world: Any, body: Any, position: Any, orientation: Any, error: Any) -> int:
-    """@param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY; REENTRANT"""
+    """@param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY;
+    REENTRANT"""
     ...
 def carom_body_set_velocity(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
     """@param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
     @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT"""
     ...
 def carom_body_get_pose(world: Any, body: Any, position: Any, orientation: Any, error: Any) -> int:
-    """@param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z, w, body
-    to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
+    """@param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z,
+    w, body to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_get_velocity(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
     """@param linear [3] out, or NULL: m/s, world, of the centre of mass   @param angular [3] out, or NULL: rad/s, world
     @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
-    """Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept as
-    that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
+    """Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept
+    as that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
     @param mass kg, at least 1e-300; or 0: from the densities of its colliders, with center and inertia NULL
     @param center [3] m, body frame, or NULL: from its colliders
-    @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero; or NULL:
+    @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero;
+    or NULL:
                    from its colliders, scaled to the mass
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0, and a
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0,
+    and a
             collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
     """As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
-    @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg m^2, body
-    frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
+    @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg
+    m^2, body frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_type(world: Any, body: Any, type: Any, error: Any) -> int:
-    """Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic no
-    longer loses the mass that it was given, pending forces and what only dynamic bodies may have
+    """Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic
+    no longer loses the mass that it was given, pending forces and what only dynamic bodies may have
     (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
     @param type CAROM_BODY_*
-    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that is not
+    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that
+    is not
             dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_type(world: Any, body: Any, type: Any, error: Any) -> int:
     """@param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_damping(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
-    """@param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
-    OUT_OF_RANGE; BUSY; REENTRANT"""
+    """@param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE;
+    NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_body_get_damping(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
     """@param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
@@ -1273,7 +1281,8 @@ def carom_body_get_user(world: Any, body: Any, user: Any, error: Any) -> int:
     ...
 def carom_body_get_colliders(world: Any, body: Any, colliders: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of a body's colliders, and their handles in the order of the slots.
-    @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are written)
+    @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are
+    written)
     @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_add_force(world: Any, body: Any, force: Any, torque: Any, error: Any) -> int:
@@ -1295,9 +1304,9 @@ def carom_body_get_gravity_factor(world: Any, body: Any, factor: Any, error: Any
     """@param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_locks(world: Any, body: Any, locks: Any, error: Any) -> int:
-    """Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move it
-    along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of it
-    later is dropped; a pose that a host sets is taken, and kept from then on. Wakes the body and its island.
+    """Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move
+    it along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of
+    it later is dropped; a pose that a host sets is taken, and kept from then on. Wakes the body and its island.
     
     Every solver but CAROM_SOLVER_SEVERITY knows locks: a world with that dial refuses them, and a world with a locked
     body refuses that dial.
@@ -1316,7 +1325,8 @@ def carom_attribute_get_info(attribute: Any, info: Any, error: Any) -> int:
 def carom_body_set_attribute(world: Any, body: Any, attribute: Any, value: Any, error: Any) -> int:
     """Set an attribute. Another value than it has wakes the body and its island.
     @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are whole; a
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are
+    whole; a
             body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_attribute(world: Any, body: Any, attribute: Any, value: Any, error: Any) -> int:
@@ -1339,9 +1349,9 @@ def carom_body_get_continuous(world: Any, body: Any, mode: Any, error: Any) -> i
     """@param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_set_enabled(world: Any, body: Any, enabled: Any, error: Any) -> int:
-    """Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing moves
-    it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on it wake.
-    It costs a step nothing. A host may still read and write it.
+    """Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing
+    moves it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on
+    it wake. It costs a step nothing. A host may still read and write it.
     @param enabled 1 or 0
     @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (enabled: pass 0 or 1); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
@@ -1352,15 +1362,18 @@ def carom_collider_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_collider_create(world: Any, body: Any, desc: Any, collider: Any, error: Any) -> int:
-    """Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new centre.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a half-space on a
-            body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT; OUT_OF_MEMORY"""
+    """Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new
+    centre.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a
+    half-space on a
+            body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT;
+            OUT_OF_MEMORY"""
     ...
 def carom_body_create_named(world: Any, type: Any, name: Any, params: Any, count: Any, position: Any, body: Any, error: Any) -> int:
-    """The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the same
-    parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
-    Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its friction
-    0.5, its restitution 0. carom_body_get_colliders() tells its collider.
+    """The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the
+    same parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
+    Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
+    friction 0.5, its restitution 0. carom_body_get_colliders() tells its collider.
     @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
             PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
@@ -1381,7 +1394,8 @@ def carom_collider_set_density(world: Any, collider: Any, density: Any, error: A
     ...
 def carom_collider_set_pose(world: Any, collider: Any, position: Any, orientation: Any, error: Any) -> int:
     """Move a shape on its body; the body's mass follows. What is remembered of its contacts is dropped.
-    @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape to body
+    @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape
+    to body
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_collider_set_surface_velocity(world: Any, collider: Any, linear: Any, angular: Any, error: Any) -> int:
@@ -1410,7 +1424,8 @@ def carom_world_read(world: Any, field: Any, scalar: Any, handles: Any, n: Any, 
     @param handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart
     @param stride  bytes from one record to the next; 0: tightly packed
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+    BUSY"""
     ...
 def carom_world_write(world: Any, field: Any, scalar: Any, handles: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
     """Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
@@ -1438,8 +1453,8 @@ def carom_shape_cast(engine: Any, shape_a: Any, position_a: Any, orientation_a: 
     @thread any"""
     ...
 def carom_shape_time_of_impact(engine: Any, shape_a: Any, motion_a: Any, shape_b: Any, motion_b: Any, duration: Any, desc: Any, result: Any, error: Any) -> int:
-    """First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing touches
-    before `lower`.
+    """First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing
+    touches before `lower`.
     @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
     @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
@@ -1480,8 +1495,8 @@ def carom_preset_name(preset: Any) -> bytes:
     """Static name of a preset ("balanced"), or "?".   @thread any"""
     ...
 def carom_preset_get_dial(preset: Any, dial: Any, value: Any, error: Any) -> int:
-    """What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a world
-    finds pairs, what sleeps, and what a host chose for its look they leave alone.
+    """What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a
+    world finds pairs, what sleeps, and what a host chose for its look they leave alone.
     @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any"""
     ...
@@ -1489,12 +1504,13 @@ def carom_draw_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_world_draw(world: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left out, and so are
-    bodies in quarantine. The same world gives the same lines.
+    """All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left
+    out, and so are bodies in quarantine. The same world gives the same lines.
     @param desc     NULL: defaults
     @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
     @param count    out: lines there are; more than capacity: the first `capacity` of them were written
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE, OUT_OF_RANGE (scale);
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE,
+    OUT_OF_RANGE (scale);
             BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
     @thread one of many readers of the world"""
     ...
@@ -1507,17 +1523,19 @@ def carom_engine_create(desc: Any, engine: Any, error: Any) -> int:
     @thread any"""
     ...
 def carom_engine_destroy(engine: Any, error: Any) -> int:
-    """Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first); REENTRANT"""
+    """Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    REENTRANT"""
     ...
 def carom_jobs_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
-    """Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support functions are then
-    called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked on the stepping one.
+    """Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support
+    functions are then called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked
+    on the stepping one.
     @param desc may be NULL: the stepping thread alone
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has no more
-    threads); OUT_OF_MEMORY; REENTRANT   @thread any"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+    no more threads); OUT_OF_MEMORY; REENTRANT   @thread any"""
     ...
 def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
     """Load a shape plugin from a shared object. @param path absolute.
@@ -1531,8 +1549,8 @@ def carom_plugin_register(engine: Any, description: Any, plugin: Any, error: Any
     The struct and all it points to must outlive the engine.   @status as carom_plugin_load()"""
     ...
 def carom_plugins_register_standard(engine: Any, error: Any) -> int:
-    """Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in WebAssembly, and
-    where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
+    """Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in
+    WebAssembly, and where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
     @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY
     @thread any, also while worlds step"""
     ...
@@ -1543,8 +1561,8 @@ def carom_plugin_find(engine: Any, id: Any, plugin: Any, error: Any) -> int:
     """Find a loaded plugin by its id.   @status OK; NULL_ARGUMENT; NOT_FOUND (load it first)"""
     ...
 def carom_plugin_describe(engine: Any, plugin: Any, description: Any, error: Any) -> int:
-    """The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within its
-    struct_size are there. Valid while the engine lives.
+    """The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within
+    its struct_size are there. Valid while the engine lives.
     @status OK; NULL_ARGUMENT; *_HANDLE"""
     ...
 def carom_world_collect_events(world: Any, kinds: Any, hit_speed: Any, error: Any) -> int:
@@ -1592,8 +1610,8 @@ def carom_body_hold_apart(world: Any, body_a: Any, body_b: Any, apart: Any, erro
     @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_collider_set_sensor(world: Any, collider: Any, sensor: Any, error: Any) -> int:
-    """Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It obeys
-    its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
+    """Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It
+    obeys its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
     before.
     @param sensor 1 or 0
     @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY"""
@@ -1608,9 +1626,9 @@ def carom_body_add_force_at(world: Any, body: Any, force: Any, point: Any, error
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_set_drag(world: Any, body: Any, linear: Any, quadratic: Any, error: Any) -> int:
-    """How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without other
-    forces speeds follow the closed form at any step. (carom_body_desc.linear_damping is relative to the world, not to the
-    air, and to mass.)
+    """How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without
+    other forces speeds follow the closed form at any step. (carom_body_desc.linear_damping is relative to the world,
+    not to the air, and to mass.)
     @param linear    kg/s, [0, 1e12]: slow, small bodies (6 pi eta r of a ball); 0 when a body is created
     @param quadratic kg/m, [0, 1e12]: fast, large ones, rho c_d A / 2 (a ball of 0.1 m in air: 0.0087); 0 likewise
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY"""
@@ -1633,7 +1651,8 @@ def carom_force_field_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_force_field_create(world: Any, desc: Any, field: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT;
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
+    REENTRANT;
             LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_force_field_update(world: Any, field: Any, desc: Any, error: Any) -> int:
@@ -1712,9 +1731,11 @@ def carom_joint_orientation_drive_init(drive: Any, struct_size: Any) -> int:
     ...
 def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
     """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
-            NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a body's origin or
-            8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
+    NOT_UNIT;
+            NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
+            body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
+            LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_joint_destroy(world: Any, joint: Any, error: Any) -> int:
     """@status OK; *_HANDLE; BUSY; REENTRANT"""
@@ -1729,19 +1750,22 @@ def carom_joint_get_state(world: Any, joint: Any, state: Any, error: Any) -> int
 def carom_joint_set_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+    limit
             alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_motor(world: Any, joint: Any, coordinate: Any, motor: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+    limit
             alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_spring(world: Any, joint: Any, coordinate: Any, spring: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a limit
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+    limit
             alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
@@ -1754,13 +1778,15 @@ def carom_joint_get_spring(world: Any, joint: Any, coordinate: Any, spring: Any,
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
-    """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a pulley's
-    distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they may turn: turns
-    are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in one; a pose that the
-    host sets between steps is no turn.
-    Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and under the
-    direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle: tests/oracle/test_pulley_gear.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE; NOT_FINITE;
+    """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a
+    pulley's distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they
+    may turn: turns are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in
+    one; a pose that the host sets between steps is no turn.
+    Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and
+    under the direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle:
+    tests/oracle/test_pulley_gear.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
+    NOT_FINITE;
             OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT"""
     ...
 def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
@@ -1768,14 +1794,15 @@ def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, erro
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
-    """Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its drives; springs
-    and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
-    Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the frequency and
-    b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their amplitude and fade slower by
-    b h of their rate; at rest they sag by load / stiffness, to rounding where one joint bears all, in first order where soft_step
-    sweeps over several. A drive to a velocity holds that of the middle of a substep under the direct solver, and one with a damping
-    alone does under any: what a step ends with differs by what the load does in h / 2. Forces of drives are met to rounding.
-    Oracle: tests/oracle/test_six_axis, test_six_axis_scenes.
+    """Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+    drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
+    Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
+    frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
+    amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
+    bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
+    substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
+    the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
+    test_six_axis_scenes.
     @param axis CAROM_AXIS_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
             *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
@@ -1785,10 +1812,11 @@ def carom_joint_get_axis(world: Any, joint: Any, axis: Any, desc: Any, error: An
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
-    """Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect joint_motors.
-    Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls it ends at the target to
-    rounding. Oracle: tests/oracle/test_six_axis.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer field; a
+    """Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect
+    joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
+    it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
+    field; a
             reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
@@ -1802,7 +1830,8 @@ def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n:
     @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
     @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+    BUSY"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of joints, and their handles in creation order of the slots.
@@ -1853,7 +1882,8 @@ def carom_particles_add(world: Any, set: Any, n: Any, scalar: Any, positions: An
     @param positions       [n] m, world, three scalars each, within 1e15 m of the origin
     @param position_stride bytes from one to the next; 0: tightly packed
     @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31 - 1
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31
+    - 1
             in a set); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_particles_remove(world: Any, set: Any, indices: Any, n: Any, error: Any) -> int:
@@ -1866,7 +1896,8 @@ def carom_particles_read(world: Any, set: Any, field: Any, scalar: Any, indices:
     @param indices [n] in any order, or NULL: all of them (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart
     @param stride  bytes from one record to the next; 0: tightly packed
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE (an
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE
+    (an
             index, n); BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_particles_write(world: Any, set: Any, field: Any, scalar: Any, indices: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
@@ -1875,9 +1906,9 @@ def carom_particles_write(world: Any, set: Any, field: Any, scalar: Any, indices
     @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_particles_get_quarantined(world: Any, set: Any, indices: Any, capacity: Any, count: Any, error: Any) -> int:
-    """A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still where
-    it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells of the
-    first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
+    """A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still
+    where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells
+    of the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
     @param indices [capacity] out; may be NULL if capacity is 0
     @param count   out: how many there are (may exceed capacity; capacity are written)
     @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
@@ -1900,9 +1931,10 @@ def carom_world_get_effect(world: Any, effect: Any, mode: Any, error: Any) -> in
     """@param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY"""
     ...
 def carom_body_set_effect(world: Any, body: Any, effect: Any, mode: Any, error: Any) -> int:
-    """The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for the
-    world is forbidden for it. Particles, events and the ledger are not a body's.
-    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use carom_world_set_effect());
+    """The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for
+    the world is forbidden for it. Particles, events and the ledger are not a body's.
+    @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use
+    carom_world_set_effect());
             BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_effect(world: Any, body: Any, effect: Any, mode: Any, error: Any) -> int:
@@ -1955,11 +1987,12 @@ def carom_world_get_residuals(world: Any, residuals: Any, error: Any) -> int:
     @cost linear in contact points, joints and bodies"""
     ...
 def carom_world_set_budget(world: Any, seconds: Any, fewest: Any, most: Any, error: Any) -> int:
-    """Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from the
-    last steps; if one took too long, substeps drop at once; if there is time left, one is added a step. Trajectories then
-    depend on the machine's speed: two runs are not the same to the bit. Off (as a world is created) for lockstep and tests.
-    The steps of a scene that is too expensive even with `fewest` take longer. A budget is the host's: no snapshot holds it, a
-    copy begins without one, and a record (carom/record.h) has the substeps that it chose.
+    """Choose the dial `substeps` before each step so that steps take about `seconds`. What a substep costs is learnt from
+    the last steps; if one took too long, substeps drop at once; if there is time left, one is added a step.
+    Trajectories then depend on the machine's speed: two runs are not the same to the bit. Off (as a world is created)
+    for lockstep and tests. The steps of a scene that is too expensive even with `fewest` take longer. A budget is the
+    host's: no snapshot holds it, a copy begins without one, and a record (carom/record.h) has the substeps that it
+    chose.
     @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
     @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
     @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY"""
@@ -1972,7 +2005,8 @@ def carom_mesh_desc_init(desc: Any, struct_size: Any) -> int:
     ...
 def carom_shape_create_mesh(engine: Any, desc: Any, shape: Any, error: Any) -> int:
     """Make scenery of a mesh. All is copied.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far out, no
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far
+    out, no
             triangle that has an area); LIMIT; OUT_OF_MEMORY
     @thread any, also while worlds step"""
     ...
@@ -1981,7 +2015,8 @@ def carom_height_field_desc_init(desc: Any, struct_size: Any) -> int:
     ...
 def carom_shape_create_height_field(engine: Any, desc: Any, shape: Any, error: Any) -> int:
     """Make scenery of a height field. All is copied.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a count, a
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a
+    count, a
             spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
     @thread any, also while worlds step"""
     ...
@@ -2000,17 +2035,19 @@ def carom_shape_create(engine: Any, plugin: Any, params: Any, count: Any, shape:
     """Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
     scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
     @param params [count] doubles, meaning as the plugin documents
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which); PLUGIN_INVALID;
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which);
+    PLUGIN_INVALID;
             DECLARATION_FALSE; OUT_OF_MEMORY
     @thread any, also while worlds step"""
     ...
 def carom_shape_create_named(engine: Any, name: Any, params: Any, count: Any, shape: Any, error: Any) -> int:
-    """Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the engine has come
-    first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not
-    in programs that run with raised privileges), beside the library, in the folder where plugins are installed. "half_space"
-    is built in: normal x, y, z, offset.
+    """Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the
+    engine has come first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute,
+    separated by ':'; not in programs that run with raised privileges), beside the library, in the folder where plugins
+    are installed. "half_space" is built in: normal x, y, z, offset.
     @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
-    @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE; PLUGIN_PATH;
+    @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE;
+    PLUGIN_PATH;
             PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
     @thread any, also while worlds step"""
     ...
@@ -2047,14 +2084,15 @@ def carom_world_restore(world: Any, bytes: Any, size: Any, error: Any) -> int:
     """Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
     anything of the world changes.
     An empty world is rebuilt from a snapshot that is whole; `user` values come with it, a ledger
-    begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's, as
-    if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one that
-    is not whole.
+    begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's,
+    as if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one
+    that is not whole.
     @param bytes [size], of any alignment   @param size as carom_world_save() told
-    @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a newer
-            format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of that
-            id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message says id and
-            version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY"""
+    @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a
+    newer
+            format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of
+            that id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message
+            says id and version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_world_fork(world: Any, copy: Any, error: Any) -> int:
     """Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
@@ -2063,8 +2101,8 @@ def carom_world_fork(world: Any, copy: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: Any, error: Any) -> int:
-    """Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world that
-    it has forked, or of one that was saved whole, in another process too.
+    """Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world
+    that it has forked, or of one that was saved whole, in another process too.
     @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
     @param translated [n] out; may be `handles`. All of them or, where one is refused, none
     @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
@@ -2149,7 +2187,8 @@ def carom_world_cast_rays(world: Any, rays: Any, want: Any, desc: Any, hits: Any
     """What each of many rays meets first, or whether it meets anything. A bad ray (not finite, or max negative) spoils no
     other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
     @param want   CAROM_WANT_*   @param desc may be NULL: defaults
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE;
+    OUT_OF_RANGE;
             BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any"""
     ...
 def carom_world_cast_rays_all(world: Any, rays: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
@@ -2164,7 +2203,8 @@ def carom_world_cast_shapes(world: Any, shapes: Any, want: Any, desc: Any, dst: 
     @param shapes every shape, position, orientation and motion must be good, else nothing is written
     @param want   CAROM_WANT_*   @param desc may be NULL: defaults
     @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT;
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE;
+    NOT_UNIT;
             OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any"""
     ...
 def carom_world_cast_shapes_all(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:

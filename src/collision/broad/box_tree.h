@@ -143,7 +143,7 @@ std::uint64_t BoxTree::search(const Aabb& box, Found&& found) const {
   if (root_ == kInvalid) return 0;
   const Held held(box);
   const Node* const nodes = nodes_.data();
-  std::array<std::uint32_t, kWidth * (kMostHeight + 1)> stack;  // of each height, what is left of one node's children
+  std::array<std::uint32_t, kWidth*(kMostHeight + 1)> stack;  // of each height, what is left of one node's children
   std::uint32_t* top = stack.data();
   *top++ = root_;
   std::uint64_t tests = 0;

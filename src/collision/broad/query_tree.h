@@ -6,8 +6,8 @@
 #include <cfloat>
 
 #include "collision/broad/bounds.h"
-#include "core/invalid.h"
 #include "core/four.h"
+#include "core/invalid.h"
 
 namespace carom::collision {
 
@@ -35,7 +35,8 @@ class QueryTree {
   /// It is not going to be built again: give back what building took.
   void close() { items_ = Array<Item>(items_.get_allocator()); }
   std::size_t bytes() const {
-    return nodes_.capacity() * sizeof(Node) + place_.capacity() * sizeof(std::uint32_t) + items_.capacity() * sizeof(Item);
+    return nodes_.capacity() * sizeof(Node) + place_.capacity() * sizeof(std::uint32_t) +
+           items_.capacity() * sizeof(Item);
   }
   /// Whether so much has come apart or gone that to build afresh is the better bargain.
   bool worn() const;

@@ -412,9 +412,9 @@ class Tree final : public BroadPhase {
   }
 
   BoxTree moving_, fixed_;
-  Array<Kind> kind_;                            // [slots] as of the last call
-  Array<std::uint64_t> owner_;                  // [slots] see owner()
-  Array<std::uint8_t> changed_;                 // [slots] in this call, see Change
+  Array<Kind> kind_;             // [slots] as of the last call
+  Array<std::uint64_t> owner_;   // [slots] see owner()
+  Array<std::uint8_t> changed_;  // [slots] in this call, see Change
   FatBoxes fat_;
   Array<std::uint32_t> live_;                   // slots of the table, ascending
   Array<std::uint32_t> asked_, gone_, shrunk_;  // of this call
@@ -428,7 +428,7 @@ class Tree final : public BroadPhase {
   PairOrder order_;
   Jobs* jobs_ = nullptr;
   bool senses_ = false;  // there are sensors, which may be fixed
-  bool whole_ = false;  // all of the above are those of the last call
+  bool whole_ = false;   // all of the above are those of the last call
 };
 
 }  // namespace

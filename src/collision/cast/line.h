@@ -29,7 +29,7 @@ struct Entry {
   Real lower = -kInfinity, upper = kInfinity;  // where the line enters
   Real s = 0;                                  // best estimate
   bool settled = false;                        // the bracket is as narrow as asked
-  Vec3 normal = Vec3::unit_z();                 // unit, attains `lower`: into the set
+  Vec3 normal = Vec3::unit_z();                // unit, attains `lower`: into the set
   int count = 0;                               // of the points whose hull the line enters
   Point point[4];
   Real weight[3] = {1, 0, 0};

@@ -203,7 +203,8 @@ class Advance {
     if (!(speed > 0) || settings_.target < 0) return;  // of an overlap no depth is proven by a yes or no
     const Real safe = until_;
     Real step = (std::max(left, Real(0)) + 0.5 * contact) / speed;
-    if (!(closing_bound() * step <= kGraze * contact)) return;  // it slides along: where it crosses says nothing of when
+    if (!(closing_bound() * step <= kGraze * contact))
+      return;  // it slides along: where it crosses says nothing of when
     for (int i = 0; i < 4; ++i, step *= 2) {
       const Real later = std::min(t + step, duration_);
       if (!(later > t)) return;
@@ -274,8 +275,8 @@ class Advance {
 
 }  // namespace
 
-void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b, Real duration,
-                    const CastSettings& settings, CastResult& result, SupportFault& fault) {
+void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b,
+                    Real duration, const CastSettings& settings, CastResult& result, SupportFault& fault) {
   result = CastResult();
   Advance(a, motion_a, b, motion_b, duration, settings, result, fault).run();
 }

@@ -33,7 +33,7 @@ struct RigidMotion {
 /// @accuracy        brackets hold, rounding included; a half-space must not turn
 /// @source          [Mirtich1996]
 /// @oracle          tests/unit/collision/cast/test_time_of_impact
-void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b, Real duration,
-                    const CastSettings& settings, CastResult& result, SupportFault& fault);
+void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b,
+                    Real duration, const CastSettings& settings, CastResult& result, SupportFault& fault);
 
 }  // namespace carom::collision

@@ -58,9 +58,9 @@ bool ask_ring(const Prober& probe, const Vec3& about, Real tilt, Ring& p) {
 
 /// The longest chord between opposite points of a ring, and how far another one reaches beside it.
 struct Chords {
-  Real length = 0, width = 0;  // m
+  Real length = 0, width = 0;   // m
   Vec3 along = Vec3::unit_x();  // unit
-  Vec3 normal;                 // unit, across both; valid if width > 0
+  Vec3 normal;                  // unit, across both; valid if width > 0
   int longest = 0;
 
   Chords(const Ring& p, const Vec3& out) {
@@ -228,7 +228,8 @@ bool settle_facet(const Prober& probe, const Vec3& n, Facet& f) {
       Vec3 across = n - n.dot(f.along) * f.along;
       across /= across.norm();
       const Real length = (f.corner[0] - f.corner[1]).norm();
-      if (!probe(across + kFacetTilt[i] * f.along, f.corner[0]) || !probe(across - kFacetTilt[i] * f.along, f.corner[1]))
+      if (!probe(across + kFacetTilt[i] * f.along, f.corner[0]) ||
+          !probe(across - kFacetTilt[i] * f.along, f.corner[1]))
         return false;
       const Vec3 chord = f.corner[0] - f.corner[1];
       const Real now = chord.norm();

@@ -16,10 +16,10 @@ struct Facet {
       false;     // across its flat directions the core is curved: where it lies depends on the normal (see settle)
   int ring = 0;  // of an edge: which ring found it
   int count = 0;
-  Vec3 corner[kAzimuths];       // m; of a face counter-clockwise about `normal`, of an edge its two ends
+  Vec3 corner[kAzimuths];        // m; of a face counter-clockwise about `normal`, of an edge its two ends
   Vec3 normal = Vec3::unit_y();  // unit; of a face its outward normal, else the direction asked for
   Vec3 along = Vec3::unit_x();   // unit; of an edge
-  Vec3 tip = Vec3::zero();      // m: a support point along the direction asked for
+  Vec3 tip = Vec3::zero();       // m: a support point along the direction asked for
 
   // Corners of a declared polytope's face (clip): vertices[3 loop[i]], in place of `corner`
   const double* vertices = nullptr;

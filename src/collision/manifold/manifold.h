@@ -9,12 +9,12 @@
 namespace carom::collision {
 
 struct ContactPoint {
-  Vec3 on_a = Vec3::zero();     // m, frame of collider A's shape
-  Vec3 on_b = Vec3::zero();     // m, frame of collider B's shape
+  Vec3 on_a = Vec3::zero();      // m, frame of collider A's shape
+  Vec3 on_b = Vec3::zero();      // m, frame of collider B's shape
   Vec3 normal = Vec3::unit_y();  // unit, WORLD frame, from A to B
-  Real separation = 0;          // m, negative in overlap, at the last refresh
-  std::uint32_t feature = 0;    // which features met, to match points between steps; 0: unknown
-  std::uint32_t age = 0;        // steps since it was added
+  Real separation = 0;           // m, negative in overlap, at the last refresh
+  std::uint32_t feature = 0;     // which features met, to match points between steps; 0: unknown
+  std::uint32_t age = 0;         // steps since it was added
 };
 
 /// The same point with A and B exchanged.

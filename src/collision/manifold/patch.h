@@ -15,10 +15,10 @@ struct PatchPair {
 
 /// Under what relative pose a kept patch was made, and whether it may be kept at all.
 struct PatchMemory {
-  bool firm = false;            // its normal is a face's, and none of its facets is round
-  bool of_b = false;            // whose face
+  bool firm = false;             // its normal is a face's, and none of its facets is round
+  bool of_b = false;             // whose face
   Vec3 normal = Vec3::unit_y();  // unit, A to B, frame of the one whose face it is
-  Frame b_in_a;                 // when it was made
+  Frame b_in_a;                  // when it was made
 };
 
 /// Replace a manifold by the whole patch. Ages go on where an old point is found again.
@@ -46,9 +46,9 @@ struct PatchPoints {
 
 /// How a patch is asked for by who knows more than the two shapes do, @see scenery/meet.h
 struct PatchTerms {
-  bool fixed = false;   // the normal is right as it is, and the nearest point itself is no point of the patch
-  Real reach = 0;       // m, @see fit_facet()
-  Real tolerance = 0;   // m: beyond that of the pair's own numbers
+  bool fixed = false;  // the normal is right as it is, and the nearest point itself is no point of the patch
+  Real reach = 0;      // m, @see fit_facet()
+  Real tolerance = 0;  // m: beyond that of the pair's own numbers
 };
 
 /// All points of the patch of a pair.

@@ -12,8 +12,8 @@ namespace carom::collision {
 /// a dozen corners leaves nothing. Who is allowed to revolve says the declared form, which was verified.
 struct Axis {
   Vec3 along = Vec3::unit_y();  // unit, A's frame, through A's origin
-  Real uneven = kInfinity;     // m: no point of B is farther from where it would be on that axis; infinite: no axis
-  Real tilt = 0;               // angle between the shapes' own axes, as twice the sine of its half
+  Real uneven = kInfinity;      // m: no point of B is farther from where it would be on that axis; infinite: no axis
+  Real tilt = 0;                // angle between the shapes' own axes, as twice the sine of its half
 };
 
 /// @return the axis of two bodies of revolution, as far as they are (sphere, capsule, cylinder, cone, ellipsoid with

@@ -161,8 +161,8 @@ class PairTable {
   Array<Block> blocks_;
   Array<std::uint32_t> dropped_;  // records, by block from its first old place on: scratch
   bool has_runs_ = false;         // some pair had several records, when all were last gone through
-  Array<Inactive> inactive_;   // by record; empty until the first is inactive
-  Array<std::uint32_t> head_;  // by collider: the first record that it deactivates, or kNew
+  Array<Inactive> inactive_;      // by record; empty until the first is inactive
+  Array<std::uint32_t> head_;     // by collider: the first record that it deactivates, or kNew
   std::size_t inactive_count_ = 0;
 };
 

@@ -37,7 +37,9 @@ bool half_space_by_support(const Shape& half_space, const Shape& b, const Frame&
 /// The tangent of the tilt along which lies whatever of a shape that leans may come down to a plane within the step:
 /// an end that is within reach leans by less, of a shape that is a quarter as wide as its radius too. What rolls turns
 /// by half of that at most, so a point of its round side is not met before it comes down.
-inline Real leaning_tilt(const Shape& shape, Real reach) { return std::min(2 * reach / shape.bounding_radius, Real(1)); }
+inline Real leaning_tilt(const Shape& shape, Real reach) {
+  return std::min(2 * reach / shape.bounding_radius, Real(1));
+}
 
 // The routines, by file.
 void contact_sphere_sphere(const Shape&, const Shape&, const Frame&, Real, Candidates&);  // pair_sphere.cpp

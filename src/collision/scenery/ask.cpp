@@ -16,7 +16,8 @@ namespace {
 class TriangleMemory final : public Memory {
   void* do_allocate(std::size_t bytes, std::size_t alignment) override {
     const std::size_t at = (used_ + alignment - 1) & ~(alignment - 1);
-    if (alignment > alignof(std::max_align_t) || at > sizeof bytes_ || bytes > sizeof bytes_ - at) throw std::bad_alloc();
+    if (alignment > alignof(std::max_align_t) || at > sizeof bytes_ || bytes > sizeof bytes_ - at)
+      throw std::bad_alloc();
     used_ = at + bytes;
     return bytes_ + at;
   }
@@ -141,8 +142,7 @@ void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, co
   const Real past = turn * ((motion_a.centre - motion.centre).norm() + way.norm());
   const Real arm = (frame_a.p - motion_a.centre).norm() + a.bounding_radius + settings.target + past;
   Aabb box;
-  box.lo = grown(box, 0).lo.min(start).min(start + way),
-  box.hi = box.hi.max(start).max(start + way);
+  box.lo = grown(box, 0).lo.min(start).min(start + way), box.hi = box.hi.max(start).max(start + way);
   box = grown(box, arm);
   const Vec3 centre = frame.apply_inverse(frame_a.apply(a.mass.centroid));
   miss(duration, result);

@@ -41,12 +41,12 @@ constexpr Real kAzimuth[kWays][2] = {
 
 /// What lies beyond the sides of a triangle, as seen along its normal.
 struct Sides {
-  std::array<Vec3, 3> out;   // unit, in the triangle's plane, away from it
-  std::array<Vec3, 3> down;  // unit, the way the surface goes on there, square to the side; zero at a rim
-  std::array<bool, 3> edge;  // it turns down there, or ends
+  std::array<Vec3, 3> out;      // unit, in the triangle's plane, away from it
+  std::array<Vec3, 3> down;     // unit, the way the surface goes on there, square to the side; zero at a rim
+  std::array<bool, 3> edge;     // it turns down there, or ends
   std::array<bool, 3> concave;  // it turns up there, towards the shape
-  std::array<bool, 3> wall;  // it turns up there, and the shape is behind what does
-  bool any = false;          // edges or walls
+  std::array<bool, 3> wall;     // it turns up there, and the shape is behind what does
+  bool any = false;             // edges or walls
 
   /// @param centre  m, of the shape: a concave edge counts if the shape is on this side of what lies beyond it, too
   Sides(const Triangle& p, const Vec3& centre) {
@@ -112,7 +112,8 @@ Ruling judge(const Scenery& scenery, const Triangle& triangle, const Sides& side
   for (std::size_t i = 0; i < 3; ++i) count += at[i] = -sides.out[i].dot(place - triangle.corner[i]) <= near;
   if (count == 0) return Ruling::own;
   for (std::size_t i = 0; i < 3; ++i)
-    if (at[i] && (sides.edge[i] ? sides.down[i].dot(n) > kMeetLevel : sides.wall[i] && sides.out[i].dot(n) > kMeetLevel))
+    if (at[i] &&
+        (sides.edge[i] ? sides.down[i].dot(n) > kMeetLevel : sides.wall[i] && sides.out[i].dot(n) > kMeetLevel))
       return Ruling::neighbours;
   if (n.dot(triangle.normal) < -kMeetLevel) return Ruling::own;
   if (count == 1) {
@@ -132,7 +133,7 @@ SceneryPairFinder::SceneryPairFinder(Memory* memory)
     : shape_(memory), plane_(memory), near_(memory), found_(memory), normals_(memory), patches_(memory) {}
 
 bool SceneryPairFinder::find(const SceneryPair& pair, const NarrowSettings& settings, Real reach, NarrowReport& report,
-                          SupportFault& fault) {
+                             SupportFault& fault) {
   near_.clear(), found_.clear(), normals_.clear(), patches_.clear(), left_.reset();
   const Scenery& scenery = *pair.scenery.scenery;
   const Frame convex_in_scenery = relative(pair.frame, pair.convex_frame);

@@ -79,8 +79,8 @@ class SceneryPairFinder {
   void choose(std::uint32_t k, const Frame& frame, Real tilt, Real same, SceneryPatch& patch) const;
 
   TriangleShape shape_;
-  Shape plane_;           // of a triangle
-  Candidates standing_;   // points of the shape over that plane or under it
+  Shape plane_;          // of a triangle
+  Candidates standing_;  // points of the shape over that plane or under it
   Array<std::uint32_t> near_;
   Array<Found> found_;
   std::optional<ContactPoint> left_;  // of triangles with edges that gave no point, the least deep

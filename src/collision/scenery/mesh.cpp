@@ -159,7 +159,8 @@ bool Scenery::all_around(const Triangle& p, int k, F&& f) const {
       const std::uint32_t a = name[leave], b = name[kNextCorner[leave]];
       const std::uint32_t* const d = &corner[3 * std::size_t(next)];
       came_by = 0;
-      while (!((d[came_by] == a && d[kNextCorner[came_by]] == b) || (d[came_by] == b && d[kNextCorner[came_by]] == a))) ++came_by;
+      while (!((d[came_by] == a && d[kNextCorner[came_by]] == b) || (d[came_by] == b && d[kNextCorner[came_by]] == a)))
+        ++came_by;
       at = next;
     }
   }

@@ -18,7 +18,7 @@ struct Triangle {
   std::array<Vec3, 3>
       far;  // m: the corner beyond side i (from corner i to the next); that of the triangle that shares it
   std::array<bool, 3> boundary;  // side i has nothing beyond
-  bool turned = false;      // corners 1 and 2 have changed places, so that the normal points the other way
+  bool turned = false;           // corners 1 and 2 have changed places, so that the normal points the other way
 };
 
 /// Immutable once made; belongs to a Shape.

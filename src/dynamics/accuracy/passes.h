@@ -66,12 +66,12 @@ struct Passes {
   GroupViews group_views;  // of runs that were accepted
 
   Participants those, scratch;
-  PlanLists lists;          // of a pass; while it runs, of all
+  PlanLists lists;            // of a pass; while it runs, of all
   bool is_accounted = false;  // somebody keeps a ledger, which is told of no trials
-  bool is_planned = false;  // in this step
+  bool is_planned = false;    // in this step
   bool is_running = false;
   bool is_accounting = false;  // trials are over, and what was accepted runs once more for the ledger
-  int substeps = 1;         // of the plan
+  int substeps = 1;            // of the plan
   std::uint64_t revision = 0, collider_revision = 0, quarantined = 0, groups = 0, largest_group = 0;
   bool alarm = false;
   std::size_t faults = 0;

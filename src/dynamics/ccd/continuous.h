@@ -97,19 +97,19 @@ struct Continuous {
       too_many_seen = true;
   }
 
-  Array<std::uint32_t> index;            // by body: in bodies, or kInvalid; empty until there is a participant
-  Array<SweptBody> bodies;               // of this step: participants first, ascending
-  std::size_t participants = 0, boxed = 0;  // of bodies; those in the tree
-  BoxTree tree;                          // of participants, by place in bodies; boxes of this substep
-  Array<Aabb> boxes;                     // m, by place in bodies
-  Array<std::uint32_t> leaves;           // 0, 1, 2, ...
-  Array<std::uint32_t> loose;            // places in bodies
-  Array<SweepHit> hits;                  // of this step, by time; as many as there is room for
-  Array<Pair> passed;                    // with a sensor, of this step; as many as there is room for; may repeat
+  Array<std::uint32_t> index;                  // by body: in bodies, or kInvalid; empty until there is a participant
+  Array<SweptBody> bodies;                     // of this step: participants first, ascending
+  std::size_t participants = 0, boxed = 0;     // of bodies; those in the tree
+  BoxTree tree;                                // of participants, by place in bodies; boxes of this substep
+  Array<Aabb> boxes;                           // m, by place in bodies
+  Array<std::uint32_t> leaves;                 // 0, 1, 2, ...
+  Array<std::uint32_t> loose;                  // places in bodies
+  Array<SweepHit> hits;                        // of this step, by time; as many as there is room for
+  Array<Pair> passed;                          // with a sensor, of this step; as many as there is room for; may repeat
   std::size_t most_bodies = 0, most_hits = 0;  // of this step: not what arrays have grown to, which is of the past
-  Array<std::uint32_t> found;            // scratch: colliders
-  Participants one, more, merged;           // scratch, for rotation methods
-  SupportFault fault;                    // the first of this step
+  Array<std::uint32_t> found;                  // scratch: colliders
+  Participants one, more, merged;              // scratch, for rotation methods
+  SupportFault fault;                          // the first of this step
 
   SweptBody* find(std::uint32_t body) {
     const std::uint32_t at = body < index.size() ? index[body] : kInvalid;

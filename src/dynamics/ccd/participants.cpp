@@ -138,7 +138,8 @@ void find_swept(const World& world, Colliders& table, Real dt) {
     const EffectModes& modes = world.scene.modes;
     if (modes.forbids(+EffectId::continuous, i)) continue;
     const bool outruns = world.plan->watches_speed && mode != SweepMode::never && is_fast(world, i, dt);
-    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always || modes.forces(+EffectId::continuous, i))) continue;
+    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always || modes.forces(+EffectId::continuous, i)))
+      continue;
     c.index.resize(world.scene.bodies.slots(), kInvalid);
     SweptBody& b = know(world, i);
     b.swept = true, b.outruns = outruns;
@@ -227,8 +228,7 @@ void leave_to_sweep(const World& world, BroadPhases& broad, PairTable& pairs, co
   };
   for (std::size_t k = 0; k < c.participants; ++k) {
     if (!c.bodies[k].outruns) continue;
-    for (std::uint32_t slot = world.scene.first_collider[c.bodies[k].body]; slot != kInvalid;
-         slot = table.next[slot]) {
+    for (std::uint32_t slot = world.scene.first_collider[c.bodies[k].body]; slot != kInvalid; slot = table.next[slot]) {
       c.found.clear();
       broad_phase(world, broad).find_near(table, table.bounds[slot], c.found);
       for (const std::uint32_t other : c.found) look_at(slot, other);

@@ -47,8 +47,8 @@ bool Sweeper::passes(const SweptBody& b, std::uint32_t own, std::uint32_t other,
     each_swept_part(world_, other, box, [&](const SweptPart& its) {
       CastResult r;
       SupportFault fault;
-      any_shape::time_of_impact(*mine.shape, b.path.motion(mine, from), *its.shape, other_path.motion(its, from), to - from,
-                                settings, r, fault);
+      any_shape::time_of_impact(*mine.shape, b.path.motion(mine, from), *its.shape, other_path.motion(its, from),
+                                to - from, settings, r, fault);
       if (fault.kind != SupportFault::none && c_.fault.kind == SupportFault::none) c_.fault = fault;
       any |= fault.kind == SupportFault::none && r.outcome != CastOutcome::miss && r.status != QueryStatus::fault;
     });

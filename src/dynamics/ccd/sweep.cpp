@@ -79,8 +79,7 @@ void Sweeper::lay_path(SweptBody& b) {
   if (s.held_out[i]) return;
   b.flies = world_.scene.type[i] == BodyType::dynamic && !world_.plan->touched[i];
   b.path.u = (s.x[i] - b.path.x) / time_.h;
-  if (s.q[i] != b.path.q)
-    b.path.w = rotation_vector(s.q[i] * b.path.q.conjugate(), time_.h * s.omega[i]) / time_.h;
+  if (s.q[i] != b.path.q) b.path.w = rotation_vector(s.q[i] * b.path.q.conjugate(), time_.h * s.omega[i]) / time_.h;
 }
 
 /// Participants are in each other's way; a hit may lead them anywhere as far as they were to go.
@@ -130,8 +129,7 @@ void Sweeper::gather(const SweptBody& b, const Aabb& box, Real now) {
   const auto add = [&](std::uint32_t k) {
     const SweptBody& other = c_.bodies[k];
     if (&other == &b || !other.path.swept(now, time_.h, other.radius).overlaps(box)) return;
-    for (std::uint32_t slot = world_.scene.first_collider[other.body]; slot != kInvalid;
-         slot = table.next[slot])
+    for (std::uint32_t slot = world_.scene.first_collider[other.body]; slot != kInvalid; slot = table.next[slot])
       if (swept_box(other, slot, now).overlaps(box)) c_.found.push_back(slot);
   };
   c_.tree.query(box, [&](std::uint32_t k) {

@@ -19,19 +19,19 @@ struct alignas(64) Row {
   Real p_n;     // N s, normal part of p
   Real target;  // m/s, least normal velocity: 0, or -separation/h of an open contact
 
-  Real k_n;                 // 1/kg, n.K n: normal velocity per unit of normal impulse
-  Real slip_most2;          // (m/s)^2, the most slip that friction could change, squared; 0: no friction impulse now
+  Real k_n;         // 1/kg, n.K n: normal velocity per unit of normal impulse
+  Real slip_most2;  // (m/s)^2, the most slip that friction could change, squared; 0: no friction impulse now
   Vec3 friction_p = Vec3::zero();  // N s, tangent part of p
   Real friction_p2;                // (N s)^2, |rub|^2
-  bool on_rim;              // the friction impulse is as large as the cone allows
-  bool moves_a, moves_b;    // an impulse moves it
-  bool one_normal;          // all rows of its pair have the same
-  bool rolls;               // a body of its pair does, as on a ball: @see rolling.h
+  bool on_rim;                     // the friction impulse is as large as the cone allows
+  bool moves_a, moves_b;           // an impulse moves it
+  bool one_normal;                 // all rows of its pair have the same
+  bool rolls;                      // a body of its pair does, as on a ball: @see rolling.h
   // Of the first row of a pair alone, @see find_slide():
-  bool loads_known;         // all loads of the pair's last step are those of points that it still has
-  bool slides;              // it does as the step begins: friction acts at the middle of its loads
-  bool slides_by_load;      // likewise, and starts from known loads and friction
-  Real friction;            // mixed Coulomb coefficient
+  bool loads_known;     // all loads of the pair's last step are those of points that it still has
+  bool slides;          // it does as the step begins: friction acts at the middle of its loads
+  bool slides_by_load;  // likewise, and starts from known loads and friction
+  Real friction;        // mixed Coulomb coefficient
 
   Vec3 p;              // N s, impulse on B in this substep so far, world; between substeps, what the next starts from
   Real restitution;    // mixed; 0: does not bounce
@@ -219,8 +219,8 @@ struct Contacts {
   Array<RowMass> mass;  // of severity alone
   Array<RowGeometry> geometry;
 
-  Array<std::uint32_t> first_row;  // [pairs + 1] by pair of the table
-  Array<ContactPair> contact_pairs;         // of pairs that have rows, in their order
+  Array<std::uint32_t> first_row;    // [pairs + 1] by pair of the table
+  Array<ContactPair> contact_pairs;  // of pairs that have rows, in their order
 
   Array<Link> links;                      // of active joints, in their order: @see WideJoints::active
   Array<std::uint32_t> link_label;        // by link: its group
@@ -239,7 +239,7 @@ struct Contacts {
   bool any_rolls = false;         // Row::rolls
   Array<Impact> impacts;          // of each of them
   Array<ImpactSpin> spins;        // of bodies that bounce and turn far for their shape: scratch
-  Participants one_spin;             // scratch, for rotation methods
+  Participants one_spin;          // scratch, for rotation methods
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
   Array<Resistance> resisting;    // ascending by row
   Array<Driven> driven;           // likewise

@@ -39,7 +39,8 @@ inline constexpr Constant<Real> kStrikeSamePatch{
     "strike_same_patch", 0.99, "1",
     "cosine of the angle (0.14 rad) up to which the surface beside the place of a swept hit is of that hit",
     "larger: what lands flat on a mesh is hit at one point and left turning; smaller: a neighbouring slope turns it aside"};
-inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled, kGiveWay, kMostImpacts, kStrikeSamePatch};
+inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled, kGiveWay, kMostImpacts,
+                                                   kStrikeSamePatch};
 
 /// One of two bodies that are hit.
 struct ImpactBody {

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "core/vec6.h"
-#include "dynamics/contact/contact.h"
 #include "dynamics/body_state.h"
+#include "dynamics/contact/contact.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/table.h"
@@ -92,8 +92,7 @@ class Projection {
       const std::uint32_t slot = bodies_[i].slot;
       v.of[i].set_linear(world_.scene.inv_mass[slot] *
                          free_axes(world_.scene.locks_of(slot)).times(row.of[i].linear()));
-      if (rotates(world_.scene, slot))
-        v.of[i].set_angular(inv_inertia_[i] * row.of[i].angular());
+      if (rotates(world_.scene, slot)) v.of[i].set_angular(inv_inertia_[i] * row.of[i].angular());
     }
     return v;
   }
@@ -119,8 +118,7 @@ class Group {
     Stacked c(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       c.of[i] = {-0.5 * gained_v(bodies_[i]), -0.5 * gained_omega(bodies_[i])};
-    const bool held =
-        std::ranges::any_of(bodies_, [&](const Body& b) { return world_.state.held_out[b.slot] != 0; });
+    const bool held = std::ranges::any_of(bodies_, [&](const Body& b) { return world_.state.held_out[b.slot] != 0; });
     const Real most = 2 * size_of(c);
     const bool is_worth_it = most > kNotice * world_.scene.dials[Dial::velocity_tolerance] && finite(most);
     if (held || group_.is_curved || !is_worth_it) return;
@@ -134,7 +132,7 @@ class Group {
 
  private:
   template <class T>
-  std::span<T> between(Array<T>& all, std::uint32_t MeanMotion::Group::* begin, std::size_t group) const {
+  std::span<T> between(Array<T>& all, std::uint32_t MeanMotion::Group::*begin, std::size_t group) const {
     const MeanMotion::Group* const g = &world_.mean_motion->groups[group];
     return {all.data() + g->*begin, g[1].*begin - g->*begin};
   }

@@ -19,9 +19,9 @@ MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t 
     const auto forbids = [&](std::uint32_t c) { return modes.forbids(row, scene.colliders.body[c]); };
     return value > 0 && modes.forbidden_anywhere && (forbids(collider_a) || forbids(collider_b)) ? Real(0) : value;
   };
-  MixedMaterial m{allowed(+EffectId::friction, mix(a.friction_mix, a.friction, b.friction_mix, b.friction)),
-                  allowed(+EffectId::restitution, mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution)), 0,
-                  0};
+  MixedMaterial m{
+      allowed(+EffectId::friction, mix(a.friction_mix, a.friction, b.friction_mix, b.friction)),
+      allowed(+EffectId::restitution, mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution)), 0, 0};
   if (!scene.resists) return m;
   m.rolling = allowed(+EffectId::rolling_resistance, mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling));
   m.spinning = allowed(+EffectId::spinning_resistance, mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning));

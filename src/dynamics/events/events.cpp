@@ -7,10 +7,10 @@
 #include "collision/scenery/ask.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
-#include "dynamics/contact_views.h"
 
 namespace carom::dynamics {
 namespace {
@@ -159,7 +159,8 @@ class Sensing {
     passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
     const std::size_t bounds_met = e_.sensor_pairs.size();
     for (const Pair& pair : passed)
-      if (!std::binary_search(e_.sensor_pairs.begin(), e_.sensor_pairs.begin() + static_cast<std::ptrdiff_t>(bounds_met), pair))
+      if (!std::binary_search(e_.sensor_pairs.begin(),
+                              e_.sensor_pairs.begin() + static_cast<std::ptrdiff_t>(bounds_met), pair))
         e_.sensor_pairs.push_back(pair);
     std::sort(e_.sensor_pairs.begin(), e_.sensor_pairs.end());
   }

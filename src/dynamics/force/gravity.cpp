@@ -12,7 +12,8 @@ void find(const Scene& scene, const State& state, Participants& participants) {
 /// a = f g
 void force(const Scene& scene, const State&, const Participants& participants, const Motion&, const Accelerate& out) {
   const Vec3 dv = out.scale * scene.gravity;
-  if (scene.attributes.bodies(AttributeId::gravity_factor) == 0) return participants.each([&](std::uint32_t i) { out.v[i] += dv; });
+  if (scene.attributes.bodies(AttributeId::gravity_factor) == 0)
+    return participants.each([&](std::uint32_t i) { out.v[i] += dv; });
   participants.each([&](std::uint32_t i) { out.v[i] += scene.gravity_factor_of(i) * dv; });
 }
 

@@ -28,11 +28,13 @@ void magnetism::find(const Scene& scene, const State& state, Participants& parti
   scene.fields.each([&](const FieldDef& f) { felt |= f.kind == FieldKind::magnetic ? f.mask : 0; });
   if (felt == 0) return;
   for (std::uint32_t i = 0; i < scene.attributes.bodies(AttributeId::magnetic_moment); ++i)
-    if (responds(scene, state, i) && rotates(scene, i) && scene.field_mask_of(i) & felt && moment_of(scene, i) != Vec3::zero())
+    if (responds(scene, state, i) && rotates(scene, i) && scene.field_mask_of(i) & felt &&
+        moment_of(scene, i) != Vec3::zero())
       participants.add(i);
 }
 
-void magnetism::force(const Scene& scene, const State&, const Participants& participants, const Motion& at, const Accelerate& out) {
+void magnetism::force(const Scene& scene, const State&, const Participants& participants, const Motion& at,
+                      const Accelerate& out) {
   participants.each([&](std::uint32_t i) {
     const Vec3 torque = (at.q[i] * moment_of(scene, i)).cross(magnetic_field_at(scene, i, at.x[i]));
     out.omega[i] += out.scale * angular_acceleration(scene, i, at.q[i], torque);

@@ -58,7 +58,7 @@ struct Fields {
 
 /// A spring as a force, between two bodies or one and the world.
 struct SpringDef {
-  std::uint32_t body_a = kInvalid, body_b = kInvalid;   // slots, or kInvalid
+  std::uint32_t body_a = kInvalid, body_b = kInvalid;     // slots, or kInvalid
   Vec3 anchor_a = Vec3::zero(), anchor_b = Vec3::zero();  // m, body frame (origin as the host gave it), or world
   Real rest = 0;                                          // m
   Real stiffness = 0, damping = 0;                        // N/m, N s/m
@@ -103,10 +103,10 @@ struct Springs : SpringLoads {
 /// A plane of water: all of space where normal . x <= level.
 struct WaterDef {
   Vec3 normal = Vec3::unit_y();  // unit, world, out of the water
-  Real level = 0;               // m
-  Real density = 1000;          // kg/m^3
-  Vec3 current = Vec3::zero();  // m/s, world
-  Real drag = 0;                // 1/s: what a kg of displaced water takes of a body's velocity
+  Real level = 0;                // m
+  Real density = 1000;           // kg/m^3
+  Vec3 current = Vec3::zero();   // m/s, world
+  Real drag = 0;                 // 1/s: what a kg of displaced water takes of a body's velocity
 };
 
 /// The surface of a shape that floats, in triangles.

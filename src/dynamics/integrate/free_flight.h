@@ -39,9 +39,9 @@ struct FreeFlight {
     Vec3 x, v, omega;
     Quat q;
   };
-  Array<Begun> begun;            // as the step began, of the watched
-  bool any = false;              // somebody flies in this step
-  RowBits movers = 0;            // rows of the table that move bodies in this step: four loops go through them
+  Array<Begun> begun;  // as the step began, of the watched
+  bool any = false;    // somebody flies in this step
+  RowBits movers = 0;  // rows of the table that move bodies in this step: four loops go through them
 };
 
 /// Stage functions of the page. Between them the plan lists the bound bodies alone. The first one allocates.

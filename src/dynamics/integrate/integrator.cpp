@@ -3,8 +3,8 @@
 
 #include <atomic>
 
-#include "dynamics/contact/mean_motion.h"
 #include "dynamics/body_state.h"
+#include "dynamics/contact/mean_motion.h"
 #include "dynamics/force/force.h"
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/quarantine.h"

@@ -14,6 +14,7 @@ void velocity_by_semi_implicit_euler(const World& world, Velocities& to, Real h)
 
 }  // namespace
 
-const Integrator kSemiImplicitEuler = {"semi_implicit_euler", false, false, false, 0.5, 0, 0, velocity_by_semi_implicit_euler};
+const Integrator kSemiImplicitEuler = {"semi_implicit_euler",          false, false, false, 0.5, 0, 0,
+                                       velocity_by_semi_implicit_euler};
 
 }  // namespace carom::dynamics

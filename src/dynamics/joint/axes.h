@@ -7,10 +7,10 @@
 
 namespace carom::dynamics {
 
-inline constexpr std::uint32_t kAxes = 6;   // CAROM_AXIS_*: B's point along A's x, y, z; turns about them
+inline constexpr std::uint32_t kAxes = 6;    // CAROM_AXIS_*: B's point along A's x, y, z; turns about them
 inline constexpr std::uint32_t kPlaces = 3;  // those of them that are places
 
-enum class AxisMode : std::uint8_t { free, locked, limited, count };             // CAROM_AXIS_FREE ...
+enum class AxisMode : std::uint8_t { free, locked, limited, count };              // CAROM_AXIS_FREE ...
 enum class AxisDrive : std::uint8_t { none, position, velocity, effort, count };  // CAROM_DRIVE_*
 
 /// In what stiffness and damping are told; CAROM_GAINS_*. m: what the joint's bodies weigh along the axis.
@@ -33,13 +33,13 @@ struct JointAxis {
   Real lower = 0, upper = 0;  // m or rad; locked at lower
   AxisPull stop;              // of a limit; off: it is hard
   AxisDrive drive = AxisDrive::none;
-  AxisPull gains;         // of a drive to a position
-  Real target = 0;        // m or rad
-  Real speed = 0;         // m/s or rad/s: of a drive to a velocity, and of a target that moves
-  Real effort = 0;        // N or N m
+  AxisPull gains;              // of a drive to a position
+  Real target = 0;             // m or rad
+  Real speed = 0;              // m/s or rad/s: of a drive to a velocity, and of a target that moves
+  Real effort = 0;             // N or N m
   Real max_force = kInfinity;  // N or N m: of the drive
-  AxisPull spring;        // beside the drive
-  Real rest = 0;          // m or rad
+  AxisPull spring;             // beside the drive
+  Real rest = 0;               // m or rad
 
   bool is_locked() const {
     return mode == AxisMode::locked || (mode == AxisMode::limited && lower == upper && !stop.on());
@@ -62,16 +62,17 @@ struct JointAxes {
 struct TurnDrive {
   AxisDrive mode = AxisDrive::none;
   AxisPull gains;
-  Quat target = Quat::identity();     // B's frame in A's
-  Vec3 velocity = Vec3::zero();       // rad/s, A's frame
-  Vec3 effort = Vec3::zero();         // N m, A's frame
+  Quat target = Quat::identity();              // B's frame in A's
+  Vec3 velocity = Vec3::zero();                // rad/s, A's frame
+  Vec3 effort = Vec3::zero();                  // N m, A's frame
   Vec3 max_force = Vec3::constant(kInfinity);  // N m, about each axis of A's frame
-  Vec3 p = Vec3::zero();              // N m s, of a substep, likewise
+  Vec3 p = Vec3::zero();                       // N m s, of a substep, likewise
 };
 
 /// Whether such a drive acts at all.
 inline bool acts(const TurnDrive& d) {
-  return d.mode == AxisDrive::velocity || d.mode == AxisDrive::effort || (d.mode == AxisDrive::position && d.gains.on());
+  return d.mode == AxisDrive::velocity || d.mode == AxisDrive::effort ||
+         (d.mode == AxisDrive::position && d.gains.on());
 }
 
 }  // namespace carom::dynamics

@@ -17,7 +17,7 @@ struct AxisParts {
   JointPart two, three;
 };
 constexpr AxisParts kAxisParts[2] = {{JointPart::line, JointPart::point},
-                                   {JointPart::direction, JointPart::orientation}};
+                                     {JointPart::direction, JointPart::orientation}};
 
 /// Of places, at any offset: A's point is moved there. Of turns: all three at any offset, for B's frame is turned; the two
 /// across x where x axes stay parallel.
@@ -72,8 +72,7 @@ AxisOffsets offsets_of(const JointAxes& axes) {
     else
       off.all_turns = false;
   }
-  if (off.all_turns)
-    off.orientation = exp_map(Vec3(0, off.turn.y(), off.turn.z())) * exp_map(Vec3(off.turn.x(), 0, 0));
+  if (off.all_turns) off.orientation = exp_map(Vec3(0, off.turn.y(), off.turn.z())) * exp_map(Vec3(off.turn.x(), 0, 0));
   return off;
 }
 

@@ -18,9 +18,9 @@ LockedParts locked_parts(const JointAxes& axes);
 
 /// Where axes are locked.
 struct AxisOffsets {
-  Vec3 place = Vec3::zero();             // m, A's frame; 0 where free
-  Vec3 turn = Vec3::zero();              // rad, likewise
-  bool all_turns = false;                // all three are locked, B's frame in A's at
+  Vec3 place = Vec3::zero();  // m, A's frame; 0 where free
+  Vec3 turn = Vec3::zero();   // rad, likewise
+  bool all_turns = false;     // all three are locked, B's frame in A's at
   Quat orientation = Quat::identity();
 };
 AxisOffsets offsets_of(const JointAxes& axes);

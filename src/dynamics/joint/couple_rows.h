@@ -65,7 +65,8 @@ CAROM_LANES_INLINE Lanes whole_of(const JointLanes& joint, const LockLanes* lock
   const LaneSymmetric &i_a = joint.inv_inertia_a, &i_b = joint.inv_inertia_b;
   Lanes moved = (joint.inv_mass_a + joint.inv_mass_b) * dot(r.d, r.d);
   if constexpr (kTwoWays) moved = joint.inv_mass_a * dot(pull->d_a, pull->d_a) + joint.inv_mass_b * dot(r.d, r.d);
-  return 1e2 * (moved + dot(r.w_a, r.w_a) * (i_a.xx + i_a.yy + i_a.zz) + dot(r.w_b, r.w_b) * (i_b.xx + i_b.yy + i_b.zz));
+  return 1e2 *
+         (moved + dot(r.w_a, r.w_a) * (i_a.xx + i_a.yy + i_a.zz) + dot(r.w_b, r.w_b) * (i_b.xx + i_b.yy + i_b.zz));
 }
 
 /// L D L^T of the coupling of n rows.

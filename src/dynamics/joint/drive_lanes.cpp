@@ -76,7 +76,8 @@ void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
   const int springs = std::max(1, (a.drive == AxisDrive::position) + a.spring.on() + (a.is_limited() && a.stop.on()));
   switch (row.source) {
     case kOfDrive:
-      if (row.kind == DriveKind::motor) return fill_motor(a.drive, a.speed, a.effort, a.max_force, to.half, to.drive, to.lane);
+      if (row.kind == DriveKind::motor)
+        return fill_motor(a.drive, a.speed, a.effort, a.max_force, to.half, to.drive, to.lane);
       fill_spring(a.target, a.speed, a.max_force, to.h, to.drive, to.lane);
       return fill_pull(a.gains, to.h, springs, to.pull, to.lane);
     case kOfSpring:
@@ -90,7 +91,8 @@ void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
 
 void fill_turn(const TurnDrive& d, const DriveRow& row, const RowFill& to) {
   const int k = row.coordinate - kFirstTurn;
-  if (row.kind == DriveKind::motor) return fill_motor(d.mode, d.velocity[k], d.effort[k], d.max_force[k], to.half, to.drive, to.lane);
+  if (row.kind == DriveKind::motor)
+    return fill_motor(d.mode, d.velocity[k], d.effort[k], d.max_force[k], to.half, to.drive, to.lane);
   fill_spring(0, d.velocity[k], d.max_force[k], to.h, to.drive, to.lane);
   fill_pull(d.gains, to.h, 1, to.pull, to.lane);
 }

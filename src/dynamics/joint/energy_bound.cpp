@@ -96,7 +96,8 @@ bool gapes(const WideJoints& w, const WideJoints::Place& at, Real slack) {
     const JointDriveLanes& drive = w.drives[joint.first_drive + k];
     if (joint.layout.drive[k].kind != DriveKind::limit) continue;
     const Real x = get(drive.row.error, at.lane);
-    any |= gapes(joint, at.lane, drive.row, std::max(get(drive.lower, at.lane) - x, x - get(drive.upper, at.lane)), slack);
+    any |=
+        gapes(joint, at.lane, drive.row, std::max(get(drive.lower, at.lane) - x, x - get(drive.upper, at.lane)), slack);
   }
   return any;
 }
@@ -119,7 +120,8 @@ bool find_unresolved(const World& world, WideJoints& w, Real h) {
     GroupBound& group = w.bounds[b.group];
     if (group.is_driven || group.turns_far || !w.linked[b.body]) continue;
     if (turns_by_method(*world.plan, b.body)) {
-      const Real omega2 = std::max(world.state.omega[b.body].squared_norm(), b.omega.squared_norm());  // and as it began
+      const Real omega2 =
+          std::max(world.state.omega[b.body].squared_norm(), b.omega.squared_norm());  // and as it began
       group.turns_far = h * h * omega2 > kUnresolvedTurn * kUnresolvedTurn;
     }
     if (world.rattle) group.turns_far |= rattle::is_given_up(world, b.body);

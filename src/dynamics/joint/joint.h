@@ -13,7 +13,16 @@
 namespace carom::dynamics {
 
 enum class JointKind : std::uint8_t {
-  ball, hinge, slider, weld, distance, universal, pulley, gear, six_axis, count  // CAROM_JOINT_*
+  ball,
+  hinge,
+  slider,
+  weld,
+  distance,
+  universal,
+  pulley,
+  gear,
+  six_axis,
+  count  // CAROM_JOINT_*
 };
 
 /// Whether a kind turns one motion into another.
@@ -35,14 +44,14 @@ struct JointLimit {
 };
 struct JointMotor {
   bool on = false;
-  Real speed = 0;  // m/s or rad/s
-  Real max_force = 0;   // N or N m
+  Real speed = 0;      // m/s or rad/s
+  Real max_force = 0;  // N or N m
 };
 struct JointSpring {
   bool on = false;
-  Real target = 0;        // m or rad
-  Real frequency = 1;     // Hz, of the joint's bodies were they alone
-  Real damping = 1;       // ratio; 1: critical
+  Real target = 0;             // m or rad
+  Real frequency = 1;          // Hz, of the joint's bodies were they alone
+  Real damping = 1;            // ratio; 1: critical
   Real max_force = kInfinity;  // N or N m
 };
 
@@ -57,7 +66,7 @@ struct JointDrive {
 /// What a host says about a joint (ABI: carom_joint_desc), already validated.
 struct JointDef {
   JointKind kind = JointKind::ball;
-  std::uint32_t body_a = kInvalid, body_b = kInvalid;    // slots; the world's frame is the world
+  std::uint32_t body_a = kInvalid, body_b = kInvalid;      // slots; the world's frame is the world
   Pose frame_a, frame_b;                                   // joint -> body frame (origin as the host gave it)
   Real length = 0;                                         // m, of a distance joint
   bool collide = false;                                    // its bodies may touch each other
@@ -67,7 +76,7 @@ struct JointDef {
 
 /// By what a joint turns the motion of one body into that of the other.
 struct Transmission {
-  Real ratio = 0;                                         // how often B's rope or turn counts; 0: of a pulley, none is strung
+  Real ratio = 0;  // how often B's rope or turn counts; 0: of a pulley, none is strung
   Vec3 anchor_a = Vec3::zero(), anchor_b = Vec3::zero();  // m, world: what the ropes run over
   Real length = 0;                                        // m, of the ropes: that of A and ratio times that of B
   // Of a gear: angle of A + ratio * angle of B, about their x axes, each relative to the world, as they have turned since
@@ -86,14 +95,14 @@ struct Joint {
   bool broken = false;
   bool without_limits = false, without_motors = false;  // a host forbids them, as of the last plan
 
-  std::array<Real, kMostEqualities> p{};                 // N s, N m s
-  std::array<Real, kMostDrives> drive_p{};               // likewise, by row of the layout
-  Real p_h = 0;                                          // s, the substep that made them; 0: there are none
-  Vec3 force = Vec3::zero();                             // N, world, on B, mean over the last step
-  Vec3 torque = Vec3::zero();                            // N m, world, on B about its point, likewise
+  std::array<Real, kMostEqualities> p{};               // N s, N m s
+  std::array<Real, kMostDrives> drive_p{};             // likewise, by row of the layout
+  Real p_h = 0;                                        // s, the substep that made them; 0: there are none
+  Vec3 force = Vec3::zero();                           // N, world, on B, mean over the last step
+  Vec3 torque = Vec3::zero();                          // N m, world, on B about its point, likewise
   std::uint32_t next_a = kInvalid, next_b = kInvalid;  // the next joint of each body
-  std::uint32_t axes = 0;                                // in Joints::axes, from 1; 0: it is no six-axis joint
-  TurnDrive turn;                                        // of a ball, or of a six-axis joint that may turn any way
+  std::uint32_t axes = 0;                              // in Joints::axes, from 1; 0: it is no six-axis joint
+  TurnDrive turn;                                      // of a ball, or of a six-axis joint that may turn any way
 };
 
 /// Of a joint that has none: all are free.

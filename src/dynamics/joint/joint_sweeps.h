@@ -131,7 +131,8 @@ CAROM_LANES_INLINE void act(Sides& sides, const JointLanes& joint, JointDriveLan
   if (kind == DriveKind::motor) next = p - drive.m * (u - drive.speed);
   if (kind == DriveKind::spring) {
     if constexpr (!kPush) return;  // its law holds for the whole substep, with the place where that began
-    next = drive.drag * p - drive.m * (drive.pull * (drive.row.error - drive.lower) + drive.drag * (kAxed ? u - drive.speed : u));
+    next = drive.drag * p -
+           drive.m * (drive.pull * (drive.row.error - drive.lower) + drive.drag * (kAxed ? u - drive.speed : u));
   }
   next = larger(smaller(next, drive.max_impulse), -drive.max_impulse);
   sides.push(drive.row, next - p);

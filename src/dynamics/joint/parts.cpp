@@ -98,8 +98,8 @@ JointLayout layout_of(const Joints& joints, const Joint& joint) {
 
 std::uint64_t layout_key(const Joints& joints, const Joint& joint) {
   if (joint.def.kind == JointKind::six_axis) return axes_key(joints, joint);
-  std::uint32_t key =
-      static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u) | (is_unstrung(joint) ? 1u << 30 : 0u);
+  std::uint32_t key = static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u) |
+                      (is_unstrung(joint) ? 1u << 30 : 0u);
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) { key |= 8u << (3 * c + static_cast<std::uint32_t>(kind)); });
   return key | turn_key(joint, kFreeAxes);
 }

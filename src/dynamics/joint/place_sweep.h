@@ -195,7 +195,8 @@ struct JointPlacing {
 
   /// Along both ropes at once: the rate of |rope_a| + ratio |rope_b|. A rope of no length pulls nowhere.
   CAROM_LANES_INLINE void ropes(JointRowLanes& r) const {
-    const Lanes far_a = square_root(dot(pull->rope_a, pull->rope_a)), far_b = square_root(dot(pull->rope_b, pull->rope_b));
+    const Lanes far_a = square_root(dot(pull->rope_a, pull->rope_a)),
+                far_b = square_root(dot(pull->rope_b, pull->rope_b));
     pull->d_a = -inverse_or_zero(far_a > 1e-12 ? far_a : all(0)) * pull->rope_a;
     r.d = pull->ratio * inverse_or_zero(far_b > 1e-12 ? far_b : all(0)) * pull->rope_b;
     r.w_a = cross(joint.r_a, pull->d_a);

@@ -25,7 +25,8 @@ void fill_transmission(const World& world, const Joint& joint, const JointEnds& 
   }
 }
 
-Real phase_of(const World& world, const Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane) {
+Real phase_of(const World& world, const Joint& joint, const WideJoints& w, const JointLanes& lanes,
+              std::uint32_t lane) {
   const GearLanes& gear = w.gears[lanes.geared - 1];
   const JointEnds ends = ends_of(world, joint.def);
   const auto turned = [&](const LaneQuat& from, const Quat& to, Real near) {

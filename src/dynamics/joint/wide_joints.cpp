@@ -40,8 +40,10 @@ void count_parts(const World& world, Joints& joints, Joint& joint) {
     world.plan->effects[row].wanted += has;
     world.plan->effects[row].participants.count += has && !without;
   };
-  count(+EffectId::joint_limits, any([](const JointDrive& d) { return d.limit.on; }) || axes.limited, joint.without_limits);
-  count(+EffectId::joint_motors, any([](const JointDrive& d) { return d.motor.on; }) || axes.driven, joint.without_motors);
+  count(+EffectId::joint_limits, any([](const JointDrive& d) { return d.limit.on; }) || axes.limited,
+        joint.without_limits);
+  count(+EffectId::joint_motors, any([](const JointDrive& d) { return d.motor.on; }) || axes.driven,
+        joint.without_motors);
 }
 
 /// Whether it takes part in the step. One end may sleep while the other is awake in a snapshot that somebody has changed.
@@ -243,7 +245,8 @@ void fill_locks(const World& world, WideJoints& w) {
 void load_own_shifts(const World& world) {
   WideJoints& w = *world.wide_joints;
   if (!world.wide->far_turners) return;
-  for (std::uint32_t i = 1; i < w.start.size(); ++i) w.shift[i] = shift_since(world.state, world.wide->slot[i], w.start[i]);
+  for (std::uint32_t i = 1; i < w.start.size(); ++i)
+    w.shift[i] = shift_since(world.state, world.wide->slot[i], w.start[i]);
 }
 
 }  // namespace

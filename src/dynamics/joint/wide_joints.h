@@ -74,8 +74,8 @@ struct WideJoints {
   /// Bodies of groups with joints that nothing drives, and those groups: @see energy_bound.h
   struct Bounded {
     std::uint32_t body, group;
-    Vec3 v, omega;  // m/s, rad/s: before the solver
-    Quat q;         // to which that omega belongs
+    Vec3 v, omega;       // m/s, rad/s: before the solver
+    Quat q;              // to which that omega belongs
     Real before, after;  // J, with those velocities and with what the solver made of them: scratch
   };
   struct GroupBound {

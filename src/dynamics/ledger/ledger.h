@@ -117,10 +117,10 @@ struct Ledger {
   Array<Body> body;   // by slot; between steps as the state has it
   Array<Kick> kicks;  // [slots][columns]; zero between phases
   std::size_t columns = kFixedColumns;
-  std::array<std::uint8_t, kEffectCount> column_of{};         // by row of the table
+  std::array<std::uint8_t, kEffectCount> column_of{};                 // by row of the table
   std::array<std::uint8_t, kFixedColumns + kEffectCount> cause_of{};  // by column
-  Array<Kick> probe;                                          // by slot: velocities before a row
-  std::size_t gravity = 0;                                    // cause
+  Array<Kick> probe;                                                  // by slot: velocities before a row
+  std::size_t gravity = 0;                                            // cause
 
   // what bodies and sets of particles had after the last step
   Array<Amount> body_amount;  // by slot

@@ -203,8 +203,8 @@ void share_group_links(Shares& shares, bool settled) {
     for (std::uint32_t i = from.link; i < to.link; ++i) {
       const ConeLink& c = d.links[i];
       const auto slot = [&](std::uint32_t body) { return body == kInvalid ? 0 : d.bodies[body].slot; };
-      share_joint_row(shares, {slot(c.a), slot(c.b), c.a != kInvalid, c.b != kInvalid},
-                      {c.d_a, c.d_b, c.w_a, c.w_b}, c.p, d.link_row[i].is_drive);
+      share_joint_row(shares, {slot(c.a), slot(c.b), c.a != kInvalid, c.b != kInvalid}, {c.d_a, c.d_b, c.w_a, c.w_b},
+                      c.p, d.link_row[i].is_drive);
     }
   }
 }

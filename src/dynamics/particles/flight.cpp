@@ -75,7 +75,8 @@ std::size_t hold_outliers(Particles& particles, std::uint32_t s, std::size_t blo
       vis_viva += (set.mass.empty() ? 1 : set.mass[i]) * v2;
       continue;
     }
-    if (!within_limits(x2, 0)) particles.place(s, i, finite(x2) ? Vec3(kMaxPosition / std::sqrt(x2) * x) : Vec3(Vec3::zero()));
+    if (!within_limits(x2, 0))
+      particles.place(s, i, finite(x2) ? Vec3(kMaxPosition / std::sqrt(x2) * x) : Vec3(Vec3::zero()));
     particles.hold(s, i);
     first = std::min(first, i);
   }

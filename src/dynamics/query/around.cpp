@@ -24,11 +24,13 @@ Real between(const Aabb& a, const Aabb& b) { return (a.lo - b.hi).max(b.lo - a.h
 
 }  // namespace
 
-WorldHit overlap_against(const World& world, std::uint32_t slot, const QueryShape& query_shape, const CastSettings& settings) {
+WorldHit overlap_against(const World& world, std::uint32_t slot, const QueryShape& query_shape,
+                         const CastSettings& settings) {
   const Frame& frame = world.queries->frame(slot);
   SupportFault fault;
-  const OverlapResult found = any_shape::overlap(*query_shape.shape, *world.scene.colliders.shape[slot], relative(query_shape.frame, frame),
-                                      settings.target, kPoseRounding * kUnitRoundoff, settings.cap, fault);
+  const OverlapResult found =
+      any_shape::overlap(*query_shape.shape, *world.scene.colliders.shape[slot], relative(query_shape.frame, frame),
+                         settings.target, kPoseRounding * kUnitRoundoff, settings.cap, fault);
   WorldHit hit;
   hit.collider = slot;
   CastResult& r = hit.cast;
@@ -43,7 +45,8 @@ WorldHit overlap_against(const World& world, std::uint32_t slot, const QueryShap
   return hit;
 }
 
-void find_overlaps(const World& world, const QueryShape& query_shape, const QueryOptions& options, Array<WorldHit>& hits) {
+void find_overlaps(const World& world, const QueryShape& query_shape, const QueryOptions& options,
+                   Array<WorldHit>& hits) {
   world.queries->bring_up_to_date(world);
   const Aabb box = bounds_of(query_shape);
   if (is_empty(box)) return hits.push_back(failed(kInvalid));

@@ -44,8 +44,7 @@ WorldHit first(const World& world, const Way& way, Real max, const QueryOptions&
   along(index, way, [&](std::uint32_t slot) {
     if (!passes(world, options.filter, slot)) return limit;
     const WorldHit hit = one(slot);
-    if (hit.cast.outcome == CastOutcome::miss || (best.collider != kInvalid && !by_time(hit, best)))
-      return limit;
+    if (hit.cast.outcome == CastOutcome::miss || (best.collider != kInvalid && !by_time(hit, best))) return limit;
     best = hit;
     return limit = way.speed * best.cast.time + width;
   });
@@ -91,13 +90,13 @@ WorldHit ray_on(const World& world, std::uint32_t slot, const Ray& ray, const Wa
   return hit;
 }
 
-WorldHit shape_on(const World& world, std::uint32_t slot, const QueryShape& query_shape, const Vec3& motion, const Way& way,
-                  const CastSettings& settings) {
+WorldHit shape_on(const World& world, std::uint32_t slot, const QueryShape& query_shape, const Vec3& motion,
+                  const Way& way, const CastSettings& settings) {
   WorldHit hit;
   SupportFault fault;
   hit.collider = slot;
-  any_shape::cast_shape(*query_shape.shape, query_shape.frame, motion, *world.scene.colliders.shape[slot], world.queries->frame(slot),
-             settings, hit.cast, fault);
+  any_shape::cast_shape(*query_shape.shape, query_shape.frame, motion, *world.scene.colliders.shape[slot],
+                        world.queries->frame(slot), settings, hit.cast, fault);
   keep_within(way, 1, world.queries->bounds(slot), hit.cast);
   return hit;
 }
@@ -117,7 +116,8 @@ WorldHit ray_against(const World& world, std::uint32_t slot, const Ray& ray, con
 
 WorldHit shape_against(const World& world, std::uint32_t slot, const QueryShape& query_shape, const Vec3& motion,
                        const CastSettings& settings) {
-  return shape_on(world, slot, query_shape, motion, Way(query_shape.frame.p, motion, 1, extent_of(query_shape, settings)), settings);
+  return shape_on(world, slot, query_shape, motion,
+                  Way(query_shape.frame.p, motion, 1, extent_of(query_shape, settings)), settings);
 }
 
 WorldHit cast_ray(const World& world, const Ray& ray, const QueryOptions& options) {
@@ -140,7 +140,8 @@ void cast_ray_all(const World& world, const Ray& ray, const QueryOptions& option
   all_hits(world, way, options, hits, [&](std::uint32_t slot) { return ray_on(world, slot, ray, way, options.cast); });
 }
 
-WorldHit cast_shape(const World& world, const QueryShape& query_shape, const Vec3& motion, const QueryOptions& options) {
+WorldHit cast_shape(const World& world, const QueryShape& query_shape, const Vec3& motion,
+                    const QueryOptions& options) {
   world.queries->bring_up_to_date(world);
   const Aabb extent = extent_of(query_shape, options.cast);
   if (is_empty(extent)) return {kInvalid, failed()};
@@ -149,7 +150,8 @@ WorldHit cast_shape(const World& world, const QueryShape& query_shape, const Vec
                [&](std::uint32_t slot) { return shape_on(world, slot, query_shape, motion, way, options.cast); });
 }
 
-CastResult any_on_way(const World& world, const QueryShape& query_shape, const Vec3& motion, const QueryOptions& options) {
+CastResult any_on_way(const World& world, const QueryShape& query_shape, const Vec3& motion,
+                      const QueryOptions& options) {
   world.queries->bring_up_to_date(world);
   const Aabb extent = extent_of(query_shape, options.cast);
   if (is_empty(extent)) return failed();
@@ -165,7 +167,7 @@ void cast_shape_all(const World& world, const QueryShape& query_shape, const Vec
   if (is_empty(extent)) return hits.push_back({kInvalid, failed()});
   const Way way(query_shape.frame.p, motion, 1, extent);
   all_hits(world, way, options, hits,
-      [&](std::uint32_t slot) { return shape_on(world, slot, query_shape, motion, way, options.cast); });
+           [&](std::uint32_t slot) { return shape_on(world, slot, query_shape, motion, way, options.cast); });
 }
 
 }  // namespace carom::dynamics

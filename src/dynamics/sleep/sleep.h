@@ -55,12 +55,12 @@ struct Sleep {
   Array<std::uint32_t> root;        // scratch: its island
   Array<std::uint8_t> restless;     // scratch: by root
 
-  Array<std::uint32_t> fallen, woken;  // bodies since lists were last settled; some may have changed their mind
+  Array<std::uint32_t> fallen, woken;    // bodies since lists were last settled; some may have changed their mind
   Array<std::uint32_t> touched_by_host;  // static and kinematic bodies that a host moved: they touch once like movers
-  Array<std::uint32_t> rejoined;       // colliders that came back: what no pair reclaims is dropped
-  std::uint64_t count = 0;             // bodies asleep
-  std::uint64_t woke = 0;              // bodies woken since the last report
-  bool replant = false;                // the tree below is empty, and is to be made of all inactive bodies
+  Array<std::uint32_t> rejoined;         // colliders that came back: what no pair reclaims is dropped
+  std::uint64_t count = 0;               // bodies asleep
+  std::uint64_t woke = 0;                // bodies woken since the last report
+  bool replant = false;                  // the tree below is empty, and is to be made of all inactive bodies
 
   BoxTree tree;                 // colliders of inactive bodies, by their bounds
   Array<std::uint8_t> in_tree;  // by collider

@@ -57,8 +57,8 @@ bool touches(const World& world, NarrowReport& report, const NarrowSettings& set
   Certificate certificate = kept.certificate ? *kept.certificate : Certificate{};
   Candidates found;
   SupportFault fault;
-  collide(*c.shape[pair.a], c.frame[pair.a], *c.shape[pair.b], c.frame[pair.b], own, memory, &certificate, found, report,
-          fault);
+  collide(*c.shape[pair.a], c.frame[pair.a], *c.shape[pair.b], c.frame[pair.b], own, memory, &certificate, found,
+          report, fault);
   return found.count > 0 || fault.kind != SupportFault::none;  // a fault is the narrow phase's to tell
 }
 
@@ -75,7 +75,8 @@ void ask(const World& world, Sleepers to, NarrowReport& report, const NarrowSett
   std::sort(z.hits.begin(), z.hits.end());  // the tree's order means nothing
   for (const std::uint32_t other : z.hits) {
     const std::uint32_t body = c.body[other];
-    if (!world.state.asleep[body] || !may_touch(c, slot, other) || (filtered && !lets_touch(world.scene, slot, other))) continue;
+    if (!world.state.asleep[body] || !may_touch(c, slot, other) || (filtered && !lets_touch(world.scene, slot, other)))
+      continue;
     const Pair pair{std::min(slot, other), std::max(slot, other)};
     const bool meets = !c.is_sensor(slot) && !c.is_sensor(other) &&
                        (touches(world, report, settings, pair) || sweeps_into(world, slot, other, dt));
@@ -109,7 +110,9 @@ void wake_touched(const World& world, Settling to, SpringLoads& springs, StepRep
   find_participants(world, time.h);
   // Between two that are awake by now, the broad phase finds the pair. What does not move makes none with a sleeper.
   const Colliders& c = world.scene.colliders;
-  const auto void_pair = [&](const Pair& p) { return world.state.asleep[c.body[p.a]] == world.state.asleep[c.body[p.b]]; };
+  const auto void_pair = [&](const Pair& p) {
+    return world.state.asleep[c.body[p.a]] == world.state.asleep[c.body[p.b]];
+  };
   std::erase_if(z.near, void_pair);
   std::sort(z.near.begin(), z.near.end());
   z.near.erase(std::unique(z.near.begin(), z.near.end()), z.near.end());

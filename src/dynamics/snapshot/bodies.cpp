@@ -39,12 +39,15 @@ static_assert(kSettingBits <= 14, "two bytes");
 
 RowBits bits_of(const Array<RowBits>& of, std::uint32_t i) { return i < of.size() ? of[i] : 0; }
 
-bool same_value(const AttributeValue& a, const AttributeValue& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
+bool same_value(const AttributeValue& a, const AttributeValue& b) {
+  return std::memcmp(a.data(), b.data(), sizeof a) == 0;
+}
 
 std::uint16_t settings_of(const Scene& s, std::uint32_t i) {
   unsigned bits = 0;
   for (const AttributeRow& row : kAttributeTable)
-    if (i < s.attributes.bodies(row.id) && !same_value(s.attributes.of(row.id, i), row.usual)) bits |= 1u << bit_of(row.id);
+    if (i < s.attributes.bodies(row.id) && !same_value(s.attributes.of(row.id, i), row.usual))
+      bits |= 1u << bit_of(row.id);
   if (bits_of(s.modes.forbidden_of, i) || bits_of(s.modes.forced_of, i)) bits |= 1u << kModes;
   if (s.def[i].continuous != SweepMode::automatic) bits |= 1u << kContinuous;
   return static_cast<std::uint16_t>(bits);
@@ -107,7 +110,7 @@ std::uint16_t bits_of_body(const World& world, std::uint32_t i) {
   const auto bit = [](bool on, BodyBits b) { return on ? b : 0; };
   const bool sleeps = i < z.sleep_timer.size();
   const bool rests = sleeps && !(same_bits(z.sleep_timer[i], Real(0)) && same_bits(z.anchor_x[i], s.x[i]) &&
-                                same_bits(z.anchor_q[i], s.q[i]));
+                                 same_bits(z.anchor_q[i], s.q[i]));
   return static_cast<std::uint16_t>(
       bit(!zero_bits(s.v[i]) || !zero_bits(s.omega[i]), kMoves) | bit(!zero_bits(s.momentum[i]), kTop) |
       bit(!same_bits(s.held_q[i], s.q[i]), kHeld) |
@@ -213,7 +216,8 @@ void clear_bodies(World& world, std::size_t sleepers) {
   for (std::uint32_t i = 0; i < c.bodies.slots(); ++i)
     if (c.bodies.alive(i)) c.def[i].continuous = SweepMode::automatic;
   world.state.asleep.assign(sleepers, 0), z.inactive.assign(sleepers, 0), z.ring.assign(sleepers, kInvalid);
-  z.sleep_timer.assign(sleepers, 0), z.anchor_x.assign(sleepers, Vec3::zero()), z.anchor_q.assign(sleepers, Quat::identity());
+  z.sleep_timer.assign(sleepers, 0), z.anchor_x.assign(sleepers, Vec3::zero()),
+      z.anchor_q.assign(sleepers, Quat::identity());
   z.radius.assign(sleepers, 0), z.rows.assign(sleepers, 0), z.kept_first.assign(sleepers, kInvalid);
   z.root.assign(sleepers, 0), z.restless.assign(sleepers, 0);
   z.count = 0;
@@ -253,8 +257,7 @@ bool same(const Frame& a, const Frame& b) { return same_bits(a.r, b.r) && same_b
 /// As place_collider() makes it.
 Frame frame_at(const World& world, std::uint32_t slot, const Quat& q, const Vec3& x) {
   const Scene& s = world.scene;
-  const Frame local(s.colliders.local[slot].q.matrix(),
-                    s.colliders.local[slot].p - s.center[s.colliders.body[slot]]);
+  const Frame local(s.colliders.local[slot].q.matrix(), s.colliders.local[slot].p - s.center[s.colliders.body[slot]]);
   return Frame(q.matrix(), x) * local;
 }
 Frame frame_of_pose(const World& world, std::uint32_t slot) {

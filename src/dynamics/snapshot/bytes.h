@@ -25,8 +25,8 @@ enum class Item : std::uint8_t { none, body, collider, pair, joint, set, field, 
 /// Room that loading wants to find in the arrays of a world, found out by checking.
 struct Needs {
   std::size_t places = 0, records = 0, free_records = 0, inactive = 0;  // of the pair table
-  std::size_t old = 0, kept = 0;                                      // impulses
-  std::size_t sleepers = 0;                                           // slots of the arrays of sleep
+  std::size_t old = 0, kept = 0;                                        // impulses
+  std::size_t sleepers = 0;                                             // slots of the arrays of sleep
   std::size_t fallen = 0, woken = 0, touched_by_host = 0, rejoined = 0;
   std::size_t touching = 0, within = 0, slept = 0, faulty = 0, apart = 0, unbroken = 0;
   std::uint32_t attributes = 0;  // of bodies: a bit for each that some body has
@@ -142,9 +142,7 @@ class Checker : public Reader {
     return x;
   }
   Vec3 vec(const Vec3&) { return finite_of<Vec3>(); }
-  Quat quat(const Quat&) {
-    return finite_of<Quat>();
-  }
+  Quat quat(const Quat&) { return finite_of<Quat>(); }
   Mat3 mat(const Mat3&) { return finite_of<Mat3>(); }
   /// How many follow, of at least so many bytes each.
   std::uint64_t count(std::uint64_t now, std::size_t least) {

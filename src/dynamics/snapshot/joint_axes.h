@@ -73,7 +73,8 @@ inline bool same_pull(const AxisPull& a, const AxisPull& b) {
 }
 inline bool same_turn_drive(const TurnDrive& a, const TurnDrive& b) {
   return a.mode == b.mode && same_pull(a.gains, b.gains) && same_bits(a.target, b.target) &&
-         same_bits(a.velocity, b.velocity) && same_bits(a.effort, b.effort) && same_bits(a.max_force, b.max_force) && same_bits(a.p, b.p);
+         same_bits(a.velocity, b.velocity) && same_bits(a.effort, b.effort) && same_bits(a.max_force, b.max_force) &&
+         same_bits(a.p, b.p);
 }
 
 }  // namespace carom::dynamics::snapshot

@@ -23,7 +23,8 @@ bool check_solver(const World& world, Found& found, std::size_t dials, const Nee
     const Real value = io.value(Real(0));
     if (k == static_cast<std::uint64_t>(Dial::solver)) solver = value;
   }
-  const bool knows = solver != 0 || (!(needs.attributes >> +AttributeId::locks & 1) && world.joints.slots.alive_count() == 0);
+  const bool knows =
+      solver != 0 || (!(needs.attributes >> +AttributeId::locks & 1) && world.joints.slots.alive_count() == 0);
   return knows || refuse(fault, SnapshotFault::corrupt, "solver severity knows no joints and no locks");
 }
 
@@ -49,7 +50,8 @@ void make_room_for(World& world, const Needs& n) {
   make_room_for_pairs(world, n);
   world.impulses.old.reserve(n.old);
   const std::size_t sleepers = n.sleepers;
-  world.state.asleep.reserve(sleepers), z.inactive.reserve(sleepers), z.ring.reserve(sleepers), z.sleep_timer.reserve(sleepers);
+  world.state.asleep.reserve(sleepers), z.inactive.reserve(sleepers), z.ring.reserve(sleepers),
+      z.sleep_timer.reserve(sleepers);
   z.anchor_x.reserve(sleepers), z.anchor_q.reserve(sleepers), z.radius.reserve(sleepers), z.rows.reserve(sleepers);
   z.kept_first.reserve(sleepers), z.root.reserve(sleepers), z.restless.reserve(sleepers);
   if (sleepers > 0) z.fallen.reserve(std::max(bodies, n.fallen)), z.woken.reserve(std::max(bodies, n.woken));
@@ -70,7 +72,8 @@ void clear_last_step(World& world) {
   Contacts& c = *world.contacts;
   world.views->clear(), world.group_views.clear(), world.fault_views.clear();
   world.events->clear();
-  c.rows.clear(), c.geometry.clear(), c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear(), c.resisting.clear();
+  c.rows.clear(), c.geometry.clear(), c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear(),
+      c.resisting.clear();
   c.driven.clear(), c.surface.clear(), c.group_begin.clear(), c.group_rows.clear(), c.direct.clear();
 }
 

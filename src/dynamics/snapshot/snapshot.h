@@ -35,7 +35,7 @@ bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, Snapsh
 
 /// What of a world is not as a snapshot of its structure says.
 struct Difference {
-  char sections[240] = {0};          // by name, most telling first; empty: none
+  char sections[240] = {0};             // by name, most telling first; empty: none
   std::uint64_t first = 0, second = 0;  // handles of what differs first, where it has any
 };
 bool compare_state(const World& world, const std::byte* bytes, std::uint64_t n, Difference& out, SnapshotFault& fault);
@@ -45,8 +45,8 @@ bool compare_state(const World& world, const std::byte* bytes, std::uint64_t n, 
 /// What a shape is made of, by names and numbers that mean the same elsewhere.
 struct ShapeImage {
   enum Kind : std::uint8_t { of_plugin, half_space, mesh, height_field, known, count } kind = of_plugin;
-  std::string_view plugin;      // of_plugin: its id
-  std::uint32_t version = 0;    // likewise
+  std::string_view plugin;          // of_plugin: its id
+  std::uint32_t version = 0;        // likewise
   std::span<const double> numbers;  // parameters; normal and offset; vertices, m; heights, m
   std::span<const std::uint32_t> corners;
   std::uint32_t columns = 0, rows = 0, dropped = 0;

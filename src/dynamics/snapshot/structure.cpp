@@ -1,10 +1,9 @@
-#include "dynamics/snapshot/structure_cache.h"
-
 #include <algorithm>
 #include <mutex>
 
 #include "collision/scenery/scenery.h"
 #include "core/hash.h"
+#include "dynamics/snapshot/structure_cache.h"
 #include "dynamics/world.h"
 
 namespace carom::dynamics {

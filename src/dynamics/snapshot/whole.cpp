@@ -26,8 +26,8 @@ Pose pose(Io& io, const Pose& now) {
 template <class W>
 auto pools_of(W& w) {
   auto& s = w.scene;
-  return std::array{&s.bodies,     &s.collider_slots,   &s.material_slots, &w.joints.slots,
-                    &w.particles.slots, &s.fields.slots, &s.springs.slots};
+  return std::array{&s.bodies,          &s.collider_slots, &s.material_slots, &w.joints.slots,
+                    &w.particles.slots, &s.fields.slots,   &s.springs.slots};
 }
 
 /// Room in every array for the slots that there are now; whoever is alive is filled in later.
@@ -90,15 +90,24 @@ void each_alive(const SlotPool& pool, F&& f) {
 }
 
 // ---- bodies ----
-enum WholeBodyBits : std::uint8_t { kType = 3, kMass = 4, kCenter = 8, kInertia = 16, kStaysAwake = 32, kDamping = 64, kUser = 128 };
+enum WholeBodyBits : std::uint8_t {
+  kType = 3,
+  kMass = 4,
+  kCenter = 8,
+  kInertia = 16,
+  kStaysAwake = 32,
+  kDamping = 64,
+  kUser = 128
+};
 
 template <class Io>
 void describe(Io& io, BodyDef& d) {
   const auto bit = [](bool on, WholeBodyBits b) { return on ? unsigned(b) : 0u; };
   const bool damped = !same_bits(d.linear_damping, Real(0)) || !same_bits(d.angular_damping, Real(0));
-  const unsigned bits = io.value(static_cast<std::uint8_t>(
-      static_cast<unsigned>(d.type) | bit(d.has_mass, kMass) | bit(d.has_center, kCenter) | bit(d.has_inertia, kInertia) |
-      bit(d.stays_awake, kStaysAwake) | bit(damped, kDamping) | bit(d.user != 0, kUser)));
+  const unsigned bits = io.value(static_cast<std::uint8_t>(static_cast<unsigned>(d.type) | bit(d.has_mass, kMass) |
+                                                           bit(d.has_center, kCenter) | bit(d.has_inertia, kInertia) |
+                                                           bit(d.stays_awake, kStaysAwake) | bit(damped, kDamping) |
+                                                           bit(d.user != 0, kUser)));
   io.demand((bits & kType) <= static_cast<unsigned>(BodyType::dynamic));
   io.demand((bits & kType) == static_cast<unsigned>(BodyType::dynamic) || !(bits & (kMass | kCenter | kInertia)));
   if (io.bad()) return;
@@ -156,7 +165,8 @@ struct Wearers {
       const std::uint32_t body = io.value(Io::saves ? c.body[i] : 0u);
       shape = io.value(shape);
       const Real density = io.real(Io::saves ? c.density[i] : 0);
-      const std::uint32_t material = bits & kMaterial ? io.value(Io::saves ? c.material[i] : 0u) : Colliders::kNoMaterial;
+      const std::uint32_t material =
+          bits & kMaterial ? io.value(Io::saves ? c.material[i] : 0u) : Colliders::kNoMaterial;
       if (bits & kLocal) local = pose(io, local);
       io.demand(bits <= kBits && density >= 0 && s.bodies.alive(body));
       io.demand(material == Colliders::kNoMaterial || s.material_slots.alive(material));
@@ -296,8 +306,9 @@ enum Number : std::size_t { kSlots, kShapes, kBodiesMade, kCollidersMade, kJoint
 }  // namespace
 
 constinit const WholeSection kWhole[kWholeSections] = {
-    {tag_of("wSLO"), "slots"},  {tag_of("wSHA"), "shapes"},  {tag_of("wBOD"), "bodies made"}, {tag_of("wCOL"), "colliders made"},
-    {tag_of("wJOI"), "joints made"}, {tag_of("wSPR"), "springs made"}, {tag_of("wFIE"), "fields made"}};
+    {tag_of("wSLO"), "slots"},          {tag_of("wSHA"), "shapes"},      {tag_of("wBOD"), "bodies made"},
+    {tag_of("wCOL"), "colliders made"}, {tag_of("wJOI"), "joints made"}, {tag_of("wSPR"), "springs made"},
+    {tag_of("wFIE"), "fields made"}};
 
 void save_whole(std::size_t section, Saver& io, const World& world, const ShapeNames& names) {
   const int nothing = 0;

@@ -41,7 +41,9 @@ Real pull_on(const Scene& scene, const Row& row) {
   const auto of = [&](bool moves, std::uint32_t body) {
     return moves ? std::fabs(scene.gravity_factor_of(body)) * gravity : 0;
   };
-  return scene.attributes.bodies(AttributeId::gravity_factor) == 0 ? gravity : std::max(of(row.moves_a, row.a), of(row.moves_b, row.b));
+  return scene.attributes.bodies(AttributeId::gravity_factor) == 0
+             ? gravity
+             : std::max(of(row.moves_a, row.a), of(row.moves_b, row.b));
 }
 
 /// @param row  a contact or a joint
@@ -361,6 +363,7 @@ void auto_end(const World& world, Poses& to, const StepTime& time) {
 
 }  // namespace
 
-extern constexpr Solver kAuto = {"auto", true, false, true, false, auto_begin, auto_velocities, auto_positions, auto_end};
+extern constexpr Solver kAuto = {"auto",          true,           false,   true, false, auto_begin,
+                                 auto_velocities, auto_positions, auto_end};
 
 }  // namespace carom::dynamics

@@ -44,8 +44,7 @@ inline constexpr Constant<std::uint32_t> kFewRolling{
     "solver, and few bodies cost no more there",
     "more: heaps of barrels pay for a solution in each substep; fewer: wheels and coins lose their way among others"};
 inline constexpr Constant<std::uint32_t> kFewJoined{
-    "direct_few_joined", 32, "bodies",
-    "of a group with joints: it is solved at once, whatever it touches",
+    "direct_few_joined", 32, "bodies", "of a group with joints: it is solved at once, whatever it touches",
     "more: nets of joints cost more than sweeps over them; fewer: ragdolls and short chains stretch"};
 
 // What bodies remember.

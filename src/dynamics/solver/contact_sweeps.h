@@ -144,7 +144,8 @@ CAROM_LANES_INLINE void solve_normal(Both<Number>& both, PointLanesOf<Number>* p
       if (l != k) goal[l] -= take[k][l] * d;
   };
   visit(0);
-  for (int i = 0; i < (kCount > 1 ? kInnerSweeps.value : 0); ++i) {  // a point needs no second visit where the way turns
+  for (int i = 0; i < (kCount > 1 ? kInnerSweeps.value : 0);
+       ++i) {  // a point needs no second visit where the way turns
     for (int k = 1; k < kCount; ++k) visit(k);
     for (int k = kCount - 2; k >= 0; --k) visit(k);
   }

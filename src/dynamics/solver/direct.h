@@ -16,11 +16,11 @@ inline constexpr Real kDirectShare = 0.01;
 
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
-  bool is_first = true;       // substep
+  bool is_first = true;         // substep
   std::uint32_t substeps = 0;   // that were answered in this step
   bool is_to_be_still = false;  // a few bodies that lie still, which is to stay so
-  bool is_too_large = false;  // to be factored
-  bool asks = false;          // for an answer, in this substep
+  bool is_too_large = false;    // to be factored
+  bool asks = false;            // for an answer, in this substep
   bool at_once = false;       // it takes its work in the first substep: at rest, or so large that a share would not do
   bool is_close = false;      // an answer of this step was, to what is right
   bool waits = false;         // for the next step with it
@@ -106,7 +106,7 @@ struct DirectGroups {
   Array<Vec6> scratch;
   Array<std::uint64_t> products;  // of blocks, of a factorisation, by group
   Array<ConeSolution> solution;   // by group, of the last solve
-  Array<GroupRest> rest;      // by group
+  Array<GroupRest> rest;          // by group
 
   /// The body of a slot, new to the present group or not; kInvalid where impulses do not move it.
   std::uint32_t node(bool moves, std::uint32_t slot) {

@@ -4,8 +4,8 @@
 #include <type_traits>
 
 #include "core/wide.h"
-#include "dynamics/contact/contact.h"
 #include "dynamics/body_state.h"
+#include "dynamics/contact/contact.h"
 
 namespace carom::dynamics {
 

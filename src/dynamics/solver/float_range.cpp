@@ -8,10 +8,10 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr Real kLightest = 1e-9, kHeaviest = 1e9;  // kg
-constexpr Real kFastest = 1e9;                     // m/s, rad/s
-constexpr Real kShortest = 1e-9, kLongestInFloat = 1e9;   // s
-constexpr Real kLeastTurn = 1e-25;                 // 1/(kg m^2), of the axis that turns most easily
+constexpr Real kLightest = 1e-9, kHeaviest = 1e9;        // kg
+constexpr Real kFastest = 1e9;                           // m/s, rad/s
+constexpr Real kShortest = 1e-9, kLongestInFloat = 1e9;  // s
+constexpr Real kLeastTurn = 1e-25;                       // 1/(kg m^2), of the axis that turns most easily
 
 bool is_slow(const Vec3& v) { return v.abs().max_entry() <= kFastest; }
 

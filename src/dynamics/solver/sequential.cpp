@@ -57,6 +57,8 @@ void sequential_end(const World& world, Poses&, const StepTime&) { end_lanes(wor
 
 }  // namespace
 
-extern constexpr Solver kSequential = {"sequential", true, false, false, true, sequential_begin, sequential_velocities, sequential_positions, sequential_end};
+extern constexpr Solver kSequential = {
+    "sequential",         true,          false, false, true, sequential_begin, sequential_velocities,
+    sequential_positions, sequential_end};
 
 }  // namespace carom::dynamics

@@ -12,7 +12,7 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr Real kDeep = 4;     // position tolerances
+constexpr Real kDeep = 4;         // position tolerances
 constexpr Real kSoftShare = 0.3;  // of what is deeper than that, per step
 
 void soften(const World& world, Real h) {
@@ -110,6 +110,7 @@ Softness softness(Real frequency, Real damping, Real h) {
   return {w / b, a / (1 + a), 1 / (1 + a)};
 }
 
-extern constexpr Solver kSoftStep = {"soft_step", true, false, false, false, soft_step_begin, soft_step_velocities, soft_step_positions, soft_step_end};
+extern constexpr Solver kSoftStep = {
+    "soft_step", true, false, false, false, soft_step_begin, soft_step_velocities, soft_step_positions, soft_step_end};
 
 }  // namespace carom::dynamics

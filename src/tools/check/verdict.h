@@ -46,7 +46,7 @@ struct Finding {
 struct Verdict {
   Phase phase = Phase::start;
   std::uint32_t complete = 0;  ///< 1: the child reached its end
-  std::uint32_t threw = 0;      ///< 1: an exception came out of what the child did
+  std::uint32_t threw = 0;     ///< 1: an exception came out of what the child did
   std::uint32_t usage = 0;     ///< 1: the parameters given do not fit the plugin; nothing was judged
   std::uint64_t calls = 0;
   std::uint64_t param_sets = 0, shapes = 0;

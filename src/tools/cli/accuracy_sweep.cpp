@@ -75,7 +75,8 @@ void run_sweep(const SweepOptions& options, Context& context) {
   if (!(options.per_run > 0)) throw Error("--per-run must be more than 0", "give seconds, e.g. --per-run 5");
   const bool csv = options.out.ends_with(".csv");
   if (!csv && !options.out.ends_with(".json"))
-    throw Error("--out " + options.out + " is neither .json nor .csv", "name a FILE.json (reports read it) or a FILE.csv");
+    throw Error("--out " + options.out + " is neither .json nor .csv",
+                "name a FILE.json (reports read it) or a FILE.csv");
   SweepPlan plan;
   for (const std::string& scene : options.scenes)
     if (scene == "all")
@@ -93,7 +94,8 @@ void run_sweep(const SweepOptions& options, Context& context) {
     found = accuracy::sweep(engine, plan, [&](const accuracy::Progress& p) { teller(p); });
   }
   csv ? accuracy::write_csv(options.out, found) : accuracy::write_json(options.out, found);
-  const auto left_out = std::count_if(found.rows.begin(), found.rows.end(), [](const auto& row) { return row.left_out; });
+  const auto left_out =
+      std::count_if(found.rows.begin(), found.rows.end(), [](const auto& row) { return row.left_out; });
   if (!options.quiet)
     std::printf("%zu runs in %s, %td of them left out for want of time%s\n", found.rows.size(), options.out.c_str(),
                 left_out, left_out ? ": a larger --seconds or --per-run has them" : "");
@@ -122,14 +124,16 @@ void run_report(const ReportOptions& options, Context& context) {
   }
   for (const std::string& drawing : options.draw) {
     const std::size_t equals = drawing.find('=');
-    if (equals == std::string::npos) throw Error("--draw " + drawing + " names no file", "write --draw NAME=FILE.svg, or FILE.png");
+    if (equals == std::string::npos)
+      throw Error("--draw " + drawing + " names no file", "write --draw NAME=FILE.svg, or FILE.png");
     const std::string path = drawing.substr(equals + 1);
     write_drawing(path, accuracy::report_drawing(sweep, drawing.substr(0, equals)));
   }
   if (options.out.empty()) return;
   accuracy::Extras extras;
   extras.tolerances = accuracy::measure_tolerances(engine);
-  extras.effects = options.effects.empty() ? accuracy::measure_effects(engine) : accuracy::read_effects(options.effects);
+  extras.effects =
+      options.effects.empty() ? accuracy::measure_effects(engine) : accuracy::read_effects(options.effects);
   write_file(options.out, accuracy::report_page(sweep, extras));
   if (!options.quiet) std::printf("%s: %zu runs\n", options.out.c_str(), sweep.rows.size());
 }
@@ -138,30 +142,43 @@ void run_report(const ReportOptions& options, Context& context) {
 
 void add_sweep_and_report_commands(CLI::App& accuracy_command, Context& context) {
   const auto sweep_options = std::make_shared<SweepOptions>();
-  CLI::App* sweep = accuracy_command.add_subcommand("sweep", "Run scenes at many settings and steps: what accuracy costs");
-  sweep->add_option("SCENE", sweep_options->scenes, "Which scenes, or all; `carom accuracy list` shows them")->required();
+  CLI::App* sweep =
+      accuracy_command.add_subcommand("sweep", "Run scenes at many settings and steps: what accuracy costs");
+  sweep->add_option("SCENE", sweep_options->scenes, "Which scenes, or all; `carom accuracy list` shows them")
+      ->required();
   sweep->add_option("--out", sweep_options->out, "Every run: .json for `carom accuracy report`, .csv for other tools")
       ->required()
       ->type_name("FILE.json|FILE.csv");
-  sweep->add_option("--seconds", sweep_options->seconds, "About how long to take; what does not fit is left out, finest steps first")
+  sweep
+      ->add_option("--seconds", sweep_options->seconds,
+                   "About how long to take; what does not fit is left out, finest steps first")
       ->capture_default_str();
-  sweep->add_option("--per-run", sweep_options->per_run, "A run that takes more s of computing is left out")->capture_default_str();
+  sweep->add_option("--per-run", sweep_options->per_run, "A run that takes more s of computing is left out")
+      ->capture_default_str();
   sweep->add_flag("--no-maps", sweep_options->no_maps, "Leave out the maps of what stands");
   sweep->add_flag("--quiet", sweep_options->quiet, "Say nothing but errors");
   sweep->callback([sweep_options, &context] { run_sweep(*sweep_options, context); });
 
   const auto report_options = std::make_shared<ReportOptions>();
-  CLI::App* report = accuracy_command.add_subcommand("report", "One HTML page with every diagram of a sweep, nothing beside it");
+  CLI::App* report =
+      accuracy_command.add_subcommand("report", "One HTML page with every diagram of a sweep, nothing beside it");
   report->add_option("--out", report_options->out, "The page")->type_name("FILE.html");
-  report->add_option("--from", report_options->from, "A sweep, repeatable: rows are put together; default: sweep now, coarsely")
+  report
+      ->add_option("--from", report_options->from,
+                   "A sweep, repeatable: rows are put together; default: sweep now, coarsely")
       ->type_name("FILE.json")
       ->allow_extra_args(false);
-  report->add_option("--effects", report_options->effects, "Costs of effects as `effect_costs --csv` writes them; default: measured now, coarsely")
+  report
+      ->add_option("--effects", report_options->effects,
+                   "Costs of effects as `effect_costs --csv` writes them; default: measured now, coarsely")
       ->type_name("FILE.csv");
-  report->add_option("--draw", report_options->draw, "One diagram as a drawing of its own, repeatable; a wrong name lists them")
+  report
+      ->add_option("--draw", report_options->draw,
+                   "One diagram as a drawing of its own, repeatable; a wrong name lists them")
       ->type_name("NAME=FILE.svg|NAME=FILE.png")
       ->allow_extra_args(false);
-  report->add_option("--seconds", report_options->seconds, "How long to sweep where --from is not given")->capture_default_str();
+  report->add_option("--seconds", report_options->seconds, "How long to sweep where --from is not given")
+      ->capture_default_str();
   report->add_flag("--quiet", report_options->quiet, "Say nothing but errors");
   report->callback([report_options, &context] { run_report(*report_options, context); });
 }

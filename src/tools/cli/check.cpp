@@ -104,8 +104,9 @@ void check(const CheckOptions& options, Context& context) {
 
 void add_check_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      app.add_subcommand("check", "Is this shape plugin valid? Tried in a child process; a witness when it lies. Its code runs: this is no sandbox");
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "Is this shape plugin valid? Tried in a child process; a witness when it lies. Its code runs: this is no sandbox");
   command->add_option("PLUGIN", options->plugin, "A shared object, or the name of a plugin that `carom shapes` lists")
       ->required();
   command->add_option("PARAMS", options->params, "Parameters of the shape; none: several sets within its bounds");

@@ -8,7 +8,8 @@ int main(int argc, char** argv) {
   using namespace carom::tools;
   CLI::App app{"Carom: rigid-body physics whose shapes are plugins. Try: carom run seesaw --gltf seesaw.gltf", "carom"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", "carom " + std::to_string(CAROM_VERSION_MAJOR) + "." + std::to_string(CAROM_VERSION_MINOR) + "." +
+  app.set_version_flag("--version", "carom " + std::to_string(CAROM_VERSION_MAJOR) + "." +
+                                        std::to_string(CAROM_VERSION_MINOR) + "." +
                                         std::to_string(CAROM_VERSION_PATCH));
   app.fallthrough();  // options of carom itself may follow the subcommand
   app.footer("Exit codes: 0 done; 1 bad news (an invalid plugin, a run that went wrong); 2 could not run.");
@@ -17,10 +18,9 @@ int main(int argc, char** argv) {
                  "Folder with shape plugins (repeatable); also CAROM_PLUGIN_PATH, then the folders of this program")
       ->type_name("DIR")
       ->allow_extra_args(false);
-  const auto mib = [](std::size_t& bytes) {
-    return [&bytes](const std::size_t& n) { bytes = n << 20; };
-  };
-  app.add_option_function<std::size_t>("--file-limit", mib(file_limits().largest), "Largest file that is read; default: 256 MiB")
+  const auto mib = [](std::size_t& bytes) { return [&bytes](const std::size_t& n) { bytes = n << 20; }; };
+  app.add_option_function<std::size_t>("--file-limit", mib(file_limits().largest),
+                                       "Largest file that is read; default: 256 MiB")
       ->type_name("MIB")
       ->check(CLI::Range(1, 1 << 20));
   app.add_option("--file-factor", file_limits().factor,

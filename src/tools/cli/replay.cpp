@@ -1,9 +1,10 @@
 // `carom replay FILE`: does a recorded session come out the same here? If not, where does it part, and by what?
+#include "replay/replay.h"
+
 #include <cstdio>
 #include <memory>
 
 #include "cli/commands.h"
-#include "replay/replay.h"
 #include "replay/script.h"
 
 namespace carom::tools {
@@ -27,7 +28,8 @@ void print_parting(const replay::Outcome& outcome) {
   for (const std::string& call : p.calls) std::printf("    %s\n", call.c_str());
   if (!p.refused.empty()) return;
   if (p.sections.empty()) {
-    std::printf("  what differs is not known: states were not recorded (carom run --record-states, CAROM_RECORD_STATES)\n");
+    std::printf(
+        "  what differs is not known: states were not recorded (carom run --record-states, CAROM_RECORD_STATES)\n");
     return;
   }
   std::printf("  what differs: %s", p.sections.c_str());
@@ -57,8 +59,10 @@ void run_replay(const ReplayOptions& options, Context& context) {
 
 void add_replay_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<ReplayOptions>();
-  CLI::App* replay = app.add_subcommand("replay", "Do a recorded session again; name the first step that differs, and why");
-  replay->add_option("FILE", options->file, "What carom_world_record_begin() or `carom run --record` wrote")->required();
+  CLI::App* replay =
+      app.add_subcommand("replay", "Do a recorded session again; name the first step that differs, and why");
+  replay->add_option("FILE", options->file, "What carom_world_record_begin() or `carom run --record` wrote")
+      ->required();
   replay->add_option("--threads", options->threads, "Threads that share a step; the outcome is the same")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

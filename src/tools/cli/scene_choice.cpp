@@ -35,7 +35,9 @@ void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string
       ->allow_extra_args(false);
   command.add_option("--seconds", choice.seconds, seconds_help)->type_name("S");
   command.add_option("--dt", choice.dt, "Time step; default: the scene's")->type_name("S");
-  command.add_option("--preset", choice.preset, "fast, balanced, accurate or reference: what `carom dials` says; --dial comes after")
+  command
+      .add_option("--preset", choice.preset,
+                  "fast, balanced, accurate or reference: what `carom dials` says; --dial comes after")
       ->type_name("NAME");
   command.add_option("--dial", choice.dials, "A dial of the world, repeatable; `carom dials` lists them")
       ->type_name("NAME=VALUE")
@@ -53,7 +55,8 @@ void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string
       ->type_name("EFFECT")
       ->allow_extra_args(false);
   command
-      .add_option("--mesh", choice.mesh, "OBJ, STL or PLY file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
+      .add_option("--mesh", choice.mesh,
+                  "OBJ, STL or PLY file for the bunny; default: the Stanford bunny of Debian's glmark2-data")
       ->type_name("FILE");
   command.add_option("--threads", choice.threads, "Threads that share a step; the outcome is the same")
       ->check(CLI::Range(1, 256))

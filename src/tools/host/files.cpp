@@ -40,12 +40,14 @@ constexpr int kReading = O_RDONLY | O_NONBLOCK | O_CLOEXEC;
 }
 
 std::string read_all(const Descriptor& file, const std::string& path, const std::string& remedy) {
-  if (!file) cannot(path, errno == ELOOP ? ": it is a symbolic link" : std::string(": ") + std::strerror(errno), remedy);
+  if (!file)
+    cannot(path, errno == ELOOP ? ": it is a symbolic link" : std::string(": ") + std::strerror(errno), remedy);
   struct stat about {};
   if (fstat(file.get(), &about) != 0 || !S_ISREG(about.st_mode)) cannot(path, ": it is no regular file", remedy);
   const std::size_t most = file_limits().largest;
   const auto too_large = [&] {
-    cannot(path, ": it is larger than " + std::to_string(most >> 20) + " MiB", "read something smaller, or raise the limit: --file-limit MIB");
+    cannot(path, ": it is larger than " + std::to_string(most >> 20) + " MiB",
+           "read something smaller, or raise the limit: --file-limit MIB");
   };
   if (about.st_size < 0 || static_cast<std::uint64_t>(about.st_size) > most) too_large();
   std::string bytes;
@@ -81,11 +83,16 @@ std::string read_below(const std::string& folder, const std::string& relative, c
   if (!at) cannot(folder, std::string(": ") + std::strerror(errno), remedy);
   for (auto part = inner.begin(); part != inner.end();) {
     const std::string name = part->string();
-    if (name == ".." || name.find('\0') != std::string::npos) cannot(path, ": only what lies below its folder is read", remedy);
+    if (name == ".." || name.find('\0') != std::string::npos)
+      cannot(path, ": only what lies below its folder is read", remedy);
     const bool last = ++part == inner.end();
     Descriptor next(openat(at.get(), name.c_str(), kReading | O_NOFOLLOW | (last ? 0 : O_DIRECTORY)));
     if (last) return read_all(next, path, remedy);
-    if (!next) cannot(path, errno == ELOOP || errno == ENOTDIR ? ": a folder on the way is a link, or none" : std::string(": ") + std::strerror(errno), remedy);
+    if (!next)
+      cannot(path,
+             errno == ELOOP || errno == ENOTDIR ? ": a folder on the way is a link, or none"
+                                                : std::string(": ") + std::strerror(errno),
+             remedy);
     at = std::move(next);
   }
   cannot(path, ": it has no name", remedy);
@@ -95,7 +102,8 @@ void write_file(const std::string& path, const std::string& content) {
   std::ofstream file(path, std::ios::binary);
   file << content;
   file.close();
-  if (!file) throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+  if (!file)
+    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
 }
 
 }  // namespace carom::tools

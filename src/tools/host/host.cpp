@@ -111,7 +111,8 @@ carom_shape Engine::mesh(const std::vector<double>& params) {
   const bool counted = params.size() > 1 && params[1] >= 0 && params[1] < 1e9 && params[1] == std::floor(params[1]);
   const std::size_t vertices = counted ? std::size_t(params[1]) : 0;
   if (!counted || !(params[0] >= 0 && params[0] < 4294967296.0 && params[0] == std::floor(params[0])))
-    throw Error("a mesh whose flags or number of vertices are no whole numbers", "give flags, then how many vertices there are");
+    throw Error("a mesh whose flags or number of vertices are no whole numbers",
+                "give flags, then how many vertices there are");
   if (params.size() < 2 + 3 * vertices || (params.size() - 2) % 3 != 0)
     throw Error("a mesh of " + std::to_string(params.size()) + " parameters",
                 "give flags, the number of vertices, their x, y, z, then three indices a triangle");
@@ -292,7 +293,8 @@ void World::set_dial(const std::string& assignment) {
   std::uint32_t index = 0;
   const std::int32_t found = carom_dial_find(name.c_str(), &index, nullptr);
   if (found == CAROM_E_READ_ONLY)
-    throw Error("'" + name + "' is a constant, not a dial", "it is fixed: `carom dials` says why, and lists what can be set");
+    throw Error("'" + name + "' is a constant, not a dial",
+                "it is fixed: `carom dials` says why, and lists what can be set");
   if (found != CAROM_OK) {
     std::vector<std::string> names;
     for (const carom_dial_info& d : all_dials()) names.emplace_back(d.name);

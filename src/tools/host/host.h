@@ -66,7 +66,7 @@ class Engine {
   const PluginPath& path() const { return path_; }
   carom_plugin plugin(const std::string& name);         ///< loads plugins/NAME.so on first use   @throws Error
   carom_plugin load(const std::string& absolute_path);  ///< @throws Error
-  void load_all();  ///< of the path; what cannot be loaded is left out
+  void load_all();                                      ///< of the path; what cannot be loaded is left out
   carom_shape shape(const std::string& plugin_name, const std::vector<double>& params);  ///< made once per params
   carom_shape half_space(const double normal[3], double offset);                         ///< made once
   /// Made once. @param params  columns, rows, spacing along x and z (m), then heights row by row (m)

@@ -75,8 +75,8 @@ std::map<std::string, std::string> PluginPath::all() const {
   for (const std::string& folder : folders_) {
     std::error_code failed;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed))
-      if (entry.path().extension() == ".so" && is_plugin_name(entry.path().stem().string()) && entry.is_regular_file(failed) &&
-          lies_in(entry.path(), folder))
+      if (entry.path().extension() == ".so" && is_plugin_name(entry.path().stem().string()) &&
+          entry.is_regular_file(failed) && lies_in(entry.path(), folder))
         found.emplace(entry.path().stem().string(), entry.path().string());
   }
   return found;

@@ -21,7 +21,8 @@ const Row kRows[] = {
 };
 
 [[noreturn]] void damaged(const std::string& what) {
-  throw Error("the recording is damaged: " + what, "record the session anew, or take the file again from where it was written");
+  throw Error("the recording is damaged: " + what,
+              "record the session anew, or take the file again from where it was written");
 }
 
 /// One record: what it is of, and its content.
@@ -35,7 +36,8 @@ class Records {
  public:
   explicit Records(const Bytes& bytes) : bytes_(bytes) {
     if (bytes.size() < kHeader || std::memcmp(bytes.data(), "CAROMREC", 8) != 0)
-      throw Error("this is no recording: it does not begin as one does", "give a file that carom_world_record_begin() wrote");
+      throw Error("this is no recording: it does not begin as one does",
+                  "give a file that carom_world_record_begin() wrote");
     std::uint32_t format;
     std::memcpy(&format, &bytes[8], sizeof format);
     if (format != 1)
@@ -144,7 +146,8 @@ class Player {
     carom_collider_desc desc;
     Call call;
     call.done(carom_collider_desc_init(&desc, sizeof desc), "making a shape of the recording");
-    call.done(carom_world_translate_handles(stand.world, &collider, 1, &collider, call), "making a shape of the recording");
+    call.done(carom_world_translate_handles(stand.world, &collider, 1, &collider, call),
+              "making a shape of the recording");
     call.done(carom_collider_get(stand.world, collider, &desc, &body, call), "making a shape of the recording");
     shapes_[recorded] = desc.shape;
   }
@@ -246,7 +249,8 @@ int32_t to_file(void* file, const void* bytes, std::uint64_t size) {
 
 }  // namespace
 
-Outcome play(carom_engine* engine, const Bytes& recording, const std::function<void(carom_world*, std::uint64_t)>& watch) {
+Outcome play(carom_engine* engine, const Bytes& recording,
+             const std::function<void(carom_world*, std::uint64_t)>& watch) {
   return Player(engine, watch).play(recording);
 }
 
@@ -260,7 +264,8 @@ FileRecorder::FileRecorder(const World& world, const std::string& path, bool sta
     : world_(world.get()), path_(path), file_(std::fopen(path.c_str(), "wb")) {
   if (!file_) throw Error("cannot write " + path, "check that its folder exists and is writable");
   Call call;
-  const int32_t result = carom_world_record_begin(world_, states ? CAROM_RECORD_STATES : CAROM_RECORD_HASHES, to_file, file_, call);
+  const int32_t result =
+      carom_world_record_begin(world_, states ? CAROM_RECORD_STATES : CAROM_RECORD_HASHES, to_file, file_, call);
   if (result != CAROM_OK) std::fclose(file_), file_ = nullptr;
   call.done(result, "recording to " + path);
 }

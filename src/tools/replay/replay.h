@@ -12,9 +12,9 @@ namespace carom::tools::replay {
 
 /// Where a replay is no longer what was recorded.
 struct Parting {
-  std::uint64_t step = 0;           ///< of the world's steps, the first whose outcome is another
-  std::vector<std::string> calls;   ///< since the step before it, in order; the last eight of them
-  std::string sections;             ///< what differs then: "bodies, pairs"; empty: the states were not recorded
+  std::uint64_t step = 0;               ///< of the world's steps, the first whose outcome is another
+  std::vector<std::string> calls;       ///< since the step before it, in order; the last eight of them
+  std::string sections;                 ///< what differs then: "bodies, pairs"; empty: the states were not recorded
   std::uint64_t first = 0, second = 0;  ///< a body of the replayed world; the two colliders of a pair; 0: none
   std::vector<std::string> details;     ///< what was recorded of it and what came out, one line each
   std::string refused;                  ///< or a call that went well then is refused now: why

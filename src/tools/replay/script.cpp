@@ -3,7 +3,7 @@
 namespace carom::tools::replay {
 
 std::string name_of_handle(std::uint64_t handle) {
-  static constexpr const char* kKinds[] = {"?",         "plugin", "shape", "material",    "body",
+  static constexpr const char* kKinds[] = {"?",        "plugin",    "shape", "material",    "body",
                                            "collider", "particles", "joint", "force field", "spring"};
   if (handle == 0) return "none";
   const std::uint64_t kind = handle >> 60;

@@ -18,7 +18,8 @@ using Bytes = std::vector<std::byte>;
 
 class Script {
  public:
-  Script(carom_world* world, const std::map<std::uint64_t, carom_shape>& shapes, const std::byte* from, std::uint64_t size)
+  Script(carom_world* world, const std::map<std::uint64_t, carom_shape>& shapes, const std::byte* from,
+         std::uint64_t size)
       : world_(world), shapes_(shapes), at_(from), end_(from + size) {}
 
   carom_world* world() const { return world_; }

@@ -15,12 +15,22 @@ struct Scheme {
   const char* series[6];
   const char* held[4];  // cells of a map, from barely to well
 };
-constexpr Scheme kLight = {"#fcfcfa", "#1f2328", "#62666d",
-                           "#e4e4df", "#6f7278", "#c11f2e", "#fdecec",
+constexpr Scheme kLight = {"#fcfcfa",
+                           "#1f2328",
+                           "#62666d",
+                           "#e4e4df",
+                           "#6f7278",
+                           "#c11f2e",
+                           "#fdecec",
                            {"#1f66d0", "#b4450b", "#117a55", "#7a3fd0", "#8a5d00", "#a8326e"},
                            {"#eaf1fb", "#cddff6", "#a9c8f0", "#84b0ea"}};
-constexpr Scheme kDark = {"#16181d", "#e8e8e4", "#a2a6ad",
-                          "#30343b", "#9a9da3", "#ff7079", "#3a1d21",
+constexpr Scheme kDark = {"#16181d",
+                          "#e8e8e4",
+                          "#a2a6ad",
+                          "#30343b",
+                          "#9a9da3",
+                          "#ff7079",
+                          "#3a1d21",
                           {"#74aaff", "#ff9d66", "#4ec98f", "#bb99f7", "#e3b341", "#f086b8"},
                           {"#1c2636", "#223a59", "#27497a", "#2c5aa0"}};
 
@@ -179,7 +189,8 @@ void Svg::circle(Point centre, double radius, const std::string& classes) {
 void Svg::mark(Mark shape, Point c, double r, const std::string& classes, const std::string& attributes) {
   const auto closed = [&](const std::vector<Point>& corners) {
     body_ += "<polygon points=\"";
-    for (std::size_t i = 0; i < corners.size(); ++i) body_ += (i ? " " : "") + px(corners[i].x) + "," + px(corners[i].y);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      body_ += (i ? " " : "") + px(corners[i].x) + "," + px(corners[i].y);
     body_ += "\"" + class_attribute(classes) + attributes + "/>\n";
   };
   switch (shape) {
@@ -197,8 +208,9 @@ void Svg::mark(Mark shape, Point c, double r, const std::string& classes, const 
       closed({{c.x, c.y - 1.4 * r}, {c.x + 1.4 * r, c.y}, {c.x, c.y + 1.4 * r}, {c.x - 1.4 * r, c.y}});
       break;
     case Mark::cross:
-      body_ += "<path d=\"M" + px(c.x - r) + " " + px(c.y - r) + "l" + px(2 * r) + " " + px(2 * r) + "m0 " + px(-2 * r) +
-               "l" + px(-2 * r) + " " + px(2 * r) + "\" fill=\"none\"" + class_attribute(classes) + attributes + "/>\n";
+      body_ += "<path d=\"M" + px(c.x - r) + " " + px(c.y - r) + "l" + px(2 * r) + " " + px(2 * r) + "m0 " +
+               px(-2 * r) + "l" + px(-2 * r) + " " + px(2 * r) + "\" fill=\"none\"" + class_attribute(classes) +
+               attributes + "/>\n";
       break;
   }
 }

@@ -49,7 +49,9 @@ json attributes_of(carom_world* world, carom_body body) {
 
 void read_attributes(const Value& own, carom_world* world, carom_body body) {
   static constexpr std::pair<const char*, std::uint32_t> kOlderNames[] = {
-      {"drag", CAROM_ATTRIBUTE_DRAG}, {"locks", CAROM_ATTRIBUTE_LOCKS}, {"fieldMask", CAROM_ATTRIBUTE_FORCE_FIELD_MASK}};
+      {"drag", CAROM_ATTRIBUTE_DRAG},
+      {"locks", CAROM_ATTRIBUTE_LOCKS},
+      {"fieldMask", CAROM_ATTRIBUTE_FORCE_FIELD_MASK}};
   for (const auto& [name, id] : kOlderNames)
     if (const auto given = own.get(name)) set(*given, Attribute(id), world, body);
   const auto given = own.get("attributes");

@@ -18,7 +18,7 @@ constexpr const char* kGains[] = {"frequency", "force", "acceleration"};
 template <class Desc>
 struct WordField {
   const char* name;
-  std::uint32_t Desc::* field;
+  std::uint32_t Desc::*field;
   const char* const* words;
   std::uint32_t count;
 };
@@ -28,10 +28,11 @@ constexpr WordField<carom_joint_axis> kAxisWords[] = {{"mode", &carom_joint_axis
                                                       {"driveGains", &carom_joint_axis::drive_gains, kGains, 3},
                                                       {"springGains", &carom_joint_axis::spring_gains, kGains, 3}};
 constexpr WordField<carom_joint_orientation_drive> kTurnWords[] = {
-    {"drive", &carom_joint_orientation_drive::drive, kDrives, 4}, {"gains", &carom_joint_orientation_drive::gains, kGains, 3}};
+    {"drive", &carom_joint_orientation_drive::drive, kDrives, 4},
+    {"gains", &carom_joint_orientation_drive::gains, kGains, 3}};
 struct NumberField {
   const char* name;
-  double carom_joint_axis::* field;
+  double carom_joint_axis::*field;
 };
 constexpr NumberField kAxisNumbers[] = {{"lower", &carom_joint_axis::lower},
                                         {"upper", &carom_joint_axis::upper},
@@ -108,8 +109,8 @@ void show_axis(const carom_joint_axis& d, std::uint32_t axis, json& entry) {
 
 json turn_json(const carom_joint_orientation_drive& d) {
   const auto list = [](const double* x, int n) { return json(std::vector<double>(x, x + n)); };
-  json out = {{"target", list(d.target, 4)}, {"velocity", list(d.velocity, 3)}, {"effort", list(d.effort, 3)},
-              {"maxForce", list(d.max_force, 3)},     {"stiffness", d.stiffness},        {"damping", d.damping}};
+  json out = {{"target", list(d.target, 4)},      {"velocity", list(d.velocity, 3)}, {"effort", list(d.effort, 3)},
+              {"maxForce", list(d.max_force, 3)}, {"stiffness", d.stiffness},        {"damping", d.damping}};
   put_words(d, kTurnWords, out);
   return out;
 }
@@ -121,7 +122,8 @@ carom_joint_orientation_drive turn_of(const Value& from) {
     const auto value = from.get(name);
     if (value) std::ranges::copy(value->numbers(n), to);
   };
-  list("target", d.target, 4), list("velocity", d.velocity, 3), list("effort", d.effort, 3), list("maxForce", d.max_force, 3);
+  list("target", d.target, 4), list("velocity", d.velocity, 3), list("effort", d.effort, 3),
+      list("maxForce", d.max_force, 3);
   d.stiffness = from.number_or("stiffness", 0), d.damping = from.number_or("damping", 0);
   return d;
 }
@@ -142,8 +144,10 @@ double given_or_boundless(const Value& of, const char* key, double boundless) {
 Khr khr_of(const Value& limit) {
   const bool turns = limit.has("angularAxes");
   const double far = turns ? std::numbers::pi : kFar;
-  const double lower = std::clamp(limit.number_or("min", -far), -far, far), upper = std::clamp(limit.number_or("max", far), -far, far);
-  return {turns, upper - lower < kZeroWidth && !is_soft_limit(limit), lower, std::max(lower, upper), limit[turns ? "angularAxes" : "linearAxes"]};
+  const double lower = std::clamp(limit.number_or("min", -far), -far, far),
+               upper = std::clamp(limit.number_or("max", far), -far, far);
+  return {turns, upper - lower < kZeroWidth && !is_soft_limit(limit), lower, std::max(lower, upper),
+          limit[turns ? "angularAxes" : "linearAxes"]};
 }
 
 void take_limit(const Value& limit, std::array<carom_joint_axis, CAROM_AXIS_COUNT>& axes) {
@@ -206,7 +210,9 @@ bool holds_nothing(const Value& limit) {
   return is_soft_limit(limit) && given_or_boundless(limit, "stiffness", -1) == 0;
 }
 
-bool is_soft_limit(const Value& limit) { return limit.has("stiffness") && given_or_boundless(limit, "stiffness", -1) >= 0; }
+bool is_soft_limit(const Value& limit) {
+  return limit.has("stiffness") && given_or_boundless(limit, "stiffness", -1) >= 0;
+}
 
 double stiffness_of_drive(const Value& drive) {
   const bool omi = drive.place().starts_with("/extensions/OMI_");  // there a spring needs a target

@@ -20,7 +20,8 @@ class Budget {
     const std::uint64_t all = limits.always + limits.factor * std::uint64_t(read_);
     if (each != 0 && count > (all - spent_) / each)
       throw Error(for_what + ": the file asks for more than " + std::to_string(all >> 20) + " MiB, " +
-                      std::to_string(limits.factor) + " bytes for each that was read of it and " + std::to_string(limits.always >> 20) + " MiB",
+                      std::to_string(limits.factor) + " bytes for each that was read of it and " +
+                      std::to_string(limits.always >> 20) + " MiB",
                   "make the file smaller, or raise the limit: --file-factor N");
     spent_ += count * each;
   }

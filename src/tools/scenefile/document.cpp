@@ -68,7 +68,8 @@ std::string after_tag(const std::string& what) {
 json parse_json(const std::string& text) {
   constexpr int kDeepest = 256;
   return json::parse(text, [](int depth, json::parse_event_t, json&) {
-    if (depth > kDeepest) throw Error("the document is nested deeper than " + std::to_string(kDeepest) + " levels", "flatten it");
+    if (depth > kDeepest)
+      throw Error("the document is nested deeper than " + std::to_string(kDeepest) + " levels", "flatten it");
     return true;
   });
 }
@@ -91,15 +92,17 @@ bool decode_percent(const std::string& text, std::string& out) {
 
 /// Extensions that are read here, and those without which a scene only looks different.
 bool is_understood(const std::string& name) {
-  static constexpr const char* kLooks[] = {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "EXT_lights_", "MSFT_texture_", "KHR_xmp"};
+  static constexpr const char* kLooks[] = {"KHR_materials_", "KHR_texture_",  "EXT_texture_", "KHR_lights_",
+                                           "EXT_lights_",    "MSFT_texture_", "KHR_xmp"};
   return is_read(name) || std::ranges::any_of(kLooks, [&](const char* start) { return name.starts_with(start); });
 }
 
 }  // namespace
 
 bool is_read(const std::string& name) {
-  static constexpr const char* kRead[] = {"KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAROM_physics", "OMI_physics_body",
-                                          "OMI_physics_shape",   "OMI_physics_joint",        "OMI_physics_gravity"};
+  static constexpr const char* kRead[] = {"KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAROM_physics",
+                                          "OMI_physics_body",    "OMI_physics_shape",        "OMI_physics_joint",
+                                          "OMI_physics_gravity"};
   return std::ranges::any_of(kRead, [&](const char* known) { return name == known; });
 }
 
@@ -265,7 +268,8 @@ void Document::load_buffers() {
     } else {
       std::string relative;
       if (!decode_percent(text, relative) || text.find("://") != std::string::npos)
-        uri->fail("is '" + text.substr(0, 80) + "'", "a buffer lies in the scene file, or below its folder: write a relative path");
+        uri->fail("is '" + text.substr(0, 80) + "'",
+                  "a buffer lies in the scene file, or below its folder: write a relative path");
       try {
         bytes = read_below(std::filesystem::path(path_).parent_path().string(), relative,
                            "put the buffer beside the scene file, as a file and no link, or embed it");
@@ -309,7 +313,9 @@ std::vector<double> Document::read_accessor(const Value& accessor, std::size_t w
     return value ? value->index(std::size_t(1) << 40, "bytes that fit") : otherwise;
   };
   const std::size_t stride = whole(view, "byteStride", size * width);
-  if (stride < size * width || stride > 252) view["byteStride"].fail("is " + std::to_string(stride) + ", less than an element or more than 252", "write the file anew");
+  if (stride < size * width || stride > 252)
+    view["byteStride"].fail("is " + std::to_string(stride) + ", less than an element or more than 252",
+                            "write the file anew");
   const std::size_t begin = whole(view, "byteOffset", 0) + whole(accessor, "byteOffset", 0);
   if (n > 0 && (begin > bytes.size() || (n - 1) * stride + size * width > bytes.size() - begin))
     accessor.fail("goes beyond its buffer", "write the file anew");

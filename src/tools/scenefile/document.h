@@ -27,7 +27,8 @@ To checked(From x) {
   static_assert(std::is_integral_v<To> && std::is_arithmetic_v<From>);
   if constexpr (std::is_floating_point_v<From>) {
     // The bounds of To, as powers of two, are exact in a double.
-    const From high = std::ldexp(From(1), std::numeric_limits<To>::digits), low = std::is_signed_v<To> ? -high : From(0);
+    const From high = std::ldexp(From(1), std::numeric_limits<To>::digits),
+               low = std::is_signed_v<To> ? -high : From(0);
     if (!(x >= low && x < high) || x != std::floor(x)) throw std::range_error("a number that does not fit");
   } else if (!std::in_range<To>(x)) {
     throw std::range_error("a number that does not fit");
@@ -70,7 +71,8 @@ class Value {
   template <class T>
   T bits_as() const {
     const std::uint64_t all = bits();
-    if (!std::in_range<T>(all)) fail("has more bits than fit here", "write at most " + std::to_string(8 * sizeof(T)) + " bits");
+    if (!std::in_range<T>(all))
+      fail("has more bits than fit here", "write at most " + std::to_string(8 * sizeof(T)) + " bits");
     return static_cast<T>(all);
   }
   std::vector<double> numbers(std::size_t count = SIZE_MAX) const;

@@ -47,7 +47,8 @@ std::vector<Value> Reader::colliders_of(const Value& at) const {
   const auto extension = khr(at);
   if (!extension) return list;
   for (const char* key : {"collider", "trigger"})
-    if (const auto value = extension->get(key); value && (value->has("geometry") || own(*value) || omi_index(*value, "shape")))
+    if (const auto value = extension->get(key);
+        value && (value->has("geometry") || own(*value) || omi_index(*value, "shape")))
       list.push_back(*value);
   return list;
 }
@@ -128,7 +129,8 @@ void Reader::read_shape(const Value& shape, const Vec& scale, Part& part) {
     const auto value = [&](const char* key, double otherwise, double least) {
       return given ? given->number_or(key, otherwise, least, kMost) : otherwise;
     };
-    double bottom = value("radiusBottom", usual, 0), top = value("radiusTop", usual, 0), mid = value("height", tall, 1e-9);
+    double bottom = value("radiusBottom", usual, 0), top = value("radiusTop", usual, 0),
+           mid = value("height", tall, 1e-9);
     if (is_omi(shape)) read_omi_radius(shape, bottom, top, mid);
     const double height = mid * scale.y();
     if (!(bottom > 0 || top > 0)) shape.fail("has no radius", "give radiusBottom or radiusTop above 0");
@@ -169,8 +171,7 @@ void Reader::read_surface(const Value& collider, Part& part) {
   const auto which = is_omi(collider) ? omi_index(collider, "physicsMaterial") : collider.get("physicsMaterial");
   if (!which) return;
   const auto extension = of_document(*which);
-  if (!extension)
-    which->fail("needs its extension in the document", "add the extension with physicsMaterials");
+  if (!extension) which->fail("needs its extension in the document", "add the extension with physicsMaterials");
   const Value materials = (*extension)["physicsMaterials"];
   const Value material = materials.at(which->index(materials.size(), "physicsMaterials"));
   part.friction = material.number_or("dynamicFriction", 0.6, 0, 1e3);

@@ -51,7 +51,8 @@ void Reader::make_joints() {
     if (nodes_[i].parent == kNone) continue;
     const auto extension = Document::extension(node(i), "KHR_physics_rigid_bodies");
     if (const auto joint = extension ? extension->get("joint") : std::nullopt) make_joint(i, *joint);
-    if (const auto omi = Document::extension(node(i), "OMI_physics_joint"); omi && !(extension && extension->has("joint"))) {
+    if (const auto omi = Document::extension(node(i), "OMI_physics_joint");
+        omi && !(extension && extension->has("joint"))) {
       if (omi->has("joint"))
         make_joint(i, *omi);
       else
@@ -161,7 +162,8 @@ bool Reader::wants_axes(const Value& joint) {
   for (std::size_t k = 0; drives && k < drives->size(); ++k) {
     const Value drive = drives->at(k);
     const bool pulls = stiffness_of_drive(drive) > 0;
-    rest |= !fits(drive, plan) || (pulls ? drive.number_or("velocityTarget", 0) != 0 : drive.number_or("damping", 0) > 0);
+    rest |=
+        !fits(drive, plan) || (pulls ? drive.number_or("velocityTarget", 0) != 0 : drive.number_or("damping", 0) > 0);
   }
   return rest;
 }
@@ -219,7 +221,8 @@ void Reader::make_joint(std::size_t i, const Value& at) {
   if (by_axes) {
     const auto limits = joint.get("limits");
     for (std::size_t k = 0; limits && k < limits->size(); ++k)
-      if (holds_nothing(limits->at(k))) remark(limits->at(k).place() + ": a limit of no stiffness, which holds nothing");
+      if (holds_nothing(limits->at(k)))
+        remark(limits->at(k).place() + ": a limit of no stiffness, which holds nothing");
     return read_khr_axes(world, handle, joint);
   }
   if (!exact) return drive_joint(joint, plan, handle, d);
@@ -239,7 +242,8 @@ void Reader::make_joint(std::size_t i, const Value& at) {
     for (const auto& [name, value] : motors->items()) {
       carom_joint_motor motor;
       carom_joint_motor_init(&motor, sizeof motor);
-      motor.enabled = 1, motor.speed = value["speed"].number(), motor.max_force = value.number_or("maxForce", kUnbounded);
+      motor.enabled = 1, motor.speed = value["speed"].number(),
+      motor.max_force = value.number_or("maxForce", kUnbounded);
       call.done(carom_joint_set_motor(world, handle, coordinate(name, value), &motor, call), value.place());
     }
   if (const auto springs = mine->get("springs"))
@@ -288,8 +292,7 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
     }
     const bool force = !drive.has("mode") || drive["mode"].text() == "force";
     const double per_mass = force ? inverse : 1, stiffness = stiffness_of_drive(drive);
-    const double damping = drive.number_or("damping", 0, 0, 1e300),
-                 most = std::min(most_of_drive(drive), kUnbounded);
+    const double damping = drive.number_or("damping", 0, 0, 1e300), most = std::min(most_of_drive(drive), kUnbounded);
     if (stiffness > 0) {
       carom_joint_spring spring;
       carom_joint_spring_init(&spring, sizeof spring);

@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t kHullVertices = 256;
 // Of a mesh; of a file. Taking one apart takes up to half a second, and a file of strangers may take two in all.
 constexpr std::size_t kMostParts = 8, kMostMeshes = 2;
-constexpr double kGridBytes = 64.0 * 64 * 64 * 16;  // more than a grid of 32 cells along its length, and what is cut of it
+constexpr double kGridBytes =
+    64.0 * 64 * 64 * 16;  // more than a grid of 32 cells along its length, and what is cut of it
 
 /// Whether a hull is the mesh: it holds no more.
 bool is_convex(const Mesh& mesh, const Mesh& hull) { return std::fabs(volume_of(mesh)) >= 0.995 * volume_of(hull); }

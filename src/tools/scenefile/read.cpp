@@ -48,9 +48,11 @@ void Reader::tell(const std::string& kind, const std::string& text) {
   const std::size_t colon = text.find(": ");
   const std::string sentence = colon == std::string::npos ? text : text.substr(colon);
   std::size_t same = 0, mine = 0;
-  for (const std::string& r : stage_.remarks) same += r.starts_with(kind) && r.ends_with(sentence), mine += r.starts_with(kind);
+  for (const std::string& r : stage_.remarks)
+    same += r.starts_with(kind) && r.ends_with(sentence), mine += r.starts_with(kind);
   ++told_;
-  if (std::ranges::find(stage_.remarks, kind + ": " + text) != stage_.remarks.end() || same > kOfOne || mine > kMost) return;
+  if (std::ranges::find(stage_.remarks, kind + ": " + text) != stage_.remarks.end() || same > kOfOne || mine > kMost)
+    return;
   if (mine == kMost)
     stage_.remarks.push_back(kind + ": more of other kinds");
   else

@@ -27,8 +27,7 @@ const std::vector<Scene>& all_scenes() {
   static const std::vector<Scene> scenes = {seesaw_scene(),   catapult_scene(), bunnies_scene(), particles_scene(),
                                             falling_scene(),  pyramid_scene(),  stacks_scene(),  wall_scene(),
                                             sleepers_scene(), net_scene(),      bullet_scene(),  conveyor_scene(),
-                                            terrain_scene(),  quoits_scene(),   ragdoll_scene(),
-                                            weather_scene()};
+                                            terrain_scene(),  quoits_scene(),   ragdoll_scene(), weather_scene()};
   return scenes;
 }
 

@@ -16,12 +16,12 @@ struct RunSummary {
   std::vector<double> stage_seconds;                    ///< s, by CAROM_STAGE_*
   carom_step_report last{};                             ///< of the last step
   std::uint64_t most_contact_points = 0;
-  double worst_penetration = 0;           ///< m, over all steps
+  double worst_penetration = 0;                             ///< m, over all steps
   std::uint64_t wedged_groups = 0, rejected_solutions = 0;  ///< over all steps
-  std::uint64_t faults = 0;               ///< of shapes, over all steps
-  std::vector<carom_fault> first_faults;  ///< of the first step that had any
-  std::uint64_t hash = 0;                 ///< of the end state
-  carom_growth growth{};                  ///< from the beginning; no steps: not measured
+  std::uint64_t faults = 0;                                 ///< of shapes, over all steps
+  std::vector<carom_fault> first_faults;                    ///< of the first step that had any
+  std::uint64_t hash = 0;                                   ///< of the end state
+  carom_growth growth{};                                    ///< from the beginning; no steps: not measured
 };
 
 /// Step until `seconds` are simulated (at least one step).

@@ -45,22 +45,26 @@ typedef struct carom_error {
   char message[256];
   char remedy[256];
 } carom_error;
-#define CAROM_ERROR_INIT { sizeof(carom_error), 0, 0, 0, {0, 0, 0}, {0, 0, 0}, {0}, {0} }
+#define CAROM_ERROR_INIT                                           \
+  {                                                                \
+    sizeof(carom_error), 0, 0, 0, {0, 0, 0}, {0, 0, 0}, {0}, { 0 } \
+  }
 typedef uint64_t carom_plugin;
 typedef uint64_t carom_shape;
 typedef uint64_t carom_material;
 typedef uint64_t carom_body;
 typedef uint64_t carom_collider;
 #define CAROM_NULL_HANDLE ((uint64_t)0)
-int32_t carom_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
-const char *carom_result_name(int32_t result);
-const char *carom_result_remedy(int32_t result);
+int32_t carom_version(uint32_t* major, uint32_t* minor, uint32_t* patch);
+const char* carom_result_name(int32_t result);
+const char* carom_result_remedy(int32_t result);
 #define CAROM_PLUGIN_ABI_MAJOR 1u
 #define CAROM_PLUGIN_ABI_MINOR 0u
-typedef int32_t (*carom_support_fn)(void *user, const double *params, uint64_t param_len, const double dir[3], double out[3]);
+typedef int32_t (*carom_support_fn)(void* user, const double* params, uint64_t param_len, const double dir[3],
+                                    double out[3]);
 typedef struct carom_param {
-  const char *name;
-  const char *unit;
+  const char* name;
+  const char* unit;
   double min;
   double max;
 } carom_param;
@@ -87,11 +91,11 @@ typedef struct carom_shape_plugin {
   uint32_t abi_major;
   uint32_t abi_minor;
   uint32_t flags;
-  const char *id;
+  const char* id;
   uint32_t version;
   uint32_t param_count;
-  const carom_param *params;
-  const carom_geometry *geometry;
+  const carom_param* params;
+  const carom_geometry* geometry;
   carom_support_fn support;
   uint32_t param_tail_group;
   uint32_t param_tail_min;
@@ -104,27 +108,27 @@ typedef struct carom_engine carom_engine;
 typedef struct carom_engine_desc {
   uint32_t struct_size;
   uint32_t reserved;
-  void *(*alloc)(void *user, uint64_t size, uint64_t alignment);
-  void (*free)(void *user, void *pointer, uint64_t size, uint64_t alignment);
-  void *alloc_user;
-  void (*log)(void *user, uint32_t level, const char *text);
-  void *log_user;
+  void* (*alloc)(void* user, uint64_t size, uint64_t alignment);
+  void (*free)(void* user, void* pointer, uint64_t size, uint64_t alignment);
+  void* alloc_user;
+  void (*log)(void* user, uint32_t level, const char* text);
+  void* log_user;
 } carom_engine_desc;
-int32_t carom_engine_desc_init(carom_engine_desc *desc, uint32_t struct_size);
-int32_t carom_engine_create(const carom_engine_desc *desc, carom_engine **engine, carom_error *error);
-int32_t carom_engine_destroy(carom_engine *engine, carom_error *error);
-int32_t carom_plugin_load(carom_engine *engine, const char *path, carom_plugin *plugin, carom_error *error);
-int32_t carom_plugin_register(carom_engine *engine, const carom_shape_plugin *description,
-                                        carom_plugin *plugin, carom_error *error);
-int32_t carom_plugin_unload(carom_engine *engine, carom_plugin plugin, carom_error *error);
-int32_t carom_plugin_find(carom_engine *engine, const char *id, carom_plugin *plugin, carom_error *error);
-int32_t carom_plugin_describe(carom_engine *engine, carom_plugin plugin,
-                                        const carom_shape_plugin **description, carom_error *error);
-int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, const double *params, uint64_t count,
-                                     carom_shape *shape, carom_error *error);
-int32_t carom_shape_create_half_space(carom_engine *engine, const double normal[3], double offset,
-                                                carom_shape *shape, carom_error *error);
-int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, carom_error *error);
+int32_t carom_engine_desc_init(carom_engine_desc* desc, uint32_t struct_size);
+int32_t carom_engine_create(const carom_engine_desc* desc, carom_engine** engine, carom_error* error);
+int32_t carom_engine_destroy(carom_engine* engine, carom_error* error);
+int32_t carom_plugin_load(carom_engine* engine, const char* path, carom_plugin* plugin, carom_error* error);
+int32_t carom_plugin_register(carom_engine* engine, const carom_shape_plugin* description, carom_plugin* plugin,
+                              carom_error* error);
+int32_t carom_plugin_unload(carom_engine* engine, carom_plugin plugin, carom_error* error);
+int32_t carom_plugin_find(carom_engine* engine, const char* id, carom_plugin* plugin, carom_error* error);
+int32_t carom_plugin_describe(carom_engine* engine, carom_plugin plugin, const carom_shape_plugin** description,
+                              carom_error* error);
+int32_t carom_shape_create(carom_engine* engine, carom_plugin plugin, const double* params, uint64_t count,
+                           carom_shape* shape, carom_error* error);
+int32_t carom_shape_create_half_space(carom_engine* engine, const double normal[3], double offset, carom_shape* shape,
+                                      carom_error* error);
+int32_t carom_shape_destroy(carom_engine* engine, carom_shape shape, carom_error* error);
 typedef struct carom_shape_info {
   uint32_t struct_size;
   uint32_t form;
@@ -144,11 +148,11 @@ typedef struct carom_shape_info {
   double inertia[9];
   double inertia_error;
 } carom_shape_info;
-int32_t carom_shape_get_info(carom_engine *engine, carom_shape shape, carom_shape_info *info, carom_error *error);
-int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape, double *params, uint64_t *count,
-                                         carom_error *error);
-int32_t carom_shape_support(carom_engine *engine, carom_shape shape, const double *dirs, uint64_t n,
-                                      double *points, carom_error *error);
+int32_t carom_shape_get_info(carom_engine* engine, carom_shape shape, carom_shape_info* info, carom_error* error);
+int32_t carom_shape_get_params(carom_engine* engine, carom_shape shape, double* params, uint64_t* count,
+                               carom_error* error);
+int32_t carom_shape_support(carom_engine* engine, carom_shape shape, const double* dirs, uint64_t n, double* points,
+                            carom_error* error);
 #define CAROM_DIAL_INTEGRATOR 0u
 #define CAROM_DIAL_ROTATION 1u
 #define CAROM_DIAL_SUBSTEPS 2u
@@ -205,17 +209,17 @@ typedef struct carom_dial_info {
   uint32_t dial;
   uint32_t kind;
   uint32_t choice_count;
-  const char *name;
-  const char *unit;
-  const char *summary;
-  const char *const *choices;
+  const char* name;
+  const char* unit;
+  const char* summary;
+  const char* const* choices;
   double min;
   double max;
   double initial;
 } carom_dial_info;
-int32_t carom_dial_get_info(uint32_t dial, carom_dial_info *info, carom_error *error);
-int32_t carom_dial_get_count(uint32_t *count);
-int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
+int32_t carom_dial_get_info(uint32_t dial, carom_dial_info* info, carom_error* error);
+int32_t carom_dial_get_count(uint32_t* count);
+int32_t carom_dial_find(const char* name, uint32_t* dial, carom_error* error);
 typedef struct carom_world carom_world;
 typedef struct carom_world_desc {
   uint32_t struct_size;
@@ -223,15 +227,14 @@ typedef struct carom_world_desc {
   double gravity[3];
   uint64_t body_capacity;
 } carom_world_desc;
-int32_t carom_world_desc_init(carom_world_desc *desc, uint32_t struct_size);
-int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world,
-                                     carom_error *error);
-int32_t carom_world_destroy(carom_world *world, carom_error *error);
-int32_t carom_world_step(carom_world *world, double dt, carom_error *error);
-int32_t carom_world_set_dial(carom_world *world, uint32_t dial, double value, carom_error *error);
-int32_t carom_world_get_dial(carom_world *world, uint32_t dial, double *value, carom_error *error);
-int32_t carom_world_set_gravity(carom_world *world, const double gravity[3], carom_error *error);
-int32_t carom_world_get_gravity(carom_world *world, double gravity[3], carom_error *error);
+int32_t carom_world_desc_init(carom_world_desc* desc, uint32_t struct_size);
+int32_t carom_world_create(carom_engine* engine, const carom_world_desc* desc, carom_world** world, carom_error* error);
+int32_t carom_world_destroy(carom_world* world, carom_error* error);
+int32_t carom_world_step(carom_world* world, double dt, carom_error* error);
+int32_t carom_world_set_dial(carom_world* world, uint32_t dial, double value, carom_error* error);
+int32_t carom_world_get_dial(carom_world* world, uint32_t dial, double* value, carom_error* error);
+int32_t carom_world_set_gravity(carom_world* world, const double gravity[3], carom_error* error);
+int32_t carom_world_get_gravity(carom_world* world, double gravity[3], carom_error* error);
 #define CAROM_STAGE_REFRESH 0u
 #define CAROM_STAGE_BROAD 1u
 #define CAROM_STAGE_NARROW 2u
@@ -269,8 +272,8 @@ typedef struct carom_step_report {
   double linear_energy;
   double angular_energy;
 } carom_step_report;
-int32_t carom_world_get_report(carom_world *world, carom_step_report *report, carom_error *error);
-const char *carom_stage_name(uint32_t stage);
+int32_t carom_world_get_report(carom_world* world, carom_step_report* report, carom_error* error);
+const char* carom_stage_name(uint32_t stage);
 typedef struct carom_contact {
   carom_collider collider_a;
   carom_collider collider_b;
@@ -282,8 +285,8 @@ typedef struct carom_contact {
   double normal_impulse;
   double friction_impulse;
 } carom_contact;
-int32_t carom_world_get_contacts(carom_world *world, carom_contact *dst, uint64_t stride, uint64_t capacity,
-                                           uint64_t *count, carom_error *error);
+int32_t carom_world_get_contacts(carom_world* world, carom_contact* dst, uint64_t stride, uint64_t capacity,
+                                 uint64_t* count, carom_error* error);
 #define CAROM_FAULT_RETURNED 1u
 #define CAROM_FAULT_NOT_FINITE 2u
 #define CAROM_FAULT_OUTSIDE 3u
@@ -297,9 +300,9 @@ typedef struct carom_fault {
   double dir[3];
   double out[3];
 } carom_fault;
-int32_t carom_world_get_faults(carom_world *world, carom_fault *dst, uint64_t stride, uint64_t capacity,
-                                         uint64_t *count, carom_error *error);
-int32_t carom_world_hash(carom_world *world, uint64_t *hash, carom_error *error);
+int32_t carom_world_get_faults(carom_world* world, carom_fault* dst, uint64_t stride, uint64_t capacity,
+                               uint64_t* count, carom_error* error);
+int32_t carom_world_hash(carom_world* world, uint64_t* hash, carom_error* error);
 #define CAROM_MIX_GEOMETRIC_MEAN 0u
 #define CAROM_MIX_MAXIMUM 1u
 #define CAROM_MIX_MINIMUM 2u
@@ -313,12 +316,12 @@ typedef struct carom_material_desc {
   double friction;
   double restitution;
 } carom_material_desc;
-int32_t carom_material_desc_init(carom_material_desc *desc, uint32_t struct_size);
-int32_t carom_material_create(carom_world *world, const carom_material_desc *desc, carom_material *material,
-                                        carom_error *error);
-int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc,
-                                        carom_error *error);
-int32_t carom_material_destroy(carom_world *world, carom_material material, carom_error *error);
+int32_t carom_material_desc_init(carom_material_desc* desc, uint32_t struct_size);
+int32_t carom_material_create(carom_world* world, const carom_material_desc* desc, carom_material* material,
+                              carom_error* error);
+int32_t carom_material_update(carom_world* world, carom_material material, const carom_material_desc* desc,
+                              carom_error* error);
+int32_t carom_material_destroy(carom_world* world, carom_material material, carom_error* error);
 #define CAROM_BODY_STATIC 0u
 #define CAROM_BODY_KINEMATIC 1u
 #define CAROM_BODY_DYNAMIC 2u
@@ -341,18 +344,18 @@ typedef struct carom_body_desc {
   double angular_damping;
   uint64_t user;
 } carom_body_desc;
-int32_t carom_body_desc_init(carom_body_desc *desc, uint32_t struct_size);
-int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body, carom_error *error);
-int32_t carom_body_destroy(carom_world *world, carom_body body, carom_error *error);
-int32_t carom_body_get(carom_world *world, carom_body body, carom_body_desc *desc, carom_error *error);
-int32_t carom_body_set_pose(carom_world *world, carom_body body, const double position[3],
-                                      const double orientation[4], carom_error *error);
-int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double linear[3],
-                                          const double angular[3], carom_error *error);
-int32_t carom_body_add_force(carom_world *world, carom_body body, const double force[3],
-                                       const double torque[3], carom_error *error);
-int32_t carom_body_add_impulse(carom_world *world, carom_body body, const double impulse[3],
-                                         const double point[3], carom_error *error);
+int32_t carom_body_desc_init(carom_body_desc* desc, uint32_t struct_size);
+int32_t carom_body_create(carom_world* world, const carom_body_desc* desc, carom_body* body, carom_error* error);
+int32_t carom_body_destroy(carom_world* world, carom_body body, carom_error* error);
+int32_t carom_body_get(carom_world* world, carom_body body, carom_body_desc* desc, carom_error* error);
+int32_t carom_body_set_pose(carom_world* world, carom_body body, const double position[3], const double orientation[4],
+                            carom_error* error);
+int32_t carom_body_set_velocity(carom_world* world, carom_body body, const double linear[3], const double angular[3],
+                                carom_error* error);
+int32_t carom_body_add_force(carom_world* world, carom_body body, const double force[3], const double torque[3],
+                             carom_error* error);
+int32_t carom_body_add_impulse(carom_world* world, carom_body body, const double impulse[3], const double point[3],
+                               carom_error* error);
 typedef struct carom_collider_desc {
   uint32_t struct_size;
   uint32_t reserved;
@@ -362,12 +365,12 @@ typedef struct carom_collider_desc {
   double orientation[4];
   double density;
 } carom_collider_desc;
-int32_t carom_collider_desc_init(carom_collider_desc *desc, uint32_t struct_size);
-int32_t carom_collider_create(carom_world *world, carom_body body, const carom_collider_desc *desc,
-                                        carom_collider *collider, carom_error *error);
-int32_t carom_collider_destroy(carom_world *world, carom_collider collider, carom_error *error);
-int32_t carom_collider_get(carom_world *world, carom_collider collider, carom_collider_desc *desc,
-                                     carom_body *body, carom_error *error);
+int32_t carom_collider_desc_init(carom_collider_desc* desc, uint32_t struct_size);
+int32_t carom_collider_create(carom_world* world, carom_body body, const carom_collider_desc* desc,
+                              carom_collider* collider, carom_error* error);
+int32_t carom_collider_destroy(carom_world* world, carom_collider collider, carom_error* error);
+int32_t carom_collider_get(carom_world* world, carom_collider collider, carom_collider_desc* desc, carom_body* body,
+                           carom_error* error);
 #define CAROM_FIELD_POSITION 0u
 #define CAROM_FIELD_ORIENTATION 1u
 #define CAROM_FIELD_POSE 2u
@@ -380,12 +383,12 @@ int32_t carom_collider_get(carom_world *world, carom_collider collider, carom_co
 #define CAROM_FIELD_COUNT 9u
 #define CAROM_SCALAR_F32 0u
 #define CAROM_SCALAR_F64 1u
-int32_t carom_world_get_bodies(carom_world *world, carom_body *handles, uint64_t capacity, uint64_t *count,
-                                         carom_error *error);
-int32_t carom_world_read(carom_world *world, uint32_t field, uint32_t scalar, const carom_body *handles,
-                                   uint64_t n, void *dst, uint64_t stride, carom_error *error);
-int32_t carom_world_write(carom_world *world, uint32_t field, uint32_t scalar, const carom_body *handles,
-                                    uint64_t n, const void *src, uint64_t stride, carom_error *error);
+int32_t carom_world_get_bodies(carom_world* world, carom_body* handles, uint64_t capacity, uint64_t* count,
+                               carom_error* error);
+int32_t carom_world_read(carom_world* world, uint32_t field, uint32_t scalar, const carom_body* handles, uint64_t n,
+                         void* dst, uint64_t stride, carom_error* error);
+int32_t carom_world_write(carom_world* world, uint32_t field, uint32_t scalar, const carom_body* handles, uint64_t n,
+                          const void* src, uint64_t stride, carom_error* error);
 #define CAROM_QUERY_EXACT_ENOUGH 0u
 #define CAROM_QUERY_CAPPED 1u
 #define CAROM_QUERY_ROUNDING 2u
@@ -414,10 +417,10 @@ typedef struct carom_distance {
   uint32_t support_calls;
   uint32_t reserved;
 } carom_distance;
-int32_t carom_distance_desc_init(carom_distance_desc *desc, uint32_t struct_size);
-int32_t carom_shape_distance(carom_engine *engine, carom_shape shape_a, const double position_a[3],
-                                       const double orientation_a[4], carom_shape shape_b, const double position_b[3],
-                                       const double orientation_b[4], const carom_distance_desc *desc,
-                                       carom_distance *result, carom_error *error);
+int32_t carom_distance_desc_init(carom_distance_desc* desc, uint32_t struct_size);
+int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const double position_a[3],
+                             const double orientation_a[4], carom_shape shape_b, const double position_b[3],
+                             const double orientation_b[4], const carom_distance_desc* desc, carom_distance* result,
+                             carom_error* error);
 
 #endif

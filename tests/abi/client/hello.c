@@ -5,8 +5,8 @@
 
 int main(void) {
   carom_error error = CAROM_ERROR_INIT;
-  carom_engine *engine = NULL;
-  carom_world *world = NULL;
+  carom_engine* engine = NULL;
+  carom_world* world = NULL;
   carom_plugin sphere = 0;
   carom_shape shape = 0;
   carom_body body = 0;

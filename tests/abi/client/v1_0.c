@@ -1,22 +1,20 @@
 /* A client of version 1.0, with declarations of its own: structs of their first sizes, canaries behind them. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
-
-
 typedef struct Guarded {
   carom_step_report report;
   uint64_t canary;
 } Guarded;
 
 static int32_t lies = 0;
-static int32_t may_lie(void *user, const double *params, uint64_t count, const double dir[3], double out[3]) {
+static int32_t may_lie(void* user, const double* params, uint64_t count, const double dir[3], double out[3]) {
   int i;
   (void)user, (void)count;
   for (i = 0; i < 3; ++i) out[i] = dir[i] < 0 ? -params[0] : params[0];
   return lies;
 }
 
-static uint64_t run(Stage *s) {
+static uint64_t run(Stage* s) {
   uint64_t hash = 0;
   double y[3];
   stage_world(s, 5);

@@ -1,11 +1,12 @@
 /* A client of version 1.0, with declarations of its own: forces, the plan, the ledger. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
-int32_t carom_body_add_force_at(carom_world *world, carom_body body, const double force[3], const double point[3], carom_error *error);
-int32_t carom_body_set_drag(carom_world *world, carom_body body, double linear, double quadratic, carom_error *error);
-int32_t carom_body_get_drag(carom_world *world, carom_body body, double *linear, double *quadratic, carom_error *error);
-int32_t carom_world_set_wind(carom_world *world, const double velocity[3], carom_error *error);
-int32_t carom_world_get_wind(carom_world *world, double velocity[3], carom_error *error);
+int32_t carom_body_add_force_at(carom_world* world, carom_body body, const double force[3], const double point[3],
+                                carom_error* error);
+int32_t carom_body_set_drag(carom_world* world, carom_body body, double linear, double quadratic, carom_error* error);
+int32_t carom_body_get_drag(carom_world* world, carom_body body, double* linear, double* quadratic, carom_error* error);
+int32_t carom_world_set_wind(carom_world* world, const double velocity[3], carom_error* error);
+int32_t carom_world_get_wind(carom_world* world, double velocity[3], carom_error* error);
 typedef uint64_t carom_force_field;
 #define CAROM_FORCE_FIELD_UNIFORM 0u
 typedef struct carom_force_field_desc {
@@ -27,13 +28,16 @@ typedef struct carom_force_field_desc {
   uint32_t reserved;
   uint64_t user;
 } carom_force_field_desc;
-int32_t carom_force_field_desc_init(carom_force_field_desc *desc, uint32_t struct_size);
-int32_t carom_force_field_create(carom_world *world, const carom_force_field_desc *desc, carom_force_field *field, carom_error *error);
-int32_t carom_force_field_update(carom_world *world, carom_force_field field, const carom_force_field_desc *desc, carom_error *error);
-int32_t carom_force_field_get(carom_world *world, carom_force_field field, carom_force_field_desc *desc, carom_error *error);
-int32_t carom_force_field_destroy(carom_world *world, carom_force_field field, carom_error *error);
-int32_t carom_body_set_force_field_mask(carom_world *world, carom_body body, uint32_t mask, carom_error *error);
-int32_t carom_body_get_force_field_mask(carom_world *world, carom_body body, uint32_t *mask, carom_error *error);
+int32_t carom_force_field_desc_init(carom_force_field_desc* desc, uint32_t struct_size);
+int32_t carom_force_field_create(carom_world* world, const carom_force_field_desc* desc, carom_force_field* field,
+                                 carom_error* error);
+int32_t carom_force_field_update(carom_world* world, carom_force_field field, const carom_force_field_desc* desc,
+                                 carom_error* error);
+int32_t carom_force_field_get(carom_world* world, carom_force_field field, carom_force_field_desc* desc,
+                              carom_error* error);
+int32_t carom_force_field_destroy(carom_world* world, carom_force_field field, carom_error* error);
+int32_t carom_body_set_force_field_mask(carom_world* world, carom_body body, uint32_t mask, carom_error* error);
+int32_t carom_body_get_force_field_mask(carom_world* world, carom_body body, uint32_t* mask, carom_error* error);
 typedef uint64_t carom_spring;
 typedef struct carom_spring_desc {
   uint32_t struct_size;
@@ -47,12 +51,15 @@ typedef struct carom_spring_desc {
   double damping;
   uint64_t user;
 } carom_spring_desc;
-int32_t carom_spring_desc_init(carom_spring_desc *desc, uint32_t struct_size);
-int32_t carom_spring_create(carom_world *world, const carom_spring_desc *desc, carom_spring *spring, carom_error *error);
-int32_t carom_spring_update(carom_world *world, carom_spring spring, double rest, double stiffness, double damping, carom_error *error);
-int32_t carom_spring_get(carom_world *world, carom_spring spring, carom_spring_desc *desc, carom_error *error);
-int32_t carom_spring_get_state(carom_world *world, carom_spring spring, double *length, double *force, carom_error *error);
-int32_t carom_spring_destroy(carom_world *world, carom_spring spring, carom_error *error);
+int32_t carom_spring_desc_init(carom_spring_desc* desc, uint32_t struct_size);
+int32_t carom_spring_create(carom_world* world, const carom_spring_desc* desc, carom_spring* spring,
+                            carom_error* error);
+int32_t carom_spring_update(carom_world* world, carom_spring spring, double rest, double stiffness, double damping,
+                            carom_error* error);
+int32_t carom_spring_get(carom_world* world, carom_spring spring, carom_spring_desc* desc, carom_error* error);
+int32_t carom_spring_get_state(carom_world* world, carom_spring spring, double* length, double* force,
+                               carom_error* error);
+int32_t carom_spring_destroy(carom_world* world, carom_spring spring, carom_error* error);
 typedef struct carom_water {
   uint32_t struct_size;
   uint32_t reserved;
@@ -62,17 +69,17 @@ typedef struct carom_water {
   double current[3];
   double drag;
 } carom_water;
-int32_t carom_water_init(carom_water *water, uint32_t struct_size);
-int32_t carom_world_set_water(carom_world *world, const carom_water *water, carom_error *error);
-int32_t carom_world_get_water(carom_world *world, carom_water *water, uint32_t *present, carom_error *error);
+int32_t carom_water_init(carom_water* water, uint32_t struct_size);
+int32_t carom_world_set_water(carom_world* world, const carom_water* water, carom_error* error);
+int32_t carom_world_get_water(carom_world* world, carom_water* water, uint32_t* present, carom_error* error);
 #define CAROM_EFFECT_GRAVITY 3u
 #define CAROM_MODE_FORBID 1u
-const char *carom_effect_name(uint32_t effect);
-int32_t carom_world_set_effect(carom_world *world, uint32_t effect, uint32_t mode, carom_error *error);
-int32_t carom_world_get_effect(carom_world *world, uint32_t effect, uint32_t *mode, carom_error *error);
-int32_t carom_body_set_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t mode, carom_error *error);
-int32_t carom_body_get_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t *mode, carom_error *error);
-int32_t carom_world_time_effects(carom_world *world, uint32_t on, carom_error *error);
+const char* carom_effect_name(uint32_t effect);
+int32_t carom_world_set_effect(carom_world* world, uint32_t effect, uint32_t mode, carom_error* error);
+int32_t carom_world_get_effect(carom_world* world, uint32_t effect, uint32_t* mode, carom_error* error);
+int32_t carom_body_set_effect(carom_world* world, carom_body body, uint32_t effect, uint32_t mode, carom_error* error);
+int32_t carom_body_get_effect(carom_world* world, carom_body body, uint32_t effect, uint32_t* mode, carom_error* error);
+int32_t carom_world_time_effects(carom_world* world, uint32_t on, carom_error* error);
 typedef struct carom_plan_line {
   uint32_t effect;
   uint32_t stage;
@@ -89,9 +96,10 @@ typedef struct carom_plan_line {
   char unit[24];
   char reason[128];
 } carom_plan_line;
-int32_t carom_world_get_plan(carom_world *world, carom_plan_line *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
+int32_t carom_world_get_plan(carom_world* world, carom_plan_line* dst, uint64_t stride, uint64_t capacity,
+                             uint64_t* count, carom_error* error);
 typedef struct carom_ledger_entry {
-  const char *name;
+  const char* name;
   double kinetic;
   double potential;
   double linear[3];
@@ -124,9 +132,10 @@ typedef struct carom_ledger_state {
   double total_rounding_linear;
   double total_rounding_angular;
 } carom_ledger_state;
-int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *error);
-int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
-int32_t carom_world_get_ledger_state(carom_world *world, carom_ledger_state *state, carom_error *error);
+int32_t carom_world_enable_ledger(carom_world* world, uint32_t on, carom_error* error);
+int32_t carom_world_get_ledger(carom_world* world, carom_ledger_entry* dst, uint64_t stride, uint64_t capacity,
+                               uint64_t* count, carom_error* error);
+int32_t carom_world_get_ledger_state(carom_world* world, carom_ledger_state* state, carom_error* error);
 
 int main(void) {
   Stage s;

@@ -50,24 +50,32 @@ typedef struct carom_joint_state {
   double angle;
   double coordinate[4];
 } carom_joint_state;
-int32_t carom_joint_desc_init(carom_joint_desc *desc, uint32_t struct_size);
-int32_t carom_joint_limit_init(carom_joint_limit *limit, uint32_t struct_size);
-int32_t carom_joint_motor_init(carom_joint_motor *motor, uint32_t struct_size);
-int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t struct_size);
-int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint, carom_error *error);
-int32_t carom_joint_destroy(carom_world *world, carom_joint joint, carom_error *error);
-int32_t carom_joint_get(carom_world *world, carom_joint joint, carom_joint_desc *desc, carom_error *error);
-int32_t carom_joint_get_state(carom_world *world, carom_joint joint, carom_joint_state *state, carom_error *error);
-int32_t carom_joint_set_limit(carom_world *world, carom_joint joint, uint32_t coordinate, const carom_joint_limit *limit, carom_error *error);
-int32_t carom_joint_get_limit(carom_world *world, carom_joint joint, uint32_t coordinate, carom_joint_limit *limit, carom_error *error);
-int32_t carom_joint_set_motor(carom_world *world, carom_joint joint, uint32_t coordinate, const carom_joint_motor *motor, carom_error *error);
-int32_t carom_joint_set_spring(carom_world *world, carom_joint joint, uint32_t coordinate, const carom_joint_spring *spring, carom_error *error);
-int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t capacity, uint64_t *count, carom_error *error);
-int32_t carom_body_set_filter(carom_world *world, carom_body body, uint64_t category, uint64_t mask, int32_t group, carom_error *error);
-int32_t carom_body_hold_apart(carom_world *world, carom_body body_a, carom_body body_b, uint32_t apart, carom_error *error);
-int32_t carom_collider_set_sensor(carom_world *world, carom_collider collider, uint32_t sensor, carom_error *error);
-int32_t carom_collider_is_sensor(carom_world *world, carom_collider collider, uint32_t *sensor, carom_error *error);
-int32_t carom_collider_set_filter(carom_world *world, carom_collider collider, uint64_t category, uint64_t mask, int32_t group, carom_error *error);
+int32_t carom_joint_desc_init(carom_joint_desc* desc, uint32_t struct_size);
+int32_t carom_joint_limit_init(carom_joint_limit* limit, uint32_t struct_size);
+int32_t carom_joint_motor_init(carom_joint_motor* motor, uint32_t struct_size);
+int32_t carom_joint_spring_init(carom_joint_spring* spring, uint32_t struct_size);
+int32_t carom_joint_create(carom_world* world, const carom_joint_desc* desc, carom_joint* joint, carom_error* error);
+int32_t carom_joint_destroy(carom_world* world, carom_joint joint, carom_error* error);
+int32_t carom_joint_get(carom_world* world, carom_joint joint, carom_joint_desc* desc, carom_error* error);
+int32_t carom_joint_get_state(carom_world* world, carom_joint joint, carom_joint_state* state, carom_error* error);
+int32_t carom_joint_set_limit(carom_world* world, carom_joint joint, uint32_t coordinate,
+                              const carom_joint_limit* limit, carom_error* error);
+int32_t carom_joint_get_limit(carom_world* world, carom_joint joint, uint32_t coordinate, carom_joint_limit* limit,
+                              carom_error* error);
+int32_t carom_joint_set_motor(carom_world* world, carom_joint joint, uint32_t coordinate,
+                              const carom_joint_motor* motor, carom_error* error);
+int32_t carom_joint_set_spring(carom_world* world, carom_joint joint, uint32_t coordinate,
+                               const carom_joint_spring* spring, carom_error* error);
+int32_t carom_world_get_joints(carom_world* world, carom_joint* joints, uint64_t capacity, uint64_t* count,
+                               carom_error* error);
+int32_t carom_body_set_filter(carom_world* world, carom_body body, uint64_t category, uint64_t mask, int32_t group,
+                              carom_error* error);
+int32_t carom_body_hold_apart(carom_world* world, carom_body body_a, carom_body body_b, uint32_t apart,
+                              carom_error* error);
+int32_t carom_collider_set_sensor(carom_world* world, carom_collider collider, uint32_t sensor, carom_error* error);
+int32_t carom_collider_is_sensor(carom_world* world, carom_collider collider, uint32_t* sensor, carom_error* error);
+int32_t carom_collider_set_filter(carom_world* world, carom_collider collider, uint64_t category, uint64_t mask,
+                                  int32_t group, carom_error* error);
 #define CAROM_EVENTS_CONTACT 1u
 #define CAROM_EVENTS_SENSOR 2u
 #define CAROM_EVENTS_SLEEP 4u
@@ -92,9 +100,11 @@ typedef struct carom_sensor_event {
   carom_body sensor_body;
   carom_body other_body;
 } carom_sensor_event;
-int32_t carom_world_collect_events(carom_world *world, uint32_t kinds, double hit_speed, carom_error *error);
-int32_t carom_world_get_contact_events(carom_world *world, carom_contact_event *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
-int32_t carom_world_get_sensor_events(carom_world *world, carom_sensor_event *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
+int32_t carom_world_collect_events(carom_world* world, uint32_t kinds, double hit_speed, carom_error* error);
+int32_t carom_world_get_contact_events(carom_world* world, carom_contact_event* dst, uint64_t stride, uint64_t capacity,
+                                       uint64_t* count, carom_error* error);
+int32_t carom_world_get_sensor_events(carom_world* world, carom_sensor_event* dst, uint64_t stride, uint64_t capacity,
+                                      uint64_t* count, carom_error* error);
 #define CAROM_CAST_HIT 1u
 typedef struct carom_query_desc {
   uint32_t struct_size;
@@ -121,8 +131,9 @@ typedef struct carom_world_hit {
   double point[3];
   double point_own[3];
 } carom_world_hit;
-int32_t carom_query_desc_init(carom_query_desc *desc, uint32_t struct_size);
-int32_t carom_world_cast_ray(carom_world *world, const double origin[3], const double direction[3], double max, const carom_query_desc *desc, carom_world_hit *hit, uint64_t size, carom_error *error);
+int32_t carom_query_desc_init(carom_query_desc* desc, uint32_t struct_size);
+int32_t carom_world_cast_ray(carom_world* world, const double origin[3], const double direction[3], double max,
+                             const carom_query_desc* desc, carom_world_hit* hit, uint64_t size, carom_error* error);
 
 int main(void) {
   Stage s;

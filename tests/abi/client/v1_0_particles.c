@@ -10,18 +10,28 @@ typedef struct carom_particles_desc {
   double mass;
   uint64_t capacity;
 } carom_particles_desc;
-int32_t carom_particles_desc_init(carom_particles_desc *desc, uint32_t struct_size);
-int32_t carom_particles_create(carom_world *world, const carom_particles_desc *desc, carom_particles *set, carom_error *error);
-int32_t carom_particles_destroy(carom_world *world, carom_particles set, carom_error *error);
-int32_t carom_particles_get(carom_world *world, carom_particles set, carom_particles_desc *desc, carom_error *error);
-int32_t carom_particles_get_count(carom_world *world, carom_particles set, uint64_t *count, carom_error *error);
-int32_t carom_particles_add(carom_world *world, carom_particles set, uint64_t n, uint32_t scalar, const void *positions, uint64_t position_stride, const void *velocities, uint64_t velocity_stride, carom_error *error);
-int32_t carom_particles_remove(carom_world *world, carom_particles set, const uint32_t *indices, uint64_t n, carom_error *error);
-int32_t carom_particles_read(carom_world *world, carom_particles set, uint32_t field, uint32_t scalar, const uint32_t *indices, uint64_t n, void *dst, uint64_t stride, carom_error *error);
-int32_t carom_particles_write(carom_world *world, carom_particles set, uint32_t field, uint32_t scalar, const uint32_t *indices, uint64_t n, const void *src, uint64_t stride, carom_error *error);
-int32_t carom_particles_update(carom_world *world, carom_particles set, const carom_particles_desc *desc, carom_error *error);
-int32_t carom_particles_get_quarantined(carom_world *world, carom_particles set, uint32_t *indices, uint64_t capacity, uint64_t *count, carom_error *error);
-int32_t carom_world_get_particles(carom_world *world, carom_particles *sets, uint64_t capacity, uint64_t *count, carom_error *error);
+int32_t carom_particles_desc_init(carom_particles_desc* desc, uint32_t struct_size);
+int32_t carom_particles_create(carom_world* world, const carom_particles_desc* desc, carom_particles* set,
+                               carom_error* error);
+int32_t carom_particles_destroy(carom_world* world, carom_particles set, carom_error* error);
+int32_t carom_particles_get(carom_world* world, carom_particles set, carom_particles_desc* desc, carom_error* error);
+int32_t carom_particles_get_count(carom_world* world, carom_particles set, uint64_t* count, carom_error* error);
+int32_t carom_particles_add(carom_world* world, carom_particles set, uint64_t n, uint32_t scalar, const void* positions,
+                            uint64_t position_stride, const void* velocities, uint64_t velocity_stride,
+                            carom_error* error);
+int32_t carom_particles_remove(carom_world* world, carom_particles set, const uint32_t* indices, uint64_t n,
+                               carom_error* error);
+int32_t carom_particles_read(carom_world* world, carom_particles set, uint32_t field, uint32_t scalar,
+                             const uint32_t* indices, uint64_t n, void* dst, uint64_t stride, carom_error* error);
+int32_t carom_particles_write(carom_world* world, carom_particles set, uint32_t field, uint32_t scalar,
+                              const uint32_t* indices, uint64_t n, const void* src, uint64_t stride,
+                              carom_error* error);
+int32_t carom_particles_update(carom_world* world, carom_particles set, const carom_particles_desc* desc,
+                               carom_error* error);
+int32_t carom_particles_get_quarantined(carom_world* world, carom_particles set, uint32_t* indices, uint64_t capacity,
+                                        uint64_t* count, carom_error* error);
+int32_t carom_world_get_particles(carom_world* world, carom_particles* sets, uint64_t capacity, uint64_t* count,
+                                  carom_error* error);
 
 int main(void) {
   Stage s;

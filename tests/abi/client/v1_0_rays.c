@@ -48,9 +48,9 @@ typedef struct carom_rays {
   uint32_t struct_size;
   uint32_t scalar;
   uint64_t count;
-  const void *origins;
-  const void *directions;
-  const void *max;
+  const void* origins;
+  const void* directions;
+  const void* max;
   uint64_t origin_stride;
   uint64_t direction_stride;
   uint64_t max_stride;
@@ -69,12 +69,12 @@ typedef struct carom_ray_hit {
 typedef struct carom_ray_hits {
   uint32_t struct_size;
   uint32_t scalar;
-  carom_ray_hit *records;
-  uint32_t *outcomes;
-  uint32_t *shapes;
-  void *times;
-  void *normals;
-  void *points;
+  carom_ray_hit* records;
+  uint32_t* outcomes;
+  uint32_t* shapes;
+  void* times;
+  void* normals;
+  void* points;
   uint64_t record_stride;
   uint64_t outcome_stride;
   uint64_t shape_stride;
@@ -82,13 +82,25 @@ typedef struct carom_ray_hits {
   uint64_t normal_stride;
   uint64_t point_stride;
 } carom_ray_hits;
-int32_t carom_cast_desc_init(carom_cast_desc *desc, uint32_t struct_size);
-int32_t carom_motion_init(carom_motion *motion, uint32_t struct_size);
-int32_t carom_ray_cast(carom_engine *engine, carom_shape shape, const double position[3], const double orientation[4], const double origin[3], const double direction[3], double max, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
-int32_t carom_shape_cast(carom_engine *engine, carom_shape shape_a, const double position_a[3], const double orientation_a[4], const double motion[3], carom_shape shape_b, const double position_b[3], const double orientation_b[4], const carom_cast_desc *desc, carom_cast *result, carom_error *error);
-int32_t carom_shape_time_of_impact(carom_engine *engine, carom_shape shape_a, const carom_motion *motion_a, carom_shape shape_b, const carom_motion *motion_b, double duration, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
-int32_t carom_shape_overlap(carom_engine *engine, carom_shape shape_a, const double position_a[3], const double orientation_a[4], carom_shape shape_b, const double position_b[3], const double orientation_b[4], const carom_cast_desc *desc, carom_overlap *result, carom_error *error);
-int32_t carom_rays_cast(carom_engine *engine, const carom_shape *shapes, const double *positions, const double *orientations, uint64_t shape_count, const carom_rays *rays, const carom_cast_desc *desc, const carom_ray_hits *hits, carom_error *error);
+int32_t carom_cast_desc_init(carom_cast_desc* desc, uint32_t struct_size);
+int32_t carom_motion_init(carom_motion* motion, uint32_t struct_size);
+int32_t carom_ray_cast(carom_engine* engine, carom_shape shape, const double position[3], const double orientation[4],
+                       const double origin[3], const double direction[3], double max, const carom_cast_desc* desc,
+                       carom_cast* result, carom_error* error);
+int32_t carom_shape_cast(carom_engine* engine, carom_shape shape_a, const double position_a[3],
+                         const double orientation_a[4], const double motion[3], carom_shape shape_b,
+                         const double position_b[3], const double orientation_b[4], const carom_cast_desc* desc,
+                         carom_cast* result, carom_error* error);
+int32_t carom_shape_time_of_impact(carom_engine* engine, carom_shape shape_a, const carom_motion* motion_a,
+                                   carom_shape shape_b, const carom_motion* motion_b, double duration,
+                                   const carom_cast_desc* desc, carom_cast* result, carom_error* error);
+int32_t carom_shape_overlap(carom_engine* engine, carom_shape shape_a, const double position_a[3],
+                            const double orientation_a[4], carom_shape shape_b, const double position_b[3],
+                            const double orientation_b[4], const carom_cast_desc* desc, carom_overlap* result,
+                            carom_error* error);
+int32_t carom_rays_cast(carom_engine* engine, const carom_shape* shapes, const double* positions,
+                        const double* orientations, uint64_t shape_count, const carom_rays* rays,
+                        const carom_cast_desc* desc, const carom_ray_hits* hits, carom_error* error);
 
 int main(void) {
   Stage s;
@@ -109,7 +121,8 @@ int main(void) {
   OK(carom_ray_cast(s.engine, s.ball, far, upright, here, to_far, 1, &desc, &hit, &error));
   CHECK(hit.outcome == CAROM_CAST_HIT && fabs(hit.time - 2.5 / 6) < 1e-6 && hit.normal[0] > 0.99);
   OK(carom_shape_cast(s.engine, s.ball, here, upright, to_far, s.ball, far, upright, NULL, &hit, &error));
-  CHECK(hit.outcome == CAROM_CAST_HIT && fabs(hit.time - 2. / 6) < 1e-6 && hit.lower <= hit.time && hit.time <= hit.upper);
+  CHECK(hit.outcome == CAROM_CAST_HIT && fabs(hit.time - 2. / 6) < 1e-6 && hit.lower <= hit.time &&
+        hit.time <= hit.upper);
   OK(carom_motion_init(&moves, sizeof moves));
   OK(carom_motion_init(&rests, sizeof rests));
   moves.linear_velocity[0] = 1, rests.position[0] = 3;

@@ -1,8 +1,10 @@
 /* A client of version 1.0, with declarations of its own: a surface that resists rolling. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
-int32_t carom_material_get_resistance(carom_world *world, carom_material material, double *rolling, double *spinning, carom_error *error);
-int32_t carom_material_set_resistance(carom_world *world, carom_material material, double rolling, double spinning, carom_error *error);
+int32_t carom_material_get_resistance(carom_world* world, carom_material material, double* rolling, double* spinning,
+                                      carom_error* error);
+int32_t carom_material_set_resistance(carom_world* world, carom_material material, double rolling, double spinning,
+                                      carom_error* error);
 
 /* @return how far a ball rolls in 3 s that starts at 1 m/s */
 static double rolls(double resistance) {

@@ -4,9 +4,9 @@
 typedef struct carom_mesh_desc {
   uint32_t struct_size;
   uint32_t flags;
-  const double *vertices;
+  const double* vertices;
   uint64_t vertex_count;
-  const uint32_t *triangles;
+  const uint32_t* triangles;
   uint64_t triangle_count;
 } carom_mesh_desc;
 typedef struct carom_height_field_desc {
@@ -14,7 +14,7 @@ typedef struct carom_height_field_desc {
   uint32_t flags;
   uint32_t columns;
   uint32_t rows;
-  const double *heights;
+  const double* heights;
   double spacing[2];
 } carom_height_field_desc;
 typedef struct carom_scenery_info {
@@ -26,22 +26,28 @@ typedef struct carom_scenery_info {
   uint64_t rims;
   uint64_t bytes;
 } carom_scenery_info;
-int32_t carom_mesh_desc_init(carom_mesh_desc *desc, uint32_t struct_size);
-int32_t carom_height_field_desc_init(carom_height_field_desc *desc, uint32_t struct_size);
-int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh_desc *desc, carom_shape *shape, carom_error *error);
-int32_t carom_shape_create_height_field(carom_engine *engine, const carom_height_field_desc *desc, carom_shape *shape, carom_error *error);
-int32_t carom_shape_get_scenery_info(carom_engine *engine, carom_shape shape, carom_scenery_info *info, carom_error *error);
-int32_t carom_shape_get_triangles(carom_engine *engine, carom_shape shape, uint64_t first, double *corners, uint64_t *count, uint64_t *next, carom_error *error);
+int32_t carom_mesh_desc_init(carom_mesh_desc* desc, uint32_t struct_size);
+int32_t carom_height_field_desc_init(carom_height_field_desc* desc, uint32_t struct_size);
+int32_t carom_shape_create_mesh(carom_engine* engine, const carom_mesh_desc* desc, carom_shape* shape,
+                                carom_error* error);
+int32_t carom_shape_create_height_field(carom_engine* engine, const carom_height_field_desc* desc, carom_shape* shape,
+                                        carom_error* error);
+int32_t carom_shape_get_scenery_info(carom_engine* engine, carom_shape shape, carom_scenery_info* info,
+                                     carom_error* error);
+int32_t carom_shape_get_triangles(carom_engine* engine, carom_shape shape, uint64_t first, double* corners,
+                                  uint64_t* count, uint64_t* next, carom_error* error);
 #define CAROM_LOCK_LINEAR_X 0x1u
-int32_t carom_body_set_locks(carom_world *world, carom_body body, uint32_t locks, carom_error *error);
-int32_t carom_body_get_locks(carom_world *world, carom_body body, uint32_t *locks, carom_error *error);
-int32_t carom_body_set_gravity_factor(carom_world *world, carom_body body, double factor, carom_error *error);
-int32_t carom_body_get_gravity_factor(carom_world *world, carom_body body, double *factor, carom_error *error);
+int32_t carom_body_set_locks(carom_world* world, carom_body body, uint32_t locks, carom_error* error);
+int32_t carom_body_get_locks(carom_world* world, carom_body body, uint32_t* locks, carom_error* error);
+int32_t carom_body_set_gravity_factor(carom_world* world, carom_body body, double factor, carom_error* error);
+int32_t carom_body_get_gravity_factor(carom_world* world, carom_body body, double* factor, carom_error* error);
 #define CAROM_CONTINUOUS_ALWAYS 1u
-int32_t carom_body_set_continuous(carom_world *world, carom_body body, uint32_t mode, carom_error *error);
-int32_t carom_body_get_continuous(carom_world *world, carom_body body, uint32_t *mode, carom_error *error);
-int32_t carom_collider_set_surface_velocity(carom_world *world, carom_collider collider, const double linear[3], const double angular[3], carom_error *error);
-int32_t carom_collider_get_surface_velocity(carom_world *world, carom_collider collider, double linear[3], double angular[3], carom_error *error);
+int32_t carom_body_set_continuous(carom_world* world, carom_body body, uint32_t mode, carom_error* error);
+int32_t carom_body_get_continuous(carom_world* world, carom_body body, uint32_t* mode, carom_error* error);
+int32_t carom_collider_set_surface_velocity(carom_world* world, carom_collider collider, const double linear[3],
+                                            const double angular[3], carom_error* error);
+int32_t carom_collider_get_surface_velocity(carom_world* world, carom_collider collider, double linear[3],
+                                            double angular[3], carom_error* error);
 typedef struct carom_draw_desc {
   uint32_t struct_size;
   uint32_t what;
@@ -55,8 +61,9 @@ typedef struct carom_draw_line {
   uint32_t kind;
   carom_body body;
 } carom_draw_line;
-int32_t carom_draw_desc_init(carom_draw_desc *desc, uint32_t struct_size);
-int32_t carom_world_draw(carom_world *world, const carom_draw_desc *desc, carom_draw_line *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
+int32_t carom_draw_desc_init(carom_draw_desc* desc, uint32_t struct_size);
+int32_t carom_world_draw(carom_world* world, const carom_draw_desc* desc, carom_draw_line* dst, uint64_t stride,
+                         uint64_t capacity, uint64_t* count, carom_error* error);
 
 int main(void) {
   Stage s;

@@ -1,17 +1,17 @@
 /* A client of version 1.0, with declarations of its own: threads, sleep, groups. Once 1.0 is frozen it is never edited. */
 #include "stage.h"
 
-typedef void (*carom_job_fn)(void *context, uint32_t begin, uint32_t end);
+typedef void (*carom_job_fn)(void* context, uint32_t begin, uint32_t end);
 typedef struct carom_jobs_desc {
   uint32_t struct_size;
   uint32_t threads;
-  void (*run)(void *user, carom_job_fn job, void *context, uint32_t count);
-  void *user;
+  void (*run)(void* user, carom_job_fn job, void* context, uint32_t count);
+  void* user;
 } carom_jobs_desc;
-int32_t carom_jobs_desc_init(carom_jobs_desc *desc, uint32_t struct_size);
-int32_t carom_engine_set_jobs(carom_engine *engine, const carom_jobs_desc *desc, carom_error *error);
-int32_t carom_body_is_asleep(carom_world *world, carom_body body, uint32_t *asleep, carom_error *error);
-int32_t carom_body_wake(carom_world *world, carom_body body, carom_error *error);
+int32_t carom_jobs_desc_init(carom_jobs_desc* desc, uint32_t struct_size);
+int32_t carom_engine_set_jobs(carom_engine* engine, const carom_jobs_desc* desc, carom_error* error);
+int32_t carom_body_is_asleep(carom_world* world, carom_body body, uint32_t* asleep, carom_error* error);
+int32_t carom_body_wake(carom_world* world, carom_body body, carom_error* error);
 typedef struct carom_group {
   carom_body body;
   uint32_t bodies;
@@ -21,12 +21,13 @@ typedef struct carom_group {
   double mass_ratio;
   double sink;
 } carom_group;
-int32_t carom_world_get_groups(carom_world *world, carom_group *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
+int32_t carom_world_get_groups(carom_world* world, carom_group* dst, uint64_t stride, uint64_t capacity,
+                               uint64_t* count, carom_error* error);
 
 #define DIAL_SOLVER_AUTO 4 /* what has come since 1.0 in lists that grow */
 #define DIAL_SLEEP 29u
 
-static uint64_t run(Stage *s) {
+static uint64_t run(Stage* s) {
   uint64_t hash, n = 0;
   uint32_t asleep = 0;
   int i;

@@ -19,12 +19,13 @@ namespace hostile {
 using Codes = uint64_t;
 constexpr Codes code(int32_t result) { return Codes(1) << -result; }
 constexpr Codes kNull = code(CAROM_E_NULL_ARGUMENT), kNotFinite = code(CAROM_E_NOT_FINITE),
-                kRange = code(CAROM_E_OUT_OF_RANGE), kNotUnit = code(CAROM_E_NOT_UNIT), kEnum = code(CAROM_E_UNKNOWN_ENUM),
-                kSize = code(CAROM_E_STRUCT_SIZE), kUnsupported = code(CAROM_E_UNSUPPORTED),
-                kInvalid = code(CAROM_E_INVALID_HANDLE), kStale = code(CAROM_E_STALE_HANDLE),
-                kWrongKind = code(CAROM_E_WRONG_KIND), kWrongWorld = code(CAROM_E_WRONG_WORLD),
-                kSmall = code(CAROM_E_BUFFER_TOO_SMALL), kFine = code(CAROM_OK), kInUse = code(CAROM_E_IN_USE),
-                kNoVolume = code(CAROM_E_NO_VOLUME), kLimit = code(CAROM_E_LIMIT), kMemory = code(CAROM_E_OUT_OF_MEMORY), kCorrupt = code(CAROM_E_CORRUPT),
+                kRange = code(CAROM_E_OUT_OF_RANGE), kNotUnit = code(CAROM_E_NOT_UNIT),
+                kEnum = code(CAROM_E_UNKNOWN_ENUM), kSize = code(CAROM_E_STRUCT_SIZE),
+                kUnsupported = code(CAROM_E_UNSUPPORTED), kInvalid = code(CAROM_E_INVALID_HANDLE),
+                kStale = code(CAROM_E_STALE_HANDLE), kWrongKind = code(CAROM_E_WRONG_KIND),
+                kWrongWorld = code(CAROM_E_WRONG_WORLD), kSmall = code(CAROM_E_BUFFER_TOO_SMALL),
+                kFine = code(CAROM_OK), kInUse = code(CAROM_E_IN_USE), kNoVolume = code(CAROM_E_NO_VOLUME),
+                kLimit = code(CAROM_E_LIMIT), kMemory = code(CAROM_E_OUT_OF_MEMORY), kCorrupt = code(CAROM_E_CORRUPT),
                 kMismatch = code(CAROM_E_MISMATCH), kNotFound = code(CAROM_E_NOT_FOUND);
 /// Codes go from here to CAROM_OK.
 constexpr int32_t kLastCode = CAROM_E_READ_ONLY;
@@ -36,9 +37,21 @@ union Value {
   uint64_t u;
   double d;
 };
-inline Value of(const void* p) { Value v; v.p = p; return v; }
-inline Value of(uint64_t u) { Value v; v.u = u; return v; }
-inline Value of(double d) { Value v; v.d = d; return v; }
+inline Value of(const void* p) {
+  Value v;
+  v.p = p;
+  return v;
+}
+inline Value of(uint64_t u) {
+  Value v;
+  v.u = u;
+  return v;
+}
+inline Value of(double d) {
+  Value v;
+  v.d = d;
+  return v;
+}
 
 struct Wrong {
   std::string what;
@@ -64,7 +77,7 @@ struct Context {
   Source& source;
   std::vector<std::unique_ptr<char[]>> blocks;
   carom_error error;
-  bool wants_wrong = true;  // else only what is good is made up, which is quick
+  bool wants_wrong = true;   // else only what is good is made up, which is quick
   bool to_the_edge = false;  // one good number in four is anything that its bounds allow
   bool is_edged = false;     // one was: so what is made of them may be refused
 
@@ -85,8 +98,12 @@ struct Context {
 // ---- single values ----
 inline Argument fixed(const void* p) { return {of(p), {}}; }
 inline Argument fixed_number(uint64_t u) { return {of(u), {}}; }
-inline Argument world(Context& c) { return {of(static_cast<const void*>(c.own.world)), {{"null", of(nullptr), kNull}}}; }
-inline Argument engine(Context& c) { return {of(static_cast<const void*>(c.own.engine)), {{"null", of(nullptr), kNull}}}; }
+inline Argument world(Context& c) {
+  return {of(static_cast<const void*>(c.own.world)), {{"null", of(nullptr), kNull}}};
+}
+inline Argument engine(Context& c) {
+  return {of(static_cast<const void*>(c.own.engine)), {{"null", of(nullptr), kNull}}};
+}
 
 inline std::vector<Wrong> wrong_handles(Context& c, Kind kind, bool may_be_null) {
   std::vector<Wrong> wrong;
@@ -143,14 +160,15 @@ inline Argument another_handle(Context& c, Kind kind, const Argument& first) {
 }
 
 struct Bounds {
-  double low, high;        // what is legal
+  double low, high;  // what is legal
   bool may_be_infinite = false;
   double usual_low = -2, usual_high = 2;  // what is passed when it is good
 };
 /// A good number, or one at the edge of what is legal.
 inline double perhaps_edged(Context& c, double usual, const Bounds& b) {
   if (!c.to_the_edge || c.source.below(4) != 0) return usual;
-  const double edges[] = {b.low, b.high, 1.7e308, -1.7e308, 1e160, -1e160, 1e100, 1e15, -1e15, 1e9, 1e-9, 1e-170, 4e-310, 0.0};
+  const double edges[] = {b.low, b.high, 1.7e308, -1.7e308, 1e160,  -1e160, 1e100,
+                          1e15,  -1e15,  1e9,     1e-9,     1e-170, 4e-310, 0.0};
   const double x = edges[c.source.below(static_cast<unsigned>(std::size(edges)))];
   if (!std::isfinite(x) || x < b.low || x > b.high) return usual;
   c.is_edged = true;
@@ -232,8 +250,10 @@ inline Argument unit(Context& c, int n) {
   if (!c.wants_wrong) return a;
   a.wrong.push_back({"null", of(nullptr), kNull});
   for (const auto& [bad, codes] : wrong_turns(good, n))
-    a.wrong.push_back({"not of unit length", of(std::memcpy(c.take(sizeof(double) * static_cast<std::size_t>(n)), bad.data(),
-                                                            sizeof(double) * static_cast<std::size_t>(n))), codes});
+    a.wrong.push_back({"not of unit length",
+                       of(std::memcpy(c.take(sizeof(double) * static_cast<std::size_t>(n)), bad.data(),
+                                      sizeof(double) * static_cast<std::size_t>(n))),
+                       codes});
   return a;
 }
 /// Values 0 to count - 1.
@@ -247,7 +267,9 @@ inline Argument bits(Context& c, uint32_t known) {
   if (known == 0xFFFFFFFF) a.wrong.clear();
   return a;
 }
-inline Argument whole(Context& c, uint64_t usual) { return {of(uint64_t(c.source.below(static_cast<unsigned>(usual)))), {}}; }
+inline Argument whole(Context& c, uint64_t usual) {
+  return {of(uint64_t(c.source.below(static_cast<unsigned>(usual)))), {}};
+}
 
 // ---- where answers go ----
 inline Argument out(Context& c, std::size_t size) {
@@ -316,8 +338,10 @@ struct Field {
   hostile::Field { hostile::Field::kChoice, offsetof(T, name), 1, hostile::any(), values }
 #define HOSTILE_BITS(T, name, mask) \
   hostile::Field { hostile::Field::kBits, offsetof(T, name), 1, hostile::any(), mask }
-#define HOSTILE_WHOLE(T, name, low, high) \
-  hostile::Field { hostile::Field::kWhole, offsetof(T, name), 1, {low, high} }
+#define HOSTILE_WHOLE(T, name, low, high)                       \
+  hostile::Field {                                              \
+    hostile::Field::kWhole, offsetof(T, name), 1, { low, high } \
+  }
 #define HOSTILE_RESERVED(T, name) \
   hostile::Field { hostile::Field::kReserved, offsetof(T, name) }
 #define HOSTILE_HANDLE(T, name, kind, may_be_null) \
@@ -363,13 +387,15 @@ Argument in_struct(Context& c, const T& good, std::initializer_list<Field> field
       case Field::kNumber:
         for (int i = 0; i < f.count; ++i)
           for (const auto& [x, codes] : wrong_numbers(f.bounds))
-            put(at + "[" + std::to_string(i) + "] " + shown(x), f.offset + 8 * static_cast<std::size_t>(i), &x, 8, codes);
+            put(at + "[" + std::to_string(i) + "] " + shown(x), f.offset + 8 * static_cast<std::size_t>(i), &x, 8,
+                codes);
         break;
       case Field::kUnit: {
         double q[4];
         std::memcpy(q, from, sizeof(double) * static_cast<std::size_t>(f.count));
         for (const auto& [bad, codes] : wrong_turns(q, f.count))
-          put(at + "not of unit length", f.offset, bad.data(), sizeof(double) * static_cast<std::size_t>(f.count), codes);
+          put(at + "not of unit length", f.offset, bad.data(), sizeof(double) * static_cast<std::size_t>(f.count),
+              codes);
         break;
       }
       case Field::kChoice:
@@ -393,7 +419,8 @@ Argument in_struct(Context& c, const T& good, std::initializer_list<Field> field
         break;
       }
       case Field::kHandle:
-        for (const Wrong& w : wrong_handles(c, f.kind, f.may_be_null)) put(at + w.what, f.offset, &w.value.u, 8, w.codes);
+        for (const Wrong& w : wrong_handles(c, f.kind, f.may_be_null))
+          put(at + w.what, f.offset, &w.value.u, 8, w.codes);
         break;
       case Field::kPointer: {
         const void* nothing = nullptr;
@@ -413,9 +440,9 @@ struct Call {
   Codes good_codes = kFine;  // what a call without a wrong argument may give
   int made = -1;             // kind of object that comes into being, its handle in argument made_at
   std::size_t made_at = 0;
-  int owner_at = -1;         // argument that is the handle of the body it hangs on
-  int gone = -1;             // kind of object that goes, its handle in argument 1
-  bool alone = false;        // its good call ends the stage: only wrong ones are made
+  int owner_at = -1;                       // argument that is the handle of the body it hangs on
+  int gone = -1;                           // kind of object that goes, its handle in argument 1
+  bool alone = false;                      // its good call ends the stage: only wrong ones are made
   std::function<void(const Value*)> undo;  // after an OK: what has to be given back
 
   Call& may(Codes codes) { return good_codes |= codes, *this; }

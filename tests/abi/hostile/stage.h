@@ -52,24 +52,26 @@ struct Stage {
   }
 };
 
-inline int32_t point(void *user, const double*, uint64_t, const double[3], double out[3]) {
+inline int32_t point(void* user, const double*, uint64_t, const double[3], double out[3]) {
   (void)user;
   out[0] = out[1] = out[2] = 0;
   return 0;
 }
-inline int32_t box(void *user, const double* p, uint64_t, const double dir[3], double out[3]) {
+inline int32_t box(void* user, const double* p, uint64_t, const double dir[3], double out[3]) {
   (void)user;
   for (int i = 0; i < 3; ++i) out[i] = dir[i] < 0 ? -p[i] : p[i];
   return 0;
 }
 inline const carom_param kRadius[] = {{"radius", "m", 0.01, 100}};
 inline const carom_param kHalf[] = {{"x", "m", 0.01, 100}, {"y", "m", 0.01, 100}, {"z", "m", 0.01, 100}};
-inline const carom_geometry kSphereGeometry = {
-    sizeof(carom_geometry), CAROM_FORM_SPHERE, {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}, 0,
-    CAROM_FORM_SPHERE,      {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}};
-inline const carom_geometry kBoxGeometry = {
-    sizeof(carom_geometry), CAROM_FORM_BOX, {0, 1, 2, CAROM_NO_PARAM}, CAROM_NO_PARAM,
-    CAROM_FORM_BOX,         {0, 1, 2, CAROM_NO_PARAM}};
+inline const carom_geometry kSphereGeometry = {sizeof(carom_geometry),
+                                               CAROM_FORM_SPHERE,
+                                               {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM},
+                                               0,
+                                               CAROM_FORM_SPHERE,
+                                               {0, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}};
+inline const carom_geometry kBoxGeometry = {sizeof(carom_geometry), CAROM_FORM_BOX, {0, 1, 2, CAROM_NO_PARAM},
+                                            CAROM_NO_PARAM,         CAROM_FORM_BOX, {0, 1, 2, CAROM_NO_PARAM}};
 
 inline carom_shape_plugin plugin_of(const char* id, const carom_param* params, uint32_t count,
                                     const carom_geometry* geometry, carom_support_fn support) {
@@ -130,7 +132,8 @@ inline carom_body add_body(Stage& s, uint32_t type, int shape, double x, double 
 
 /// A world on the stage's engine: a few bodies that touch, and something of each kind. Body 0 is dynamic, of one collider.
 inline bool make_world(Stage& s) {
-  for (const int k : {kMaterial, kBody, kCollider, kParticles, kJoint, kField, kSpring}) s.live[k].clear(), s.stale[k].clear();
+  for (const int k : {kMaterial, kBody, kCollider, kParticles, kJoint, kField, kSpring})
+    s.live[k].clear(), s.stale[k].clear();
   if (carom_world_create(s.engine, nullptr, &s.world, nullptr) != CAROM_OK) return false;
   carom_material_desc md;
   carom_material_desc_init(&md, sizeof md);
@@ -138,9 +141,12 @@ inline bool make_world(Stage& s) {
   carom_material material = 0;
   bool good = carom_material_create(s.world, &md, &material, nullptr) == CAROM_OK;
   s.born(kMaterial, material);
-  const carom_body a = add_body(s, CAROM_BODY_DYNAMIC, 0, 0, 0.49, 0), b = add_body(s, CAROM_BODY_DYNAMIC, 2, 0.1, 1.2, 0),
-                   c = add_body(s, CAROM_BODY_DYNAMIC, 3, 3, 0.24, 0), d = add_body(s, CAROM_BODY_DYNAMIC, 1, 3, 0.9, 0.5),
-                   k = add_body(s, CAROM_BODY_KINEMATIC, 2, -4, 1, 0), ground = add_body(s, CAROM_BODY_STATIC, 4, 0, 0, 0);
+  const carom_body a = add_body(s, CAROM_BODY_DYNAMIC, 0, 0, 0.49, 0),
+                   b = add_body(s, CAROM_BODY_DYNAMIC, 2, 0.1, 1.2, 0),
+                   c = add_body(s, CAROM_BODY_DYNAMIC, 3, 3, 0.24, 0),
+                   d = add_body(s, CAROM_BODY_DYNAMIC, 1, 3, 0.9, 0.5),
+                   k = add_body(s, CAROM_BODY_KINEMATIC, 2, -4, 1, 0),
+                   ground = add_body(s, CAROM_BODY_STATIC, 4, 0, 0, 0);
   good = good && a && b && c && d && k && ground;
   carom_particles set = 0;
   const double x[9] = {0, 5, 0, 1, 5, 0, 2, 5, 0};
@@ -310,14 +316,17 @@ inline std::string not_finite(carom_world* world) {
   const auto find = [](const char* what, const std::vector<double>& values, std::size_t width) -> std::string {
     for (std::size_t i = 0; i < values.size(); ++i)
       if (!std::isfinite(values[i]))
-        return std::string(what) + " " + std::to_string(i % width) + " of number " + std::to_string(i / width) + " is not finite";
+        return std::string(what) + " " + std::to_string(i % width) + " of number " + std::to_string(i / width) +
+               " is not finite";
     return "";
   };
   uint64_t n = 0;
   if (carom_world_get_bodies(world, nullptr, 0, &n, nullptr) != CAROM_OK) return "bodies cannot be counted";
-  for (const auto& [what, field, width] : {std::tuple("pose", CAROM_FIELD_POSE, 7u), std::tuple("velocity", CAROM_FIELD_VELOCITY, 6u)}) {
+  for (const auto& [what, field, width] :
+       {std::tuple("pose", CAROM_FIELD_POSE, 7u), std::tuple("velocity", CAROM_FIELD_VELOCITY, 6u)}) {
     std::vector<double> values(n * width);
-    if (n && carom_world_read(world, field, CAROM_SCALAR_F64, nullptr, n, values.data(), 0, nullptr) != CAROM_OK) return "bodies cannot be read";
+    if (n && carom_world_read(world, field, CAROM_SCALAR_F64, nullptr, n, values.data(), 0, nullptr) != CAROM_OK)
+      return "bodies cannot be read";
     if (std::string bad = find(what, values, width); !bad.empty()) return bad;
   }
   carom_particles sets[64];
@@ -327,7 +336,8 @@ inline std::string not_finite(carom_world* world) {
     if (carom_particles_get_count(world, sets[i], &n, nullptr) != CAROM_OK) return "particles cannot be counted";
     for (const uint32_t field : {CAROM_FIELD_POSITION, CAROM_FIELD_LINEAR_VELOCITY}) {
       std::vector<double> values(3 * n);
-      if (n && carom_particles_read(world, sets[i], field, CAROM_SCALAR_F64, nullptr, n, values.data(), 0, nullptr) != CAROM_OK)
+      if (n && carom_particles_read(world, sets[i], field, CAROM_SCALAR_F64, nullptr, n, values.data(), 0, nullptr) !=
+                   CAROM_OK)
         return "particles cannot be read";
       if (std::string bad = find("particles' field", values, 3); !bad.empty()) return bad;
     }

@@ -41,23 +41,23 @@ inline Argument body_desc(Context& c) {
     for (double& x : d.magnetic_moment) x = c.between(-1, 1);
   const bool given = d.fields & CAROM_BODY_FIELD_MASS;
   std::vector<Field> fields;
-  Argument a = in_struct(c, d, {HOSTILE_BITS(carom_body_desc, fields, 31u), HOSTILE_CHOICE(carom_body_desc, type, 3u),
-                                HOSTILE_RESERVED(carom_body_desc, reserved), HOSTILE_NUMBERS(carom_body_desc, position, 3, any()),
-                                HOSTILE_UNIT(carom_body_desc, orientation, 4),
-                                HOSTILE_NUMBERS(carom_body_desc, linear_velocity, 3, any()),
-                                HOSTILE_NUMBERS(carom_body_desc, angular_velocity, 3, any()),
-                                HOSTILE_NUMBERS(carom_body_desc, linear_damping, 1, {0, 1e6}),
-                                HOSTILE_NUMBERS(carom_body_desc, angular_damping, 1, {0, 1e6}),
-                                HOSTILE_NUMBERS(carom_body_desc, gravity_factor, 1, any()),
-                                HOSTILE_BITS(carom_body_desc, locks, 63u), HOSTILE_CHOICE(carom_body_desc, continuous, 3u),
-                                HOSTILE_NUMBERS(carom_body_desc, linear_drag, 1, {0, 1e12}),
-                                HOSTILE_NUMBERS(carom_body_desc, quadratic_drag, 1, {0, 1e12}),
-                                HOSTILE_RESERVED(carom_body_desc, reserved2),
-                                HOSTILE_NUMBERS(carom_body_desc, magnetic_moment, 3, {-1e12, 1e12})});
+  Argument a = in_struct(
+      c, d,
+      {HOSTILE_BITS(carom_body_desc, fields, 31u), HOSTILE_CHOICE(carom_body_desc, type, 3u),
+       HOSTILE_RESERVED(carom_body_desc, reserved), HOSTILE_NUMBERS(carom_body_desc, position, 3, any()),
+       HOSTILE_UNIT(carom_body_desc, orientation, 4), HOSTILE_NUMBERS(carom_body_desc, linear_velocity, 3, any()),
+       HOSTILE_NUMBERS(carom_body_desc, angular_velocity, 3, any()),
+       HOSTILE_NUMBERS(carom_body_desc, linear_damping, 1, {0, 1e6}),
+       HOSTILE_NUMBERS(carom_body_desc, angular_damping, 1, {0, 1e6}),
+       HOSTILE_NUMBERS(carom_body_desc, gravity_factor, 1, any()), HOSTILE_BITS(carom_body_desc, locks, 63u),
+       HOSTILE_CHOICE(carom_body_desc, continuous, 3u), HOSTILE_NUMBERS(carom_body_desc, linear_drag, 1, {0, 1e12}),
+       HOSTILE_NUMBERS(carom_body_desc, quadratic_drag, 1, {0, 1e12}), HOSTILE_RESERVED(carom_body_desc, reserved2),
+       HOSTILE_NUMBERS(carom_body_desc, magnetic_moment, 3, {-1e12, 1e12})});
   if (given && d.type == CAROM_BODY_DYNAMIC) {
-    const Argument more = in_struct(c, d, {HOSTILE_NUMBERS(carom_body_desc, mass, 1, {kLeast, kMost}),
-                                           HOSTILE_NUMBERS(carom_body_desc, center, 3, any()),
-                                           HOSTILE_NUMBERS(carom_body_desc, inertia, 9, any())});
+    const Argument more = in_struct(
+        c, d,
+        {HOSTILE_NUMBERS(carom_body_desc, mass, 1, {kLeast, kMost}), HOSTILE_NUMBERS(carom_body_desc, center, 3, any()),
+         HOSTILE_NUMBERS(carom_body_desc, inertia, 9, any())});
     a.wrong.insert(a.wrong.end(), more.wrong.begin(), more.wrong.end());
   }
   return a;
@@ -76,13 +76,14 @@ inline Argument collider_desc(Context& c) {
   d.sensor = c.source.below(6) == 5;
   if (c.source.below(4) == 3)
     for (double& x : d.surface_linear) x = c.between(-1, 1);
-  a = in_struct(c, d, {HOSTILE_RESERVED(carom_collider_desc, reserved), HOSTILE_HANDLE(carom_collider_desc, shape, kShape, false),
-                       HOSTILE_HANDLE(carom_collider_desc, material, kMaterial, true),
-                       HOSTILE_NUMBERS(carom_collider_desc, position, 3, any()), HOSTILE_UNIT(carom_collider_desc, orientation, 4),
-                       HOSTILE_NUMBERS(carom_collider_desc, density, 1, {0, 1e9}),
-                       HOSTILE_WHOLE(carom_collider_desc, sensor, 0, 1),
-                       HOSTILE_NUMBERS(carom_collider_desc, surface_linear, 3, {-1e6, 1e6}),
-                       HOSTILE_NUMBERS(carom_collider_desc, surface_angular, 3, {-1e6, 1e6})});
+  a = in_struct(
+      c, d,
+      {HOSTILE_RESERVED(carom_collider_desc, reserved), HOSTILE_HANDLE(carom_collider_desc, shape, kShape, false),
+       HOSTILE_HANDLE(carom_collider_desc, material, kMaterial, true),
+       HOSTILE_NUMBERS(carom_collider_desc, position, 3, any()), HOSTILE_UNIT(carom_collider_desc, orientation, 4),
+       HOSTILE_NUMBERS(carom_collider_desc, density, 1, {0, 1e9}), HOSTILE_WHOLE(carom_collider_desc, sensor, 0, 1),
+       HOSTILE_NUMBERS(carom_collider_desc, surface_linear, 3, {-1e6, 1e6}),
+       HOSTILE_NUMBERS(carom_collider_desc, surface_angular, 3, {-1e6, 1e6})});
   a.impossible = none;
   return a;
 }
@@ -90,16 +91,21 @@ inline Argument material_desc(Context& c) {
   auto d = fresh<carom_material_desc>(carom_material_desc_init);
   d.friction_mix = c.source.below(5), d.restitution_mix = c.source.below(5);
   d.friction = c.between(0, 2), d.restitution = c.between(0, 1);
-  return in_struct(c, d, {HOSTILE_CHOICE(carom_material_desc, friction_mix, 5u), HOSTILE_CHOICE(carom_material_desc, restitution_mix, 5u),
-                          HOSTILE_RESERVED(carom_material_desc, reserved), HOSTILE_NUMBERS(carom_material_desc, friction, 1, {0, 1e3}),
-                          HOSTILE_NUMBERS(carom_material_desc, restitution, 1, {0, 1})});
+  return in_struct(
+      c, d,
+      {HOSTILE_CHOICE(carom_material_desc, friction_mix, 5u), HOSTILE_CHOICE(carom_material_desc, restitution_mix, 5u),
+       HOSTILE_RESERVED(carom_material_desc, reserved), HOSTILE_NUMBERS(carom_material_desc, friction, 1, {0, 1e3}),
+       HOSTILE_NUMBERS(carom_material_desc, restitution, 1, {0, 1})});
 }
 inline Argument particles_desc(Context& c) {
   auto d = fresh<carom_particles_desc>(carom_particles_desc_init);
   d.gravity_factor = c.between(-1, 1), d.linear_damping = c.between(0, 1), d.mass = c.between(0.1, 2);
-  return in_struct(c, d, {HOSTILE_RESERVED(carom_particles_desc, reserved), HOSTILE_NUMBERS(carom_particles_desc, gravity_factor, 1, {-1e3, 1e3}),
-                          HOSTILE_NUMBERS(carom_particles_desc, linear_damping, 1, {0, 1e6}),
-                          HOSTILE_NUMBERS(carom_particles_desc, mass, 1, {kLeast, 1e30})}, true);
+  return in_struct(c, d,
+                   {HOSTILE_RESERVED(carom_particles_desc, reserved),
+                    HOSTILE_NUMBERS(carom_particles_desc, gravity_factor, 1, {-1e3, 1e3}),
+                    HOSTILE_NUMBERS(carom_particles_desc, linear_damping, 1, {0, 1e6}),
+                    HOSTILE_NUMBERS(carom_particles_desc, mass, 1, {kLeast, 1e30})},
+                   true);
 }
 inline Argument joint_desc(Context& c) {
   auto d = fresh<carom_joint_desc>(carom_joint_desc_init);
@@ -112,14 +118,17 @@ inline Argument joint_desc(Context& c) {
   turn(c, 4, d.orientation_a), turn(c, 4, d.orientation_b);
   if (c.source.below(4) == 3) d.break_force = 1000;
   std::vector<Wrong> more;
-  Argument a = in_struct(c, d, {HOSTILE_CHOICE(carom_joint_desc, kind, uint32_t(CAROM_JOINT_COUNT)), HOSTILE_BITS(carom_joint_desc, fields, 7u),
-                                HOSTILE_RESERVED(carom_joint_desc, reserved), HOSTILE_HANDLE(carom_joint_desc, body_a, kBody, true),
-                                HOSTILE_HANDLE(carom_joint_desc, body_b, kBody, true), HOSTILE_NUMBERS(carom_joint_desc, position_a, 3, any()),
-                                HOSTILE_UNIT(carom_joint_desc, orientation_a, 4),
-                                HOSTILE_NUMBERS(carom_joint_desc, break_force, 1, {0, kMost}),
-                                HOSTILE_NUMBERS(carom_joint_desc, break_torque, 1, {0, kMost})});
+  Argument a = in_struct(
+      c, d,
+      {HOSTILE_CHOICE(carom_joint_desc, kind, uint32_t(CAROM_JOINT_COUNT)), HOSTILE_BITS(carom_joint_desc, fields, 7u),
+       HOSTILE_RESERVED(carom_joint_desc, reserved), HOSTILE_HANDLE(carom_joint_desc, body_a, kBody, true),
+       HOSTILE_HANDLE(carom_joint_desc, body_b, kBody, true), HOSTILE_NUMBERS(carom_joint_desc, position_a, 3, any()),
+       HOSTILE_UNIT(carom_joint_desc, orientation_a, 4), HOSTILE_NUMBERS(carom_joint_desc, break_force, 1, {0, kMost}),
+       HOSTILE_NUMBERS(carom_joint_desc, break_torque, 1, {0, kMost})});
   if (!(d.fields & CAROM_JOINT_WORLD_FRAME)) {
-    const Argument b = in_struct(c, d, {HOSTILE_NUMBERS(carom_joint_desc, position_b, 3, any()), HOSTILE_UNIT(carom_joint_desc, orientation_b, 4)});
+    const Argument b = in_struct(
+        c, d,
+        {HOSTILE_NUMBERS(carom_joint_desc, position_b, 3, any()), HOSTILE_UNIT(carom_joint_desc, orientation_b, 4)});
     a.wrong.insert(a.wrong.end(), b.wrong.begin(), b.wrong.end());
   }
   a.impossible = none;
@@ -128,44 +137,60 @@ inline Argument joint_desc(Context& c) {
 inline Argument joint_limit(Context& c) {
   auto d = fresh<carom_joint_limit>(carom_joint_limit_init);
   d.enabled = c.source.below(2), d.lower = c.between(0, 0.3), d.upper = c.between(0.5, 1);
-  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_limit, enabled, 2u), HOSTILE_NUMBERS(carom_joint_limit, lower, 1, {-1e9, 1e9}),
-                          HOSTILE_NUMBERS(carom_joint_limit, upper, 1, {-1e9, 1e9})});
+  return in_struct(
+      c, d,
+      {HOSTILE_CHOICE(carom_joint_limit, enabled, 2u), HOSTILE_NUMBERS(carom_joint_limit, lower, 1, {-1e9, 1e9}),
+       HOSTILE_NUMBERS(carom_joint_limit, upper, 1, {-1e9, 1e9})});
 }
 inline Argument joint_motor(Context& c) {
   auto d = fresh<carom_joint_motor>(carom_joint_motor_init);
   d.enabled = c.source.below(2), d.speed = c.between(-3, 3), d.max_force = c.between(0, 50);
-  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_motor, enabled, 2u), HOSTILE_NUMBERS(carom_joint_motor, speed, 1, {-1e6, 1e6}),
-                          HOSTILE_NUMBERS(carom_joint_motor, max_force, 1, {0, 1e30})});
+  return in_struct(
+      c, d,
+      {HOSTILE_CHOICE(carom_joint_motor, enabled, 2u), HOSTILE_NUMBERS(carom_joint_motor, speed, 1, {-1e6, 1e6}),
+       HOSTILE_NUMBERS(carom_joint_motor, max_force, 1, {0, 1e30})});
 }
 inline Argument joint_transmission(Context& c) {
   auto d = fresh<carom_joint_transmission>(carom_joint_transmission_init);
-  d.ratio = c.between(0.1, 10), d.length = c.between(0, 10), d.fields = c.source.below(2) ? CAROM_JOINT_FIELD_LENGTH : 0u;
+  d.ratio = c.between(0.1, 10), d.length = c.between(0, 10),
+  d.fields = c.source.below(2) ? CAROM_JOINT_FIELD_LENGTH : 0u;
   for (double& x : d.anchor_a) x = c.between(-3, 3);
   for (double& x : d.anchor_b) x = c.between(-3, 3);
-  return in_struct(c, d, {HOSTILE_BITS(carom_joint_transmission, fields, uint32_t(CAROM_JOINT_FIELD_LENGTH)),
-                          HOSTILE_NUMBERS(carom_joint_transmission, ratio, 1, {-1e3, 1e3}),
-                          HOSTILE_NUMBERS(carom_joint_transmission, anchor_a, 3, any()),
-                          HOSTILE_NUMBERS(carom_joint_transmission, anchor_b, 3, any()),
-                          HOSTILE_NUMBERS(carom_joint_transmission, length, 1, {0, 1e9})});
+  return in_struct(c, d,
+                   {HOSTILE_BITS(carom_joint_transmission, fields, uint32_t(CAROM_JOINT_FIELD_LENGTH)),
+                    HOSTILE_NUMBERS(carom_joint_transmission, ratio, 1, {-1e3, 1e3}),
+                    HOSTILE_NUMBERS(carom_joint_transmission, anchor_a, 3, any()),
+                    HOSTILE_NUMBERS(carom_joint_transmission, anchor_b, 3, any()),
+                    HOSTILE_NUMBERS(carom_joint_transmission, length, 1, {0, 1e9})});
 }
 inline Argument joint_axis(Context& c) {
   auto d = fresh<carom_joint_axis>(carom_joint_axis_init);
   d.mode = c.source.below(3), d.drive = c.source.below(4), d.lower = c.between(-1, 0), d.upper = c.between(0, 1);
   d.stop_gains = c.source.below(3), d.drive_gains = c.source.below(3), d.spring_gains = c.source.below(3);
-  d.stop_stiffness = c.between(0, 9), d.drive_stiffness = c.between(0, 9), d.spring_stiffness = c.source.below(2) ? 4 : 0;
+  d.stop_stiffness = c.between(0, 9), d.drive_stiffness = c.between(0, 9),
+  d.spring_stiffness = c.source.below(2) ? 4 : 0;
   d.stop_damping = c.between(0, 1), d.drive_damping = c.between(0, 1), d.spring_damping = c.between(0, 1);
-  d.target = c.between(-1, 1), d.speed = c.between(-2, 2), d.effort = c.between(-9, 9), d.max_force = c.between(0, 50), d.rest = c.between(-1, 1);
-  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_axis, mode, uint32_t(CAROM_AXIS_MODE_COUNT)), HOSTILE_CHOICE(carom_joint_axis, drive, uint32_t(CAROM_DRIVE_COUNT)),
-                          HOSTILE_CHOICE(carom_joint_axis, stop_gains, uint32_t(CAROM_GAINS_COUNT)),
-                          HOSTILE_CHOICE(carom_joint_axis, drive_gains, uint32_t(CAROM_GAINS_COUNT)),
-                          HOSTILE_CHOICE(carom_joint_axis, spring_gains, uint32_t(CAROM_GAINS_COUNT)),
-                          HOSTILE_NUMBERS(carom_joint_axis, lower, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(carom_joint_axis, upper, 1, {-1e9, 1e9}),
-                          HOSTILE_NUMBERS(carom_joint_axis, stop_stiffness, 1, {0, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, stop_damping, 1, {0, 1e30}),
-                          HOSTILE_NUMBERS(carom_joint_axis, target, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(carom_joint_axis, speed, 1, {-1e6, 1e6}),
-                          HOSTILE_NUMBERS(carom_joint_axis, effort, 1, {-1e30, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, max_force, 1, {0, 1e30}),
-                          HOSTILE_NUMBERS(carom_joint_axis, drive_stiffness, 1, {0, 1e30}), HOSTILE_NUMBERS(carom_joint_axis, drive_damping, 1, {0, 1e30}),
-                          HOSTILE_NUMBERS(carom_joint_axis, rest, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(carom_joint_axis, spring_stiffness, 1, {0, 1e30}),
-                          HOSTILE_NUMBERS(carom_joint_axis, spring_damping, 1, {0, 1e30})});
+  d.target = c.between(-1, 1), d.speed = c.between(-2, 2), d.effort = c.between(-9, 9), d.max_force = c.between(0, 50),
+  d.rest = c.between(-1, 1);
+  return in_struct(c, d,
+                   {HOSTILE_CHOICE(carom_joint_axis, mode, uint32_t(CAROM_AXIS_MODE_COUNT)),
+                    HOSTILE_CHOICE(carom_joint_axis, drive, uint32_t(CAROM_DRIVE_COUNT)),
+                    HOSTILE_CHOICE(carom_joint_axis, stop_gains, uint32_t(CAROM_GAINS_COUNT)),
+                    HOSTILE_CHOICE(carom_joint_axis, drive_gains, uint32_t(CAROM_GAINS_COUNT)),
+                    HOSTILE_CHOICE(carom_joint_axis, spring_gains, uint32_t(CAROM_GAINS_COUNT)),
+                    HOSTILE_NUMBERS(carom_joint_axis, lower, 1, {-1e9, 1e9}),
+                    HOSTILE_NUMBERS(carom_joint_axis, upper, 1, {-1e9, 1e9}),
+                    HOSTILE_NUMBERS(carom_joint_axis, stop_stiffness, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, stop_damping, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, target, 1, {-1e9, 1e9}),
+                    HOSTILE_NUMBERS(carom_joint_axis, speed, 1, {-1e6, 1e6}),
+                    HOSTILE_NUMBERS(carom_joint_axis, effort, 1, {-1e30, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, max_force, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, drive_stiffness, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, drive_damping, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, rest, 1, {-1e9, 1e9}),
+                    HOSTILE_NUMBERS(carom_joint_axis, spring_stiffness, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, spring_damping, 1, {0, 1e30})});
 }
 inline Argument joint_orientation_drive(Context& c) {
   auto d = fresh<carom_joint_orientation_drive>(carom_joint_orientation_drive_init);
@@ -173,21 +198,27 @@ inline Argument joint_orientation_drive(Context& c) {
   for (double& x : d.velocity) x = c.between(-3, 3);
   for (double& x : d.effort) x = c.between(-3, 3);
   for (double& x : d.max_force) x = c.between(0, 9);
-  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_orientation_drive, drive, uint32_t(CAROM_DRIVE_COUNT)),
-                          HOSTILE_CHOICE(carom_joint_orientation_drive, gains, uint32_t(CAROM_GAINS_COUNT)),
-                          HOSTILE_RESERVED(carom_joint_orientation_drive, reserved), HOSTILE_UNIT(carom_joint_orientation_drive, target, 4),
-                          HOSTILE_NUMBERS(carom_joint_orientation_drive, velocity, 3, {-1e6, 1e6}),
-                          HOSTILE_NUMBERS(carom_joint_orientation_drive, effort, 3, {-1e30, 1e30}),
-                          HOSTILE_NUMBERS(carom_joint_orientation_drive, max_force, 3, {0, 1e30}),
-                          HOSTILE_NUMBERS(carom_joint_orientation_drive, stiffness, 1, {0, 1e30}),
-                          HOSTILE_NUMBERS(carom_joint_orientation_drive, damping, 1, {0, 1e30})});
+  return in_struct(c, d,
+                   {HOSTILE_CHOICE(carom_joint_orientation_drive, drive, uint32_t(CAROM_DRIVE_COUNT)),
+                    HOSTILE_CHOICE(carom_joint_orientation_drive, gains, uint32_t(CAROM_GAINS_COUNT)),
+                    HOSTILE_RESERVED(carom_joint_orientation_drive, reserved),
+                    HOSTILE_UNIT(carom_joint_orientation_drive, target, 4),
+                    HOSTILE_NUMBERS(carom_joint_orientation_drive, velocity, 3, {-1e6, 1e6}),
+                    HOSTILE_NUMBERS(carom_joint_orientation_drive, effort, 3, {-1e30, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_orientation_drive, max_force, 3, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_orientation_drive, stiffness, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_orientation_drive, damping, 1, {0, 1e30})});
 }
 inline Argument joint_spring(Context& c) {
   auto d = fresh<carom_joint_spring>(carom_joint_spring_init);
-  d.enabled = c.source.below(2), d.target = c.between(0, 1), d.frequency = c.between(0, 5), d.damping = c.between(0, 1), d.max_force = 100;
-  return in_struct(c, d, {HOSTILE_CHOICE(carom_joint_spring, enabled, 2u), HOSTILE_NUMBERS(carom_joint_spring, target, 1, {-1e9, 1e9}),
-                          HOSTILE_NUMBERS(carom_joint_spring, frequency, 1, {0, 1e4}), HOSTILE_NUMBERS(carom_joint_spring, damping, 1, {0, 1e3}),
-                          HOSTILE_NUMBERS(carom_joint_spring, max_force, 1, {0, 1e30})});
+  d.enabled = c.source.below(2), d.target = c.between(0, 1), d.frequency = c.between(0, 5), d.damping = c.between(0, 1),
+  d.max_force = 100;
+  return in_struct(
+      c, d,
+      {HOSTILE_CHOICE(carom_joint_spring, enabled, 2u), HOSTILE_NUMBERS(carom_joint_spring, target, 1, {-1e9, 1e9}),
+       HOSTILE_NUMBERS(carom_joint_spring, frequency, 1, {0, 1e4}),
+       HOSTILE_NUMBERS(carom_joint_spring, damping, 1, {0, 1e3}),
+       HOSTILE_NUMBERS(carom_joint_spring, max_force, 1, {0, 1e30})});
 }
 inline Argument field_desc(Context& c) {
   auto d = fresh<carom_force_field_desc>(carom_force_field_desc_init);
@@ -198,14 +229,21 @@ inline Argument field_desc(Context& c) {
   d.strength = c.between(-5, 5), d.pull = c.between(-1, 1), d.lift = c.between(-1, 1), d.core = c.between(0, 1);
   d.falloff = static_cast<int32_t>(c.source.below(5)) - 1;
   const Bounds strength = {-1e30, 1e30};
-  return in_struct(c, d, {HOSTILE_CHOICE(carom_force_field_desc, kind, CAROM_FORCE_FIELD_COUNT), HOSTILE_CHOICE(carom_force_field_desc, is_force, 2u),
-                          HOSTILE_NUMBERS(carom_force_field_desc, position, 3, any()), HOSTILE_UNIT(carom_force_field_desc, orientation, 4),
-                          HOSTILE_NUMBERS(carom_force_field_desc, half, 3, {kLeast, kMost, true}),
-                          HOSTILE_NUMBERS(carom_force_field_desc, vector, 3, strength), HOSTILE_NUMBERS(carom_force_field_desc, strength, 1, strength),
-                          HOSTILE_NUMBERS(carom_force_field_desc, pull, 1, strength), HOSTILE_NUMBERS(carom_force_field_desc, lift, 1, strength),
-                          HOSTILE_NUMBERS(carom_force_field_desc, reference, 1, {kLeast, kMost}), HOSTILE_NUMBERS(carom_force_field_desc, core, 1, {0, kMost}),
-                          HOSTILE_NUMBERS(carom_force_field_desc, reach, 1, {kLeast, kMost, true}), HOSTILE_WHOLE(carom_force_field_desc, falloff, -2, 8),
-                          HOSTILE_RESERVED(carom_force_field_desc, reserved)});
+  return in_struct(
+      c, d,
+      {HOSTILE_CHOICE(carom_force_field_desc, kind, CAROM_FORCE_FIELD_COUNT),
+       HOSTILE_CHOICE(carom_force_field_desc, is_force, 2u),
+       HOSTILE_NUMBERS(carom_force_field_desc, position, 3, any()),
+       HOSTILE_UNIT(carom_force_field_desc, orientation, 4),
+       HOSTILE_NUMBERS(carom_force_field_desc, half, 3, {kLeast, kMost, true}),
+       HOSTILE_NUMBERS(carom_force_field_desc, vector, 3, strength),
+       HOSTILE_NUMBERS(carom_force_field_desc, strength, 1, strength),
+       HOSTILE_NUMBERS(carom_force_field_desc, pull, 1, strength),
+       HOSTILE_NUMBERS(carom_force_field_desc, lift, 1, strength),
+       HOSTILE_NUMBERS(carom_force_field_desc, reference, 1, {kLeast, kMost}),
+       HOSTILE_NUMBERS(carom_force_field_desc, core, 1, {0, kMost}),
+       HOSTILE_NUMBERS(carom_force_field_desc, reach, 1, {kLeast, kMost, true}),
+       HOSTILE_WHOLE(carom_force_field_desc, falloff, -2, 8), HOSTILE_RESERVED(carom_force_field_desc, reserved)});
 }
 inline Argument spring_desc(Context& c) {
   auto d = fresh<carom_spring_desc>(carom_spring_desc_init);
@@ -213,10 +251,13 @@ inline Argument spring_desc(Context& c) {
   d.body_b = pick(c, kBody, none), d.body_a = other_end(c, d.body_b), d.only_pulls = c.source.below(2);
   for (double& x : d.anchor_a) x = c.between(-1, 1);
   d.rest = c.between(0, 2), d.stiffness = c.between(0, 100), d.damping = c.between(0, 3);
-  Argument a = in_struct(c, d, {HOSTILE_CHOICE(carom_spring_desc, only_pulls, 2u), HOSTILE_HANDLE(carom_spring_desc, body_a, kBody, true),
-                                HOSTILE_HANDLE(carom_spring_desc, body_b, kBody, true), HOSTILE_NUMBERS(carom_spring_desc, anchor_a, 3, any()),
-                                HOSTILE_NUMBERS(carom_spring_desc, anchor_b, 3, any()), HOSTILE_NUMBERS(carom_spring_desc, rest, 1, {0, 1e9}),
-                                HOSTILE_NUMBERS(carom_spring_desc, stiffness, 1, {0, 1e30}), HOSTILE_NUMBERS(carom_spring_desc, damping, 1, {0, 1e30})});
+  Argument a = in_struct(
+      c, d,
+      {HOSTILE_CHOICE(carom_spring_desc, only_pulls, 2u), HOSTILE_HANDLE(carom_spring_desc, body_a, kBody, true),
+       HOSTILE_HANDLE(carom_spring_desc, body_b, kBody, true), HOSTILE_NUMBERS(carom_spring_desc, anchor_a, 3, any()),
+       HOSTILE_NUMBERS(carom_spring_desc, anchor_b, 3, any()), HOSTILE_NUMBERS(carom_spring_desc, rest, 1, {0, 1e9}),
+       HOSTILE_NUMBERS(carom_spring_desc, stiffness, 1, {0, 1e30}),
+       HOSTILE_NUMBERS(carom_spring_desc, damping, 1, {0, 1e30})});
   a.impossible = none;
   return a;
 }
@@ -225,9 +266,12 @@ inline Argument water_desc(Context& c) {
   turn(c, 3, d.normal);
   d.level = c.between(-1, 1), d.density = c.between(500, 1500);
   for (double& x : d.current) x = c.between(-1, 1);
-  return in_struct(c, d, {HOSTILE_RESERVED(carom_water, reserved), HOSTILE_UNIT(carom_water, normal, 3), HOSTILE_NUMBERS(carom_water, level, 1, any()),
-                          HOSTILE_NUMBERS(carom_water, density, 1, {kLeast, 1e9}), HOSTILE_NUMBERS(carom_water, current, 3, any()),
-                          HOSTILE_NUMBERS(carom_water, drag, 1, {0, 1e6})}, true);
+  return in_struct(
+      c, d,
+      {HOSTILE_RESERVED(carom_water, reserved), HOSTILE_UNIT(carom_water, normal, 3),
+       HOSTILE_NUMBERS(carom_water, level, 1, any()), HOSTILE_NUMBERS(carom_water, density, 1, {kLeast, 1e9}),
+       HOSTILE_NUMBERS(carom_water, current, 3, any()), HOSTILE_NUMBERS(carom_water, drag, 1, {0, 1e6})},
+      true);
 }
 /// Of carom_world_measure_growth(): a large number of steps is allowed, and takes its time.
 inline Argument growth_steps(Context& c) {
@@ -236,43 +280,63 @@ inline Argument growth_steps(Context& c) {
 }
 inline Argument accuracy_desc(Context& c) {
   auto d = fresh<carom_accuracy>(carom_accuracy_init);
-  d.place = std::pow(10, c.between(-6, 0)), d.turn = std::pow(10, c.between(-6, 0)), d.substeps = 2 + c.source.below(30);
-  return in_struct(c, d, {HOSTILE_WHOLE(carom_accuracy, substeps, 2, 4096), HOSTILE_NUMBERS(carom_accuracy, place, 1, {0, 1e6}),
-                          HOSTILE_NUMBERS(carom_accuracy, turn, 1, {0, 1e6})}, true);
+  d.place = std::pow(10, c.between(-6, 0)), d.turn = std::pow(10, c.between(-6, 0)),
+  d.substeps = 2 + c.source.below(30);
+  return in_struct(
+      c, d,
+      {HOSTILE_WHOLE(carom_accuracy, substeps, 2, 4096), HOSTILE_NUMBERS(carom_accuracy, place, 1, {0, 1e6}),
+       HOSTILE_NUMBERS(carom_accuracy, turn, 1, {0, 1e6})},
+      true);
 }
 inline Argument cast_desc(Context& c) {
   auto d = fresh<carom_cast_desc>(carom_cast_desc_init);
-  return in_struct(c, d, {HOSTILE_NUMBERS(carom_cast_desc, tolerance, 1, {kLeast, 1}), HOSTILE_NUMBERS(carom_cast_desc, target, 1, {0, 1e9}),
-                          HOSTILE_CHOICE(carom_cast_desc, iterations, 10001u)}, true);
+  return in_struct(
+      c, d,
+      {HOSTILE_NUMBERS(carom_cast_desc, tolerance, 1, {kLeast, 1}),
+       HOSTILE_NUMBERS(carom_cast_desc, target, 1, {0, 1e9}), HOSTILE_CHOICE(carom_cast_desc, iterations, 10001u)},
+      true);
 }
 inline Argument query_desc(Context& c) {
   auto d = fresh<carom_query_desc>(carom_query_desc_init);
   d.flags = c.source.below(4);
-  return in_struct(c, d, {HOSTILE_BITS(carom_query_desc, flags, 3u), HOSTILE_HANDLE(carom_query_desc, ignore, kBody, true),
-                          HOSTILE_NUMBERS(carom_query_desc, tolerance, 1, {kLeast, 1}), HOSTILE_NUMBERS(carom_query_desc, target, 1, {0, 1e9}),
-                          HOSTILE_CHOICE(carom_query_desc, iterations, 10001u), HOSTILE_RESERVED(carom_query_desc, reserved)}, true);
+  return in_struct(c, d,
+                   {HOSTILE_BITS(carom_query_desc, flags, 3u), HOSTILE_HANDLE(carom_query_desc, ignore, kBody, true),
+                    HOSTILE_NUMBERS(carom_query_desc, tolerance, 1, {kLeast, 1}),
+                    HOSTILE_NUMBERS(carom_query_desc, target, 1, {0, 1e9}),
+                    HOSTILE_CHOICE(carom_query_desc, iterations, 10001u), HOSTILE_RESERVED(carom_query_desc, reserved)},
+                   true);
 }
 inline Argument distance_desc(Context& c) {
   auto d = fresh<carom_distance_desc>(carom_distance_desc_init);
   d.simplex = c.source.below(3), d.narrow_phase = c.source.below(2), d.pair_routines = c.source.below(2);
-  return in_struct(c, d, {HOSTILE_CHOICE(carom_distance_desc, simplex, 3u), HOSTILE_CHOICE(carom_distance_desc, narrow_phase, 2u),
-                          HOSTILE_CHOICE(carom_distance_desc, pair_routines, 2u), HOSTILE_NUMBERS(carom_distance_desc, tolerance, 1, {kLeast, 1}),
-                          HOSTILE_NUMBERS(carom_distance_desc, hybrid_margin, 1, {0, 1e9}), HOSTILE_CHOICE(carom_distance_desc, gjk_iterations, 100000000u),
-                          HOSTILE_CHOICE(carom_distance_desc, epa_iterations, 100000000u)}, true);
+  return in_struct(
+      c, d,
+      {HOSTILE_CHOICE(carom_distance_desc, simplex, 3u), HOSTILE_CHOICE(carom_distance_desc, narrow_phase, 2u),
+       HOSTILE_CHOICE(carom_distance_desc, pair_routines, 2u),
+       HOSTILE_NUMBERS(carom_distance_desc, tolerance, 1, {kLeast, 1}),
+       HOSTILE_NUMBERS(carom_distance_desc, hybrid_margin, 1, {0, 1e9}),
+       HOSTILE_CHOICE(carom_distance_desc, gjk_iterations, 100000000u),
+       HOSTILE_CHOICE(carom_distance_desc, epa_iterations, 100000000u)},
+      true);
 }
 inline Argument motion(Context& c) {
   auto d = fresh<carom_motion>(carom_motion_init);
   for (double& x : d.position) x = c.between(-2, 2);
   for (double& x : d.linear_velocity) x = c.between(-1, 1);
-  return in_struct(c, d, {HOSTILE_RESERVED(carom_motion, reserved), HOSTILE_NUMBERS(carom_motion, position, 3, any()), HOSTILE_UNIT(carom_motion, orientation, 4),
-                          HOSTILE_NUMBERS(carom_motion, center, 3, any()), HOSTILE_NUMBERS(carom_motion, linear_velocity, 3, any()),
-                          HOSTILE_NUMBERS(carom_motion, angular_velocity, 3, any())});
+  return in_struct(c, d,
+                   {HOSTILE_RESERVED(carom_motion, reserved), HOSTILE_NUMBERS(carom_motion, position, 3, any()),
+                    HOSTILE_UNIT(carom_motion, orientation, 4), HOSTILE_NUMBERS(carom_motion, center, 3, any()),
+                    HOSTILE_NUMBERS(carom_motion, linear_velocity, 3, any()),
+                    HOSTILE_NUMBERS(carom_motion, angular_velocity, 3, any())});
 }
 inline Argument draw_desc(Context& c) {
   auto d = fresh<carom_draw_desc>(carom_draw_desc_init);
   d.what = c.source.below(64), d.colouring = c.source.below(2);
-  return in_struct(c, d, {HOSTILE_BITS(carom_draw_desc, what, 63u), HOSTILE_CHOICE(carom_draw_desc, colouring, 2u), HOSTILE_RESERVED(carom_draw_desc, reserved),
-                          HOSTILE_NUMBERS(carom_draw_desc, scale, 1, {kLeast, kMost})}, true);
+  return in_struct(
+      c, d,
+      {HOSTILE_BITS(carom_draw_desc, what, 63u), HOSTILE_CHOICE(carom_draw_desc, colouring, 2u),
+       HOSTILE_RESERVED(carom_draw_desc, reserved), HOSTILE_NUMBERS(carom_draw_desc, scale, 1, {kLeast, kMost})},
+      true);
 }
 constexpr int kQuestions = 3;
 inline Argument rays(Context& c) {
@@ -283,7 +347,9 @@ inline Argument rays(Context& c) {
   if (c.source.below(4) == 3) o[0] = kNan;  // a bad ray spoils no other
   r.origins = o, r.directions = d;
   if (c.source.below(2)) r.max = d;
-  return in_struct(c, r, {HOSTILE_CHOICE(carom_rays, scalar, 2u), HOSTILE_POINTER(carom_rays, origins), HOSTILE_POINTER(carom_rays, directions)});
+  return in_struct(c, r,
+                   {HOSTILE_CHOICE(carom_rays, scalar, 2u), HOSTILE_POINTER(carom_rays, origins),
+                    HOSTILE_POINTER(carom_rays, directions)});
 }
 template <class Hits, class Record>
 Argument hits(Context& c) {
@@ -304,13 +370,16 @@ inline Argument query_shapes(Context& c, bool move, bool& half_space) {
   for (int i = 0; i < kQuestions; ++i) {
     bool none = false;
     const unsigned which = c.source.below(5);
-    shapes[i] = which == 4 ? 0 : c.own.live[kShape].size() > which ? c.own.live[kShape][which].handle : pick(c, kShape, none);
+    shapes[i] = which == 4                          ? 0
+                : c.own.live[kShape].size() > which ? c.own.live[kShape][which].handle
+                                                    : pick(c, kShape, none);
     for (int k = 0; k < 3; ++k) p[3 * i + k] = c.between(-3, 3), m[3 * i + k] = c.between(-2, 2);
     turn(c, 4, t + 4 * i);
   }
   q.shapes = shapes, q.positions = p, q.orientations = t;
   if (move) q.motions = m;
-  Argument a = in_struct(c, q, {HOSTILE_CHOICE(carom_query_shapes, scalar, 2u), HOSTILE_POINTER(carom_query_shapes, positions)});
+  Argument a =
+      in_struct(c, q, {HOSTILE_CHOICE(carom_query_shapes, scalar, 2u), HOSTILE_POINTER(carom_query_shapes, positions)});
   for (const Wrong& w : wrong_handles(c, kShape, true)) {
     carom_query_shapes bad = q;
     auto* some = static_cast<carom_shape*>(c.take(8 * kQuestions));
@@ -335,11 +404,14 @@ struct Bulk {
   Argument field, scalar, list, n, array, stride;
 };
 template <class Id>
-Bulk bulk(Context& c, const std::vector<Id>& ids, std::initializer_list<std::pair<uint32_t, int>> fields, uint32_t known, bool write) {
+Bulk bulk(Context& c, const std::vector<Id>& ids, std::initializer_list<std::pair<uint32_t, int>> fields,
+          uint32_t known, bool write) {
   Bulk b;
   const auto& [field, scalars] = fields.begin()[c.source.below(static_cast<unsigned>(fields.size()))];
-  b.field = {of(uint64_t(field)), {{"unknown field", of(uint64_t(known)), kEnum}, {"all bits", of(uint64_t(0xFFFFFFFF)), kEnum}}};
-  b.scalar = {of(uint64_t(CAROM_SCALAR_F64)), {{"unknown scalar", of(uint64_t(2)), kEnum}, {"all bits", of(uint64_t(0xFFFFFFFF)), kEnum}}};
+  b.field = {of(uint64_t(field)),
+             {{"unknown field", of(uint64_t(known)), kEnum}, {"all bits", of(uint64_t(0xFFFFFFFF)), kEnum}}};
+  b.scalar = {of(uint64_t(CAROM_SCALAR_F64)),
+              {{"unknown scalar", of(uint64_t(2)), kEnum}, {"all bits", of(uint64_t(0xFFFFFFFF)), kEnum}}};
   const std::size_t n = ids.size(), bytes = 8 * static_cast<std::size_t>(scalars);
   auto* list = static_cast<Id*>(c.take(sizeof(Id) * n + 1));
   if (n) std::memcpy(list, ids.data(), sizeof(Id) * n);
@@ -348,7 +420,8 @@ Bulk bulk(Context& c, const std::vector<Id>& ids, std::initializer_list<std::pai
   if (write) {
     auto* values = static_cast<double*>(c.take(bytes * n + 1));
     for (std::size_t i = 0; i < n; ++i) {
-      for (int k = 0; k < scalars; ++k) values[i * static_cast<std::size_t>(scalars) + static_cast<std::size_t>(k)] = c.between(0.5, 2);
+      for (int k = 0; k < scalars; ++k)
+        values[i * static_cast<std::size_t>(scalars) + static_cast<std::size_t>(k)] = c.between(0.5, 2);
       if (field == CAROM_FIELD_ORIENTATION) turn(c, 4, values + 4 * i);
       if (field == CAROM_FIELD_POSE) turn(c, 4, values + 7 * i + 3);
     }
@@ -366,7 +439,8 @@ Bulk bulk(Context& c, const std::vector<Id>& ids, std::initializer_list<std::pai
   }
   if (n) b.array.wrong.push_back({"null", of(nullptr), kNull});
   b.stride = fixed_number(0);
-  for (const uint64_t s : {uint64_t(1), uint64_t(bytes - 1)}) b.stride.wrong.push_back({"stride " + std::to_string(s), of(s), kSmall});
+  for (const uint64_t s : {uint64_t(1), uint64_t(bytes - 1)})
+    b.stride.wrong.push_back({"stride " + std::to_string(s), of(s), kSmall});
   return b;
 }
 inline std::vector<carom_body> bodies_for(Context& c) {
@@ -387,7 +461,8 @@ inline void wrong_last(Context& c, Argument& list, const std::vector<uint64_t>& 
 }
 inline uint32_t size_of_set(Context& c) {
   uint64_t n = 0;
-  if (!c.own.live[kParticles].empty()) carom_particles_get_count(c.own.world, c.own.live[kParticles][0].handle, &n, nullptr);
+  if (!c.own.live[kParticles].empty())
+    carom_particles_get_count(c.own.world, c.own.live[kParticles][0].handle, &n, nullptr);
   return static_cast<uint32_t>(n);
 }
 /// The first set alone: its size is known.
@@ -403,7 +478,10 @@ inline std::vector<uint32_t> first_particles(Context& c) {
 }
 inline Argument shape_but_scenery(Context& c) {
   Argument a = handle(c, kShape);
-  if (!a.impossible) a.good = of(c.own.live[kShape][c.source.below(std::min<unsigned>(4, static_cast<unsigned>(c.own.live[kShape].size())))].handle);
+  if (!a.impossible)
+    a.good =
+        of(c.own.live[kShape][c.source.below(std::min<unsigned>(4, static_cast<unsigned>(c.own.live[kShape].size())))]
+               .handle);
   return a;
 }
 inline Argument scenery_shape(Context& c) {
@@ -421,10 +499,22 @@ struct Row {
   Call (*make)(Context& c);
 };
 
-#define ROW(f, ...) {#f, [](Context& c) -> Call { return call(#f, f, {__VA_ARGS__}); }}
-#define ROW_THAT(f, that, ...) {#f, [](Context& c) -> Call { Call made = call(#f, f, {__VA_ARGS__}); made.that; return made; }}
-#define GET_LIST(f, T) {#f, [](Context& c) -> Call { List l = list(c, sizeof(T)); return call(#f, f, {world(c), l.dst, l.stride, l.capacity, l.count, error(c)}); }}
-#define GET_HANDLES(f) {#f, [](Context& c) -> Call { Argument dst = out(c, 8 * 64); dst.wrong.clear(); return call(#f, f, {world(c), dst, fixed_number(64), out(c, 8), error(c)}); }}
+#define ROW(f, ...)                                                    \
+  {                                                                    \
+#f, [](Context & c) -> Call { return call(#f, f, {__VA_ARGS__}); } \
+  }
+#define ROW_THAT(f, that, ...)                                                                 \
+  {                                                                                            \
+#f, [](Context& c) -> Call { Call made = call(#f, f, {__VA_ARGS__}); made.that; return made; } \
+  }
+#define GET_LIST(f, T)                                                                                                                      \
+  {                                                                                                                                         \
+#f, [](Context& c) -> Call { List l = list(c, sizeof(T)); return call(#f, f, {world(c), l.dst, l.stride, l.capacity, l.count, error(c)}); } \
+  }
+#define GET_HANDLES(f)                                                                                                                                       \
+  {                                                                                                                                                          \
+#f, [](Context& c) -> Call { Argument dst = out(c, 8 * 64); dst.wrong.clear(); return call(#f, f, {world(c), dst, fixed_number(64), out(c, 8), error(c)}); } \
+  }
 /// The caller's size of a struct that is to be filled in.
 inline Argument struct_size(std::uint32_t size) {
   Argument a = fixed_number(size);

@@ -99,11 +99,14 @@ int main(int argc, char** argv) {
   carom::bench::Options options;
   CLI::App app("Accuracy scenes through every engine that is installed");
   app.add_option("SCENES", options.scenes, "Which; default: all that every engine can run");
-  app.add_option("--out", options.out, "Rows, for `carom accuracy report --from`")->type_name("FILE.json")->capture_default_str();
+  app.add_option("--out", options.out, "Rows, for `carom accuracy report --from`")
+      ->type_name("FILE.json")
+      ->capture_default_str();
   app.add_option("--engines", options.engines,
                  "Which, besides Carom: bullet, bullet64, ode, mujoco (Debian's), mujoco_wheel, drake, rapier64");
   app.add_option("--seconds", options.seconds, "About how long to take")->capture_default_str();
-  app.add_option("--per-run", options.per_run, "A run that takes more s of computing is left out")->capture_default_str();
+  app.add_option("--per-run", options.per_run, "A run that takes more s of computing is left out")
+      ->capture_default_str();
   app.add_flag("--no-maps", options.no_maps, "Leave out the maps of what stands");
   app.add_flag("--check", options.check, "Only see whether every engine is told the same");
   CLI11_PARSE(app, argc, argv);

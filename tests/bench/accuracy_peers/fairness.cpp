@@ -57,7 +57,8 @@ std::vector<std::string> unfair(tools::Engine& engine, const PeerEngine& peer) {
     const std::size_t ball = add_ball(stage, Vec(1, 100, 2), 0.1, 3, {}, Vec(1, 2, 3));
     PeerMover mover(stage, peer, {});
     run(stage, mover);
-    judge.expect("height after 1 s of fall", stage.position(ball).y(), 100 + 2 - kGravity / 2, kGravity * kStep / 2 + 1e-3);
+    judge.expect("height after 1 s of fall", stage.position(ball).y(), 100 + 2 - kGravity / 2,
+                 kGravity * kStep / 2 + 1e-3);
     judge.expect("way along x", stage.position(ball).x(), 2, 1e-3);
     judge.expect("speed of fall", stage.velocity(ball).y(), 2 - kGravity, 1e-4);
   }
@@ -77,7 +78,8 @@ std::vector<std::string> unfair(tools::Engine& engine, const PeerEngine& peer) {
     PeerMover mover(stage, peer, {});
     const double quarter = 1.8540746773013719 * std::sqrt(2 / (3 * kGravity));  // s: K(1/2) over the root of 3 g / 2 l
     run(stage, mover, {}, static_cast<int>(std::lround(quarter / kStep)));
-    judge.expect("spin of a rod that has swung down", std::fabs(spin_of(stage, rod).z()), std::sqrt(3 * kGravity), 0.15);
+    judge.expect("spin of a rod that has swung down", std::fabs(spin_of(stage, rod).z()), std::sqrt(3 * kGravity),
+                 0.15);
     judge.expect("its middle's distance from the pivot", stage.position(rod).norm(), 0.5, 0.02);
   }
   {  // Friction: the geometric mean of 0.9 and 0.4 is 0.6.

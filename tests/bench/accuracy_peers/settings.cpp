@@ -91,7 +91,8 @@ std::string note_on(const std::string& engine) {
     return "Debian's libode-dev; sweep-and-prune space, four points a pair, friction in proportion to the normal force "
            "(dContactApprox1), bounces from 0.25 m/s on";
   if (engine.starts_with("MuJoCo"))
-    return std::string(engine.starts_with("MuJoCo 2") ? "Debian's libmujoco-dev" : "the C library of the Python wheel mujoco-core") +
+    return std::string(engine.starts_with("MuJoCo 2") ? "Debian's libmujoco-dev"
+                                                      : "the C library of the Python wheel mujoco-core") +
            "; joints as trees of ball joints in reduced coordinates, loops as equality constraints; "
            "elliptic cones, no collision of joined bodies; friction and restitution of each contact set to the "
            "comparison's (a bounce is a spring and damper over 20 steps)";
@@ -109,9 +110,9 @@ std::string note_on(const std::string& engine) {
 
 const std::vector<std::string>& scenes_for_peers() {
   static const std::vector<std::string> names = {
-      "pendulum",   "chain1",       "chain100",     "chain1e4",     "wrecking",     "bouncing", "bounce05",
-      "cradle",     "cannon",       "elastic666",   "pack666",      "slide",        "slip",     "stick",
-      "rolling",    "skid",         "stack10",      "stack20",      "stack50",      "cards",    "tower100",
+      "pendulum",     "chain1",       "chain100",     "chain1e4",     "wrecking",    "bouncing", "bounce05",
+      "cradle",       "cannon",       "elastic666",   "pack666",      "slide",       "slip",     "stick",
+      "rolling",      "skid",         "stack10",      "stack20",      "stack50",     "cards",    "tower100",
       "massratio1e2", "massratio1e3", "massratio1e4", "massratio1e5", "massratio1e6"};
   return names;
 }

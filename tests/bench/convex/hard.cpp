@@ -76,8 +76,8 @@ Outcome ask_apart(Peer& peer, const Case& c) {
 void print_hard(const Peers& peers, const char* path) {
   std::deque<Case> cases;
   for (test::HardPair& pair : test::load_hard_pairs(path)) cases.emplace_back(std::move(pair));
-  std::printf("\n%zu hard pairs\n  %-26s %6s %6s %8s %6s %8s %8s %8s %8s\n", cases.size(), "", "asked", "fail", "crashed", "hung",
-              "no number", "verdict", "value", "normal");
+  std::printf("\n%zu hard pairs\n  %-26s %6s %6s %8s %6s %8s %8s %8s %8s\n", cases.size(), "", "asked", "fail",
+              "crashed", "hung", "no number", "verdict", "value", "normal");
   for (const std::unique_ptr<Peer>& peer : peers) {
     std::array<int, kOutcomes> count{};
     int asked = 0;
@@ -86,8 +86,8 @@ void print_hard(const Peers& peers, const char* path) {
       ++asked;
       ++count[ask_apart(*peer, c)];
     }
-    std::printf("  %-26s %6d %6d %8d %6d %8d %8d %8d %8d\n", peer->name(), asked, asked - count[right],
-                count[crashed], count[hung], count[no_number], count[verdict], count[value], count[normal]);
+    std::printf("  %-26s %6d %6d %8d %6d %8d %8d %8d %8d\n", peer->name(), asked, asked - count[right], count[crashed],
+                count[hung], count[no_number], count[verdict], count[value], count[normal]);
     std::fflush(stdout);
   }
 }

@@ -76,8 +76,6 @@ Placement placement(const Frame& frame) {
   return at;
 }
 
-Frame frame_of(const Placement& at) {
-  return Frame(Mat3::from_rows(at.r), Vec3::from(at.p));
-}
+Frame frame_of(const Placement& at) { return Frame(Mat3::from_rows(at.r), Vec3::from(at.p)); }
 
 }  // namespace carom::bench

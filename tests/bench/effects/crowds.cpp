@@ -129,29 +129,37 @@ std::vector<Crowd> crowds() {
          w.scene.inertia[i] = Mat3::diagonal(Vec3(0.1, 0.2, 0.3));
          w.scene.inv_inertia[i] = w.scene.inertia[i].inverse();
        })},
-      {+EffectId::linear_damping, "linear_damping", 10000, true, flying([](World& w, std::uint32_t i) { damp(w, i, 0.5, 0); })},
+      {+EffectId::linear_damping, "linear_damping", 10000, true,
+       flying([](World& w, std::uint32_t i) { damp(w, i, 0.5, 0); })},
       {+EffectId::angular_damping, "angular_damping", 10000, true,
        flying([](World& w, std::uint32_t i) { damp(w, i, 0, 0.5); })},
       {+EffectId::gravity, "gravity", 10000, true,
        [](TestWorld& t, std::uint32_t bodies, std::uint32_t calling) {
          fly(t, bodies);
-         for (std::uint32_t i = 0; i < bodies - calling; ++i) t.world.set_attribute(i, AttributeId::gravity_factor, {0});
+         for (std::uint32_t i = 0; i < bodies - calling; ++i)
+           t.world.set_attribute(i, AttributeId::gravity_factor, {0});
          t.world.set_gravity(Vec3(0, -9.81, 0));
        }},
-      {+EffectId::user_force, "user_force", 10000, true, flying([](World&, std::uint32_t) {}), push({1, 2, 3}, Vec3::zero())},
-      {+EffectId::user_torque, "user_torque", 10000, true, flying([](World&, std::uint32_t) {}), push(Vec3::zero(), {1, 2, 3})},
-      {+EffectId::axis_locks, "axis_locks", 10000, true, flying([](World& w, std::uint32_t i) { w.set_attribute(i, AttributeId::locks, {1}); })},
+      {+EffectId::user_force, "user_force", 10000, true, flying([](World&, std::uint32_t) {}),
+       push({1, 2, 3}, Vec3::zero())},
+      {+EffectId::user_torque, "user_torque", 10000, true, flying([](World&, std::uint32_t) {}),
+       push(Vec3::zero(), {1, 2, 3})},
+      {+EffectId::axis_locks, "axis_locks", 10000, true,
+       flying([](World& w, std::uint32_t i) { w.set_attribute(i, AttributeId::locks, {1}); })},
       {+EffectId::drag, "drag", 10000, true, flying(drag)},
       {+EffectId::wind, "wind", 10000, true, flying(drag, [](TestWorld& t) { t.world.set_wind(Vec3(3, 0, 0)); })},
       {+EffectId::fields, "fields, uniform", 10000, true, in_field(uniform)},
       {+EffectId::fields, "fields, vortex", 10000, true, in_field(vortex)},
       {+EffectId::magnetism, "magnetism", 10000, true,
-       flying([](World& w, std::uint32_t i) { w.set_attribute(i, AttributeId::magnetic_moment, {1e-3, 0, 0}); },
-              [](TestWorld& t) {
-                FieldDef f;
-                f.kind = FieldKind::magnetic, f.vector = Vec3(0, 1, 0);
-                t.world.add_field(f);
-              })},
+       flying(
+           [](World& w, std::uint32_t i) {
+             w.set_attribute(i, AttributeId::magnetic_moment, {1e-3, 0, 0});
+           },
+           [](TestWorld& t) {
+             FieldDef f;
+             f.kind = FieldKind::magnetic, f.vector = Vec3(0, 1, 0);
+             t.world.add_field(f);
+           })},
       {+EffectId::springs, "springs", 1000, true, flying([](World& w, std::uint32_t i) {
          SpringDef d;
          d.body_a = i, d.anchor_b = w.pose(i).p + Vec3(0, 2, 0), d.rest = 1, d.stiffness = 10, d.damping = 0.1;

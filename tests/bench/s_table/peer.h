@@ -61,8 +61,8 @@ struct WorldPlan {
     }
     return otherwise;
   }
-  bool sleeping = false;              // bodies at rest may be put to sleep, by the engine's own defaults
-  std::size_t threads = 1;            // that a step may use; an engine without threads heeds none
+  bool sleeping = false;    // bodies at rest may be put to sleep, by the engine's own defaults
+  std::size_t threads = 1;  // that a step may use; an engine without threads heeds none
 };
 
 inline constexpr std::size_t kNotTold = static_cast<std::size_t>(-1);
@@ -92,8 +92,8 @@ struct PeerEngine {
   const char* name;  // with version and precision; null: it did not start, why is on stderr
   /// Null, and why on stderr, if it can't. The plan need not outlive the call; its params and triangles do.
   PeerWorld* (*make)(const WorldPlan& plan);
-  std::size_t (*live_bytes)();                // held through the engine's own allocator now
-  std::size_t threads = 1;                    // as many as a step can use
+  std::size_t (*live_bytes)();  // held through the engine's own allocator now
+  std::size_t threads = 1;      // as many as a step can use
 };
 using PeerModule = PeerEngine (*)();
 

@@ -185,7 +185,8 @@ extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine(
   gCalculateCombinedRestitutionCallback = [](const btCollisionObject* a, const btCollisionObject* b) {
     return btMax(a->getRestitution(), b->getRestitution());
   };
-  return {kName, [](const WorldPlan& plan) -> PeerWorld* { return new BulletWorld(plan); }, [] { return live_bytes.load(); }};
+  return {kName, [](const WorldPlan& plan) -> PeerWorld* { return new BulletWorld(plan); },
+          [] { return live_bytes.load(); }};
 }
 
 }  // namespace carom::bench

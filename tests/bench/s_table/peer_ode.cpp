@@ -44,7 +44,8 @@ class OdeWorld : public PeerWorld {
     dRandSetSeed(0);  // its stepper shuffles constraints: each repeat the same way
     dWorldSetGravity(world_, plan.gravity[0], plan.gravity[1], plan.gravity[2]);
     dWorldSetAutoDisableFlag(world_, plan.sleeping);
-    dWorldSetQuickStepNumIterations(world_, static_cast<int>(plan.dial("iterations", dWorldGetQuickStepNumIterations(world_))));
+    dWorldSetQuickStepNumIterations(world_,
+                                    static_cast<int>(plan.dial("iterations", dWorldGetQuickStepNumIterations(world_))));
     dWorldSetERP(world_, plan.dial("erp", dWorldGetERP(world_)));
     dWorldSetCFM(world_, plan.dial("cfm", dWorldGetCFM(world_)));
     exact_ = plan.dial("stepper", 0) == 1;
@@ -73,8 +74,10 @@ class OdeWorld : public PeerWorld {
   void step(double dt) override {
     for (int i = 0; i < substeps_; ++i) {
       contacts_ = 0;
-      for (const Push& p : pushes_) dBodyAddForce(p.body, p.force[0], p.force[1], p.force[2]);  // forgotten after a step
-      dSpaceCollide(space_, this, [](void* self, dGeomID a, dGeomID b) { static_cast<OdeWorld*>(self)->collide(a, b); });
+      for (const Push& p : pushes_)
+        dBodyAddForce(p.body, p.force[0], p.force[1], p.force[2]);  // forgotten after a step
+      dSpaceCollide(space_, this,
+                    [](void* self, dGeomID a, dGeomID b) { static_cast<OdeWorld*>(self)->collide(a, b); });
       if (exact_)
         dWorldStep(world_, dt / substeps_);
       else

@@ -63,8 +63,8 @@ class Plan {
   tools::Stage& stage_;
   bool as_given_;
   double gravity_[3] = {0, -9.81, 0};  // m/s^2
-  std::vector<Member> members_;  // [actors]
-  std::vector<BodyPlan> plans_;  // [actors]
+  std::vector<Member> members_;        // [actors]
+  std::vector<BodyPlan> plans_;        // [actors]
   std::vector<JointPlan> joints_;
   std::map<carom_shape, Hull> hulls_;
   std::map<carom_shape, const double*> params_;  // shared by bodies of equal shape

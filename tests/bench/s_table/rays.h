@@ -10,8 +10,8 @@ struct RayRecord {
   std::string engine;
   bool is_carom = false;  // as it comes
   bool is_own = false;    // Carom, one way or another
-  double best = 0;   // s, least CPU time of all rays together over the repeats
-  double first = 0;  // s, the first time, with what an engine puts off until it is asked
+  double best = 0;        // s, least CPU time of all rays together over the repeats
+  double first = 0;       // s, the first time, with what an engine puts off until it is asked
   std::size_t hits = 0;
   std::size_t unlike = 0;  // rays that hit here and not with Carom, or the reverse
   double farthest = 0;     // m, difference from where Carom's ray ends, over rays that both say hit

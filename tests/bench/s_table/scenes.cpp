@@ -44,13 +44,12 @@ std::unique_ptr<Observer> fill_pyramids(Stage& stage, const std::vector<double>&
 
 std::unique_ptr<Observer> fill_dominoes(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   const int count = static_cast<int>(knobs[0]);
-  const double pitch = 0.5;           // m
+  const double pitch = 0.5;          // m
   const Vec half(0.075, 0.5, 0.25);  // m
   stage.add_half_space("ground", {0, 1, 0}, {0, 0, 0});
   for (int i = 0; i < count; ++i) {
-    Actor domino =
-        box("block", "domino " + std::to_string(i + 1), Vec(pitch * (i - count / 2), half.y(), 0), half);
-    if (i == 0) {  // it turns about its lower edge
+    Actor domino = box("block", "domino " + std::to_string(i + 1), Vec(pitch * (i - count / 2), half.y(), 0), half);
+    if (i == 0) {             // it turns about its lower edge
       const double turn = 2;  // rad/s: enough to tip it
       domino.angular_velocity = Vec(0, 0, -turn);
       domino.linear_velocity = turn * Vec(half.y(), half.x(), 0);
@@ -126,8 +125,13 @@ std::unique_ptr<Observer> fill_dolls(Stage& stage, const std::vector<double>& kn
 
 const std::vector<tools::Scene>& own_scenes() {
   static const std::vector<tools::Scene> scenes = {
-      {"pyramids", "", "", {{"n", "", "pyramids", 25, 1, 1000, true}, {"base", "", "cubes in the lowest row", 10, 1, 100, true}},
-       10.0, 1.0 / 60, fill_pyramids},
+      {"pyramids",
+       "",
+       "",
+       {{"n", "", "pyramids", 25, 1, 1000, true}, {"base", "", "cubes in the lowest row", 10, 1, 100, true}},
+       10.0,
+       1.0 / 60,
+       fill_pyramids},
       {"dominoes", "", "", {{"n", "", "dominoes", 1000, 2, 1900, true}}, 10.0, 1.0 / 60, fill_dominoes},
       {"dolls", "", "", {{"n", "", "people", 20, 1, 1000, true}}, 8.0, 1.0 / 60, fill_dolls},
   };

@@ -111,13 +111,14 @@ void Table::print(const Row& row, const Record& record, const Record* best) {
   const std::size_t steps = record.best.size(), from = counted_from(row, record);
   const std::string points = record.contact_points == kNotTold ? "-" : std::to_string(record.contact_points);
   const double ratio = of_best(row, record, best);
-  std::printf("| %s | %s | %.3f | %.3f | %.2f | %.2f | %.2f | %s | %s | %.1f / %.2f | %.0f | %.1e | %s | %zu, %zu | %s |\n",
-              row.id.c_str(), record.engine.c_str(), record.mean_ms(from, steps),
-              record.mean_ms(steps - (steps - from + 2) / 3, steps), record.p99_ms(from), record.worst_ms(from),
-              record.first_ms(), ratio > 0 ? format("%.3g", ratio).c_str() : "-",
-              record.is_carom && row.aim > 0 ? format("%g", row.aim).c_str() : "-", 1e3 * record.end.max_penetration,
-              1e3 * record.end.mean_penetration, 1e3 * record.peak_penetration, record.end.mean_energy, points.c_str(),
-              record.end.escaped, record.end.lost, outcome(row, record).c_str());
+  std::printf(
+      "| %s | %s | %.3f | %.3f | %.2f | %.2f | %.2f | %s | %s | %.1f / %.2f | %.0f | %.1e | %s | %zu, %zu | %s |\n",
+      row.id.c_str(), record.engine.c_str(), record.mean_ms(from, steps),
+      record.mean_ms(steps - (steps - from + 2) / 3, steps), record.p99_ms(from), record.worst_ms(from),
+      record.first_ms(), ratio > 0 ? format("%.3g", ratio).c_str() : "-",
+      record.is_carom && row.aim > 0 ? format("%g", row.aim).c_str() : "-", 1e3 * record.end.max_penetration,
+      1e3 * record.end.mean_penetration, 1e3 * record.peak_penetration, record.end.mean_energy, points.c_str(),
+      record.end.escaped, record.end.lost, outcome(row, record).c_str());
 }
 
 void Table::write(const Row& row, const Record& record, const Record* best) {
@@ -126,8 +127,11 @@ void Table::write(const Row& row, const Record& record, const Record* best) {
     std::fprintf(csv_.get(), "%s,\"%s\",%d,%.6g,%s,%.6g,%.6g,%.6g,%.6g,%s,%.6g,%g,%.6g,%.6g\n", row.id.c_str(),
                  record.engine.c_str(), record.is_carom, cost(row, record), row.memory ? "bytes a body" : "ms",
                  record.mean_ms(steps - (steps - from + 2) / 3, steps), record.p99_ms(from), record.worst_ms(from),
-                 record.first_ms(), record.was_cut() ? "cut" : record.holds(row) ? "1" : "0", of_best(row, record, best), row.aim,
-                 1e3 * record.peak_penetration, 1e3 * record.peak_gap);
+                 record.first_ms(),
+                 record.was_cut()    ? "cut"
+                 : record.holds(row) ? "1"
+                                     : "0",
+                 of_best(row, record, best), row.aim, 1e3 * record.peak_penetration, 1e3 * record.peak_gap);
   for (std::size_t i = 0; steps_ && i < steps; ++i)
     std::fprintf(steps_.get(), "%s,\"%s\",%zu,%.6g\n", row.id.c_str(), record.engine.c_str(), i, 1e3 * record.best[i]);
 }

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #if defined(LIE_CRASH)
-static volatile int *nowhere = 0;
+static volatile int* nowhere = 0;
 #elif defined(LIE_ABORT) || defined(LIE_EXIT)
 #include <stdlib.h>
 #elif defined(LIE_JUMP)
@@ -12,7 +12,7 @@ static jmp_buf nowhere; /* never set: no frame waits there any more */
 #endif
 
 /* A unit ball, unless told otherwise. */
-static int32_t support(void *user, const double *params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
   (void)user;
   const double big = fmax(fabs(dir[0]), fmax(fabs(dir[1]), fabs(dir[2])));
   const double x = dir[0] / big, y = dir[1] / big, z = dir[2] / big, length = sqrt(x * x + y * y + z * z);
@@ -50,8 +50,9 @@ static int32_t support(void *user, const double *params, uint64_t param_len, con
 
 #if defined(LIE_DECLARATION) /* says it is a box of half extents 1 */
 static const carom_param parameters[] = {{"half", "m", 1, 1}};
-static const carom_geometry geometry = {sizeof(carom_geometry), CAROM_FORM_BOX, {0, 0, 0, CAROM_NO_PARAM}, CAROM_NO_PARAM,
-                                        CAROM_FORM_NONE, {CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}};
+static const carom_geometry geometry = {
+    sizeof(carom_geometry), CAROM_FORM_BOX,  {0, 0, 0, CAROM_NO_PARAM},
+    CAROM_NO_PARAM,         CAROM_FORM_NONE, {CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM, CAROM_NO_PARAM}};
 #define PARAMETERS .param_count = 1, .params = parameters, .geometry = &geometry
 #elif defined(LIE_RULES) /* asks for what its own bounds forbid */
 static const carom_param parameters[] = {{"radius", "m", 1, 2}};

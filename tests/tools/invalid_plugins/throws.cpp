@@ -17,6 +17,20 @@ std::int32_t support(void*, const double*, std::uint64_t, const double dir[3], d
 
 extern "C" {
 extern CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1;
-const carom_shape_plugin carom_shape_plugin_v1 = {sizeof(carom_shape_plugin), CAROM_PLUGIN_ABI_MAJOR, CAROM_PLUGIN_ABI_MINOR, 0,
-                                                  "test.throws", 1, 0, nullptr, nullptr, support, 0, 0, nullptr, 0, 0, nullptr};
+const carom_shape_plugin carom_shape_plugin_v1 = {sizeof(carom_shape_plugin),
+                                                  CAROM_PLUGIN_ABI_MAJOR,
+                                                  CAROM_PLUGIN_ABI_MINOR,
+                                                  0,
+                                                  "test.throws",
+                                                  1,
+                                                  0,
+                                                  nullptr,
+                                                  nullptr,
+                                                  support,
+                                                  0,
+                                                  0,
+                                                  nullptr,
+                                                  0,
+                                                  0,
+                                                  nullptr};
 }

@@ -42,7 +42,8 @@ void brute_force_is_the_contract_word_for_word(void**) {
   std::vector<Pair> expected;
   for (std::uint32_t a = 0; a < 40; ++a)
     for (std::uint32_t b = a + 1; b < 40; ++b) {
-      bool both = a != 13 && b != 13 && s.table.body[a] != s.table.body[b] && !s.table.disabled[a] && !s.table.disabled[b];
+      bool both =
+          a != 13 && b != 13 && s.table.body[a] != s.table.body[b] && !s.table.disabled[a] && !s.table.disabled[b];
       both = both && (s.table.movable[a] || s.table.movable[b]);
       for (int k = 0; k < 3; ++k) {
         const Real alo = s.table.bounds[a].lo[k], ahi = s.table.bounds[a].hi[k];
@@ -71,7 +72,7 @@ void they_agree_over_a_long_random_life_of_a_scene(void**) {
         for (int k = 0; k < 3; ++k)  // walls keep them together
           if (std::fabs(s.table.bounds[slot].lo[k]) > 2) velocity[slot][k] *= -1;
         if (random.below(300) == 0) s.shift(slot, random.in_cube(3));  // teleport
-        if (random.below(300) == 0) s.table.disabled[slot] ^= 1;          // without a new generation
+        if (random.below(300) == 0) s.table.disabled[slot] ^= 1;       // without a new generation
         if (random.below(300) == 0) s.table.movable[slot] ^= 1;
         if (random.below(300) == 0) s.table.body[slot] = static_cast<std::uint32_t>(random.below(slots));
         if (random.below(300) == 0) std::swap(s.table.bounds[slot].lo.x(), s.table.bounds[slot].hi.x());  // empty, back

@@ -17,8 +17,7 @@ constexpr Real kRightAngle = 1.57079632679489661923;
 Candidates on_ground(const Shape& b, const Vec3& phi, Real y) {
   const Shape ground = half_space(Vec3::unit_y(), 0);
   Candidates found;
-  pair_entry(Form::half_space, b.form)
-      .routine(ground, b, Frame(exp_map(phi).matrix(), Vec3(0, y, 0)), kReach, found);
+  pair_entry(Form::half_space, b.form).routine(ground, b, Frame(exp_map(phi).matrix(), Vec3(0, y, 0)), kReach, found);
   return found;
 }
 

@@ -17,9 +17,7 @@ namespace {
 
 MassProperties form_mass(const Shape& s) { return mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices); }
 
-Mat3 random_rotation(Random& random) {
-  return exp_map(random.uniform(0, 3.14) * random.direction()).matrix();
-}
+Mat3 random_rotation(Random& random) { return exp_map(random.uniform(0, 3.14) * random.direction()).matrix(); }
 
 /// Every closed form with sizes from the given range, and a few general ones.
 template <class Visit>
@@ -43,7 +41,10 @@ void each_closed_form(Random& random, Real lo, Real hi, Visit visit) {
 }
 
 Real spectral_norm(const Mat3& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(test::eigen(m), Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(test::eigen(m), Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .cwiseAbs()
+      .maxCoeff();
 }
 
 /// The exact answer lies in the bracket. The exact one is itself good to some ten u.

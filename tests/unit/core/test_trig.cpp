@@ -2,9 +2,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "core/pose.h"
-
 #include "carom_test.h"
+#include "core/pose.h"
 
 using namespace carom;
 

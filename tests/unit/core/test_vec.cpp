@@ -2,11 +2,10 @@
 // were made with, and what a formula must give whatever its order.
 #include <random>
 
+#include "carom_test.h"
 #include "core/pose.h"
 #include "core/vec6.h"
 #include "eigen.h"
-
-#include "carom_test.h"
 
 using namespace carom;
 using namespace carom::test;

@@ -29,7 +29,8 @@ struct Heap {
     for (int i = 0; i < 5; ++i)
       for (int k = 0; k < 5 - i; ++k) t.add(cube, Vec3(k + 0.5 * i - 2, 0.7 + i, 0.01 * k));
     for (int i = 0; i < 7; ++i) t.add(ball, Vec3(i - 3, 3 + 0.3 * i, 1.2), BodyType::dynamic, Quat::identity(), rubber);
-    for (std::uint32_t body = 5; body < 15; body += 3) t.world.set_attribute(body, AttributeId::locks, {Real(body % 2 ? 0x1c : 0x09)});
+    for (std::uint32_t body = 5; body < 15; body += 3)
+      t.world.set_attribute(body, AttributeId::locks, {Real(body % 2 ? 0x1c : 0x09)});
     for (int i = 0; i < 3; ++i) t.add(rod, Vec3(i - 1, 2, -1.3), BodyType::dynamic, exp_map(Vec3(0.3, 0, 1.2)));
   }
 };

@@ -155,12 +155,15 @@ static void factors_solve_as_dense_ones_do(void**) {
     Eigen::VectorXd b(6 * nodes);
     for (Eigen::Index i = 0; i < b.size(); ++i) b[i] = random.uniform(-1, 1);
     std::vector<Vec6> x(nodes);
-    for (std::uint32_t i = 0; i < nodes; ++i) x[s.elimination.place[i]] = {Vec3::from(b.data() + 6 * i), Vec3::from(b.data() + 6 * i + 3)};
+    for (std::uint32_t i = 0; i < nodes; ++i)
+      x[s.elimination.place[i]] = {Vec3::from(b.data() + 6 * i), Vec3::from(b.data() + 6 * i + 3)};
     solve(s.elimination, 0, nodes, s.factor, x.data());
     const Eigen::VectorXd truth = s.dense.llt().solve(b);
     // Condition below 1e4 (eigenvalues from 1 to 10 |J|^2): both are within 1e4 * 150 u.
     for (std::uint32_t i = 0; i < nodes; ++i)
-      assert_true((x[s.elimination.place[i]] - Vec6(Vec3::from(truth.data() + 6 * i), Vec3::from(truth.data() + 6 * i + 3))).norm() < 1e-10);
+      assert_true(
+          (x[s.elimination.place[i]] - Vec6(Vec3::from(truth.data() + 6 * i), Vec3::from(truth.data() + 6 * i + 3)))
+              .norm() < 1e-10);
   }
 }
 

@@ -1,9 +1,9 @@
 // Filters, bodies held apart: who touches whom, from the next step on, under every broad phase; and that nobody pays
 // who sets none.
 #include "carom_test.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/filter.h"
 #include "world_builder.h"
-#include "dynamics/contact_views.h"
 
 using namespace carom;
 using namespace carom::test;

@@ -88,8 +88,7 @@ static void flyers_have_the_bits_of_a_world_of_their_own(void**) {
     assert_true(among.world.report.contact_points > 0);
     const State &a = alone.world.state, &b = among.world.state;
     for (const std::uint32_t i : flyers)
-      assert_true(a.x[i] == b.x[i] && a.v[i] == b.v[i] && a.omega[i] == b.omega[i] &&
-                  a.q[i] == b.q[i]);
+      assert_true(a.x[i] == b.x[i] && a.v[i] == b.v[i] && a.omega[i] == b.omega[i] && a.q[i] == b.q[i]);
   }
   // Twice in a step, as often as in a substep of the four others; of the pendulum at the ends of its four stages.
   assert_int_equal(alone.world.plan->find("gravity")->evaluations, 2 * 60 * 20);
@@ -108,7 +107,8 @@ static void a_flyer_ends_where_its_parabola_does(void**) {
   assert_true((t.world.state.x[ball] - there).norm() < 3 * 120 * kEpsilon * 500);
   assert_true((t.world.state.v[ball] - Vec3(3, 4 - 9.81 * s, 5)).norm() < 3 * 120 * kEpsilon * 20);
   const Real turned = 2 * std::acos(std::min(Real(1), std::abs(t.world.state.q[ball].w())));
-  assert_true(std::abs(turned - std::abs(std::remainder(2 * s, 8 * std::atan(1.0)))) < 1e-7);  // acos near 1: a root of rounding
+  assert_true(std::abs(turned - std::abs(std::remainder(2 * s, 8 * std::atan(1.0)))) <
+              1e-7);  // acos near 1: a root of rounding
 }
 
 static void what_depends_on_the_state_is_substepped(void**) {

@@ -35,7 +35,8 @@ class CountedMemory final : public std::pmr::memory_resource {
 
 /// Towers of cubes far from each other, which come to rest; and, if asked for, a ball that slides on for ever.
 struct Towers {
-  Towers(int towers, int cubes, Real solver, bool with_ball, bool is_joined = false) : world(1, Vec3(0, -9.81, 0), 0, &memory) {
+  Towers(int towers, int cubes, Real solver, bool with_ball, bool is_joined = false)
+      : world(1, Vec3(0, -9.81, 0), 0, &memory) {
     world.set_dial(Dial::sleep, 1), world.set_dial(Dial::solver, solver), world.set_dial(Dial::substeps, 4);
     Material smooth;
     smooth.friction = 0;
@@ -125,9 +126,9 @@ static void a_small_world_keeps_its_memory(void**) {
 
 int main() {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(memory_of_sleepers_goes_back), cmocka_unit_test(of_towers_too),
-      cmocka_unit_test(under_soft_contacts_too),      cmocka_unit_test(under_the_direct_solver_too),
-      cmocka_unit_test(while_somebody_is_awake),      cmocka_unit_test(joints_wake_up_in_new_lanes),
+      cmocka_unit_test(memory_of_sleepers_goes_back),   cmocka_unit_test(of_towers_too),
+      cmocka_unit_test(under_soft_contacts_too),        cmocka_unit_test(under_the_direct_solver_too),
+      cmocka_unit_test(while_somebody_is_awake),        cmocka_unit_test(joints_wake_up_in_new_lanes),
       cmocka_unit_test(a_small_world_keeps_its_memory),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);

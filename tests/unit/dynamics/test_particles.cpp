@@ -11,9 +11,7 @@ using namespace carom::test;
 
 namespace {
 
-std::uint32_t add_set(World& world, const ParticleDef& def = {}) {
-  return handle_slot(world.particles.create(def, 0));
-}
+std::uint32_t add_set(World& world, const ParticleDef& def = {}) { return handle_slot(world.particles.create(def, 0)); }
 
 /// n particles that fly apart. The numbers are those of a small generator: all different, same everywhere.
 void fill(World& world, std::uint32_t set, std::size_t n) {
@@ -301,7 +299,9 @@ static void a_step_allocates_nothing(void**) {
 static void running_out_of_memory_at_any_point_changes_nothing(void**) {
   void (*const edits[])(World&) = {[](World& w) { w.particles.create({}, 5000); },
                                    [](World& w) { w.particles.extend(0, 700); },
-                                   [](World& w) { w.particles.update(0, {1, 0, 3}); }};
+                                   [](World& w) {
+                                     w.particles.update(0, {1, 0, 3});
+                                   }};
   for (const auto edit : edits) {
     std::uint64_t k = 0;
     for (bool failed = true; failed; ++k) {

@@ -8,8 +8,7 @@ using namespace carom::test;
 
 static bool all_finite(const World& w) {
   for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i)
-    if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) ||
-        !w.state.q[i].all_finite())
+    if (!finite(w.state.x[i]) || !finite(w.state.v[i]) || !finite(w.state.omega[i]) || !w.state.q[i].all_finite())
       return false;
   return true;
 }

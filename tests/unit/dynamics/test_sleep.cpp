@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "carom_test.h"
+#include "dynamics/contact_views.h"
 #include "dynamics/sleep/sleep.h"
 #include "world_builder.h"
-#include "dynamics/contact_views.h"
 
 using namespace carom;
 using namespace carom::test;

@@ -17,7 +17,8 @@ namespace {
 std::string list_of(Parts parts) {
   std::string out;
   for (std::size_t i = 0; i < kPartCount; ++i)
-    if (parts.has(static_cast<Part>(i))) out += (out.empty() ? "" : ", ") + std::string(part_name(static_cast<Part>(i)));
+    if (parts.has(static_cast<Part>(i)))
+      out += (out.empty() ? "" : ", ") + std::string(part_name(static_cast<Part>(i)));
   return out.empty() ? "-" : out;
 }
 
@@ -45,11 +46,13 @@ std::string picture() {
 void the_picture_on_the_page_is_that_of_the_table(void**) {
   std::ifstream file(std::string(CAROM_SOURCE_DIR) + "/src/README.md");
   const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  const std::string begin = "<!-- stages: tests/unit/dynamics/test_stages.cpp -->\n\n", end = "\n<!-- end of stages -->";
+  const std::string begin = "<!-- stages: tests/unit/dynamics/test_stages.cpp -->\n\n",
+                    end = "\n<!-- end of stages -->";
   const std::size_t from = page.find(begin), to = page.find(end);
   assert_true(from != std::string::npos && to != std::string::npos);
   const std::string shown = page.substr(from + begin.size(), to - from - begin.size());
-  if (shown != picture()) print_error("src/README.md is to show between its two marks what `tests_unit_dynamics stages --picture` prints\n");
+  if (shown != picture())
+    print_error("src/README.md is to show between its two marks what `tests_unit_dynamics stages --picture` prints\n");
   assert_true(shown == picture());
 }
 

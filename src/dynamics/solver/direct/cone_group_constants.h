@@ -32,10 +32,12 @@ inline constexpr Constant<Real> kLongestTurn{
     "that nearly face each other would be moved by metres to be parted by millimetres",
     "larger: what is wedged flies out; smaller: long levers part too slowly"};
 inline constexpr Constant<Real> kJointPush{
-    "direct_joint_push", 10, "m/s or rad/s", "an error of a joint is undone no faster, and no body is displaced faster for it",
+    "direct_joint_push", 10, "m/s or rad/s",
+    "an error of a joint is undone no faster, and no body is displaced faster for it",
     "larger: what was torn apart is pulled together at once, and what hangs on it is lifted; smaller: it gapes for longer"};
 inline constexpr Constant<Real> kGapShare{
-    "direct_gap_share", 1e-4, "1", "of the largest displacement that is asked for, to which it is found: then rows are made anew",
+    "direct_gap_share", 1e-4, "1",
+    "of the largest displacement that is asked for, to which it is found: then rows are made anew",
     "larger: one more turn of making rows; smaller: steps of Newton for digits that turns of bodies undo"};
 inline constexpr Constant<Real> kGap{"direct_gap", 1e-9, "m or rad",
                                      "of a joint that needs no parting: far above rounding (1e-12 m at 4 km from the "

@@ -86,7 +86,8 @@ class FrozenSlip {
       idle = now < left ? 0 : idle + 1;
       if (!(now < left)) round.take_back();
       if (!(now < kGood * left))
-        softness_ = steps < kHard && !round.is_stuck() ? std::max(kLeast, kHarder * was) : std::min(kMost, kSofter * was);
+        softness_ =
+            steps < kHard && !round.is_stuck() ? std::max(kLeast, kHarder * was) : std::min(kMost, kSofter * was);
       if (!(now < left) && softness_ == was) break;  // at one end, and it did not help
       left = std::min(left, now);
     }

@@ -19,11 +19,11 @@ enum class ConeCurvature : std::uint8_t { none, alike, slope };
 
 /// A contact along a Newton step: z, the impulse before it is projected, is z0 + length z1.
 struct ConeLine {
-  Real n0, n1;      // N s, of z along n
+  Real n0, n1;         // N s, of z along n
   Real t00, t01, t11;  // (N s)^2, squares and product across n
-  Real u_n;         // m/s, of du along n
-  Real ut0, ut1;    // J, of du and z across n
-  Real start;       // J, du . p0
+  Real u_n;            // m/s, of du along n
+  Real ut0, ut1;       // J, of du and z across n
+  Real start;          // J, du . p0
 };
 
 struct ConeContact {
@@ -53,8 +53,8 @@ struct ConeContact {
   Vec3 best;                  // N s, of the best answer so far
 
   // of a round
-  Vec3 p0, u0;  // as it began
-  Vec3 du;      // m/s, of a Newton step
+  Vec3 p0, u0;                                    // as it began
+  Vec3 du;                                        // m/s, of a Newton step
   ConeCurvature curvature = ConeCurvature::none;  // of the factor
   ConeLine line;
 };
@@ -86,7 +86,7 @@ struct ConeProblem {
   std::uint32_t first, last;  // bodies
   const Elimination* elimination;
   BlockFactor* factor;
-  Vec6* scratch;  // by place
+  Vec6* scratch;      // by place
   Real factored = 0;  // softness of the round that the factor is for, with curvatures as they stand; 0: another matrix
   Real locked_softness = 0;  // of the locks in BlockFactor::common(); 0: that is of another solve
   std::span<ConeLink> links{};

@@ -40,7 +40,8 @@ class QuotientGraph {
     const auto begin = static_cast<std::uint32_t>(s_.member.size());
     each_neighbour(node, [&](std::uint32_t i) { s_.member.push_back(i); });
     const auto end = static_cast<std::uint32_t>(s_.member.size());
-    for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.link[2 * k]) s_.begin[2 * s_.link[2 * k + 1]] = kNoParent;  // absorbed
+    for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.link[2 * k])
+      s_.begin[2 * s_.link[2 * k + 1]] = kNoParent;  // absorbed
     s_.begin[2 * node] = begin, s_.begin[2 * node + 1] = end;
     set_degree(node, kNoParent);
     for (std::uint32_t k = begin; k < end; ++k) {

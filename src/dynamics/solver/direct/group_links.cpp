@@ -74,8 +74,7 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
 /// 1/kg or 1/(kg m^2); 0 where locks leave but rounding.
 Real locked_response(const ConeBody& b, const Vec3& d, const Vec3& turn) {
   constexpr Real kRounding = 1e-9;
-  const Real moves = b.inv_mass * free_axes(b.locks).times(d).squared_norm(),
-             turns = turn.dot(b.inv_inertia * turn);
+  const Real moves = b.inv_mass * free_axes(b.locks).times(d).squared_norm(), turns = turn.dot(b.inv_inertia * turn);
   const Real whole = b.inv_mass * d.squared_norm() + b.inv_inertia.trace() * turn.squared_norm();
   return moves + turns > kRounding * whole ? moves + turns : 0;
 }

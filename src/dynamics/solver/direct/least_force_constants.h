@@ -25,21 +25,22 @@ inline constexpr Constant<Real> kGiveOfSweeps{
     "direct_last_give", 0.06, "1",
     "of a contact's response: softness in the sweeps of last resort, that of solver soft_step at 30 Hz and 1/240 s",
     "larger: bodies sink deeper in such a step; smaller: what is wedged bears more"};
-inline constexpr Constant<int> kLastSweeps{
-    "direct_last_sweeps", 20, "sweeps", "over a group whose answer gave energy; a step later it is solved again",
-    "fewer: tall piles sink in such a step; more: it costs as many more"};
+inline constexpr Constant<int> kLastSweeps{"direct_last_sweeps", 20, "sweeps",
+                                           "over a group whose answer gave energy; a step later it is solved again",
+                                           "fewer: tall piles sink in such a step; more: it costs as many more"};
 
 inline constexpr Constant<int> kSweepsBetweenJoints{
     "direct_sweeps_between_joints", 5, "sweeps", "of those, after which joints are solved anew, all together",
     "fewer: it costs more solutions of joints; more: heavy bodies on light ones tear their joints in such a step"};
-inline constexpr Constant<Real> kHeldByJoints{
-    "direct_held_by_joints", 1e-6, "1", "of how far joints are off by then: to so much they are solved",
-    "larger: joints drift apart; smaller: rounding asks for more steps"};
+inline constexpr Constant<Real> kHeldByJoints{"direct_held_by_joints", 1e-6, "1",
+                                              "of how far joints are off by then: to so much they are solved",
+                                              "larger: joints drift apart; smaller: rounding asks for more steps"};
 inline constexpr Constant<std::uint32_t> kMostStepsOfJoints{
     "direct_most_steps_of_joints", 10, "steps of Newton", "that such a solution may take",
     "fewer: limits are found one or two a time, and some not; more: it costs as many more"};
 
-inline constexpr ConstantRow kLeastForceConstants[] = {kGiveOfContacts, kWedged, kFarMore, kGiveOfSweeps, kLastSweeps,
-                                                     kSweepsBetweenJoints, kHeldByJoints, kMostStepsOfJoints};
+inline constexpr ConstantRow kLeastForceConstants[] = {kGiveOfContacts, kWedged,           kFarMore,
+                                                       kGiveOfSweeps,   kLastSweeps,       kSweepsBetweenJoints,
+                                                       kHeldByJoints,   kMostStepsOfJoints};
 
 }  // namespace carom::dynamics

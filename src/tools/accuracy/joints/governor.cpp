@@ -94,8 +94,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>&, const s
     looks.params = {x, y, z};
     return looks;
   };
-  const Quat upwards = turn_between(Vec::UnitX(), kUp),
-             sideways = turn_between(Vec::UnitX(), Vec::UnitZ());
+  const Quat upwards = turn_between(Vec::UnitX(), kUp), sideways = turn_between(Vec::UnitX(), Vec::UnitZ());
   Mechanism hinges;
   const double thin = 1e-4 * G::kShaft / 12, tall = (1 + 1e-4) * G::kShaft / 12;
   const std::size_t shaft_link =

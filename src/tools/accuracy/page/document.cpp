@@ -109,11 +109,10 @@ std::string Document::text() const {
          "content=\"width=device-width, initial-scale=1\"/><title>" +
          escape(title_) + "</title>\n<style>" + report::light_style_sheet() + kStyle + controls_style() +
          "</style>\n<style id=\"dark\" media=\"" + kDarkWhen + "\">" + report::dark_style_sheet() + kDarkStyle +
-         "</style></head><body><main>\n<h1>" +
-         escape(title_) + "</h1>\n<p class=\"sub\">" + escape(subtitle_) + "</p>\n" +
-         body_.substr(0, contents_at_) + "<nav aria-label=\"Contents\"><ul>\n" + contents_ + "</ul></nav>\n" +
-         body_.substr(contents_at_) + "</main><div id=\"tip\"></div><script>" +
-         controls_script() + "</script></body></html>\n";
+         "</style></head><body><main>\n<h1>" + escape(title_) + "</h1>\n<p class=\"sub\">" + escape(subtitle_) +
+         "</p>\n" + body_.substr(0, contents_at_) + "<nav aria-label=\"Contents\"><ul>\n" + contents_ +
+         "</ul></nav>\n" + body_.substr(contents_at_) + "</main><div id=\"tip\"></div><script>" + controls_script() +
+         "</script></body></html>\n";
 }
 
 }  // namespace carom::tools::accuracy

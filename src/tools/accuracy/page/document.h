@@ -11,7 +11,8 @@ namespace carom::tools::accuracy {
 /// Collects sections; the contents are made from their headings.
 class Document {
  public:
-  explicit Document(std::string title, std::string subtitle) : title_(std::move(title)), subtitle_(std::move(subtitle)) {}
+  explicit Document(std::string title, std::string subtitle)
+      : title_(std::move(title)), subtitle_(std::move(subtitle)) {}
 
   /// @param id  of its anchor   @param level  2 or 3
   void heading(int level, const std::string& id, const std::string& text);
@@ -23,7 +24,8 @@ class Document {
   /// @param id  of the table, or ""   @param data  of each row: more attributes, as mark-up, each after a space
   void table(const std::string& title, const std::vector<std::string>& header,
              const std::vector<std::vector<std::string>>& rows, bool folded = false,
-             const std::vector<bool>& marked = {}, const std::string& id = "", const std::vector<std::string>& data = {});
+             const std::vector<bool>& marked = {}, const std::string& id = "",
+             const std::vector<std::string>& data = {});
   /// What follows, until end(), belongs together.   @param data  attributes, as for rows
   void begin(const std::string& classes, const std::string& data = "");
   void end();

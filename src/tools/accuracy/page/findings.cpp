@@ -72,18 +72,23 @@ std::vector<std::string> findings(const View& view) {
     const Metric& metric = scene->challenge->metrics[0];
     if (const Row* row = default_row(*scene)) {
       ++ran;
-      if (row->fell_at >= 0) lost.push_back(scene->challenge->scene.name);
-      else if (row->errors[0] <= metric.bound) ++held;
+      if (row->fell_at >= 0)
+        lost.push_back(scene->challenge->scene.name);
+      else if (row->errors[0] <= metric.bound)
+        ++held;
     }
     if (!has_bound(*scene)) continue;
     ++judged;
-    if (cheapest_within(*scene, kOurs)) ++reached;
-    else beyond.push_back(scene->challenge->scene.name);
+    if (cheapest_within(*scene, kOurs))
+      ++reached;
+    else
+      beyond.push_back(scene->challenge->scene.name);
   }
-  list.push_back(format("At its defaults and 60 steps a second Carom is within the bound of %zu of %zu scenes%s.", held, ran,
+  list.push_back(format("At its defaults and 60 steps a second Carom is within the bound of %zu of %zu scenes%s.", held,
+                        ran,
                         lost.empty() ? "; nothing that should stand falls" : ("; " + join(lost) + " fell").c_str()));
-  list.push_back(format("With the best of its settings it reaches the bound of %zu of %zu scenes that have one%s.", reached,
-                        judged, beyond.empty() ? "" : ("; not of " + join(beyond)).c_str()));
+  list.push_back(format("With the best of its settings it reaches the bound of %zu of %zu scenes that have one%s.",
+                        reached, judged, beyond.empty() ? "" : ("; not of " + join(beyond)).c_str()));
   const auto met = scenes_where(view, compared);
   if (!met.empty()) {
     std::vector<std::string> behind;
@@ -96,13 +101,15 @@ std::vector<std::string> findings(const View& view) {
       if (a && !b) ++only_us;
       if (b && !a) ++only_them;
     }
-    list.push_back(format("On %zu of the %zu scenes that other engines ran too, no front of theirs is below Carom's at any "
-                          "cost%s.",
-                          met.size() - behind.size(), met.size(),
-                          behind.empty() ? "" : (". Somewhere below it on " + join(behind) + "; see the red rows").c_str()));
-    list.push_back(format("Of these scenes Carom alone reaches the bound on %zu, others alone on %zu; where both do, Carom "
-                          "does so at less cost on %zu.",
-                          only_us, only_them, sooner));
+    list.push_back(
+        format("On %zu of the %zu scenes that other engines ran too, no front of theirs is below Carom's at any "
+               "cost%s.",
+               met.size() - behind.size(), met.size(),
+               behind.empty() ? "" : (". Somewhere below it on " + join(behind) + "; see the red rows").c_str()));
+    list.push_back(
+        format("Of these scenes Carom alone reaches the bound on %zu, others alone on %zu; where both do, Carom "
+               "does so at less cost on %zu.",
+               only_us, only_them, sooner));
   }
   for (const SceneView* scene : ours)
     for (const Line& line : scene->lines)
@@ -115,9 +122,10 @@ std::vector<std::string> findings(const View& view) {
       }
   if (!orders.empty()) {
     std::sort(orders.begin(), orders.end());
-    list.push_back(format("Half the step is worth a factor of %.2g in error (median over %zu scenes at the defaults: order "
-                          "%.2g).",
-                          std::pow(2, orders[orders.size() / 2]), orders.size(), orders[orders.size() / 2]));
+    list.push_back(
+        format("Half the step is worth a factor of %.2g in error (median over %zu scenes at the defaults: order "
+               "%.2g).",
+               std::pow(2, orders[orders.size() / 2]), orders.size(), orders[orders.size() / 2]));
   }
   return list;
 }

@@ -121,7 +121,9 @@ std::vector<Extras::Effect> measure_effects(Engine& engine) {
   for (auto& [name, sample] : samples) {
     std::vector<double>& ns = sample.ns;
     std::sort(ns.begin(), ns.end());
-    const auto at = [&](double share) { return ns[static_cast<std::size_t>(share * static_cast<double>(ns.size() - 1))]; };
+    const auto at = [&](double share) {
+      return ns[static_cast<std::size_t>(share * static_cast<double>(ns.size() - 1))];
+    };
     effects.push_back({name, sample.unit, at(0.5), (at(0.75) - at(0.25)) / 2});
   }
   return effects;
@@ -138,13 +140,17 @@ std::vector<Extras::Effect> read_effects(const std::string& path) {
     std::vector<std::string> cells(1);
     bool quoted = false;
     for (const char c : line) {
-      if (c == '"') quoted = !quoted;
-      else if (c == ',' && !quoted) cells.emplace_back();
-      else cells.back() += c;
+      if (c == '"')
+        quoted = !quoted;
+      else if (c == ',' && !quoted)
+        cells.emplace_back();
+      else
+        cells.back() += c;
     }
     if (cells.size() < 8) throw Error(path + ": a line has too few cells", "write the file again");
     const double participants = std::max(1.0, std::atof(cells[1].c_str()));
-    effects.push_back({cells[0], cells[2], std::atof(cells[4].c_str()), 1e6 * std::atof(cells[7].c_str()) / participants});
+    effects.push_back(
+        {cells[0], cells[2], std::atof(cells[4].c_str()), 1e6 * std::atof(cells[7].c_str()) / participants});
   }
   return effects;
 }

@@ -15,8 +15,8 @@ using report::Point;
 using report::Svg;
 
 constexpr int kColumns = 3;
-constexpr double kPanelWidth = 290, kPanelHeight = 210, kHead = 44;             // px
-constexpr double kLeft = 52, kRight = 272, kTop = 44, kFloor = 172;             // within a panel
+constexpr double kPanelWidth = 290, kPanelHeight = 210, kHead = 44;  // px
+constexpr double kLeft = 52, kRight = 272, kTop = 44, kFloor = 172;  // within a panel
 constexpr double kLeast = 1e-16, kWorst = 1e3;
 
 /// The setting of an engine that a panel shows: ours by default, the first one of others.
@@ -38,7 +38,8 @@ void draw_panel(Svg& svg, Point corner, const SceneView& scene, const View& view
   double least = 1e300, most = 0;
   for (const std::string& engine : scene.engines())
     if (const Line* line = shown_line(scene, engine))
-      for (const auto& [dt, error] : steps_and_errors(*line)) least = std::min(least, error), most = std::max(most, error);
+      for (const auto& [dt, error] : steps_and_errors(*line))
+        least = std::min(least, error), most = std::max(most, error);
   if (least > most) least = 1e-3, most = 1;
   const report::Axis y = report::fit_axis({"", report::Scale::log, false, {}}, least, most);
   const double coarse = std::log(1.0 / 30), fine = std::log(1.0 / 960);
@@ -94,8 +95,10 @@ Svg order_plot(const std::vector<const SceneView*>& scenes, const View& view, co
   Svg svg(kColumns * kPanelWidth, kHead + kPanelHeight * static_cast<double>(rows), title);
   svg.text({kLeft, 24}, Anchor::start, "title", title);
   for (std::size_t i = 0; i < scenes.size(); ++i)
-    draw_panel(svg, {kPanelWidth * static_cast<double>(i % kColumns), kHead + kPanelHeight * static_cast<double>(i / kColumns)},
-               *scenes[i], view);
+    draw_panel(
+        svg,
+        {kPanelWidth * static_cast<double>(i % kColumns), kHead + kPanelHeight * static_cast<double>(i / kColumns)},
+        *scenes[i], view);
   return svg;
 }
 

@@ -36,8 +36,10 @@ void add_defaults_table(Document& page, const View& view) {
     const Row* cheapest = cheapest_within(scene, kOurs);
     rows.push_back({scene.challenge->scene.name, metric.what,
                     row->fell_at >= 0 ? "fell" : error_text(row->errors[0], metric),
-                    has_bound(scene) ? error_text(metric.bound, metric) : "",
-                    frame_text(row->cost), cheapest ? at_text(*cheapest) : has_bound(scene) ? "none reaches it" : "",
+                    has_bound(scene) ? error_text(metric.bound, metric) : "", frame_text(row->cost),
+                    cheapest           ? at_text(*cheapest)
+                    : has_bound(scene) ? "none reaches it"
+                                       : "",
                     cheapest ? frame_text(cheapest->cost) : ""});
   }
   page.table("Carom at its defaults, 60 steps a second; and the cheapest setting of all that is within the bound",
@@ -52,7 +54,8 @@ const Row* best_within(const SceneView& scene, double cost) {
   Point least;
   for (std::size_t i = 0; i < cloud.rows.size(); ++i) {
     const Point& p = cloud.points[i];
-    if (p.cost > cost || (best && (p.error > least.error || (p.error == least.error && p.cost >= least.cost)))) continue;
+    if (p.cost > cost || (best && (p.error > least.error || (p.error == least.error && p.cost >= least.cost))))
+      continue;
     best = cloud.rows[i], least = p;
   }
   return best;
@@ -71,9 +74,10 @@ void add_budget(Document& page, const View& view) {
     const std::string& name = scene.challenge->scene.name;
     rows.push_back({name});
     if (best)
-      rows.back().insert(rows.back().end(), {at_text(*best), error_text(best->errors[0], metric), frame_text(best->cost),
-                                             "carom accuracy run " + name + " " + options_of(best->setting) +
-                                                 format(" --dt 1/%.4g", 1 / best->dt)});
+      rows.back().insert(
+          rows.back().end(),
+          {at_text(*best), error_text(best->errors[0], metric), frame_text(best->cost),
+           "carom accuracy run " + name + " " + options_of(best->setting) + format(" --dt 1/%.4g", 1 / best->dt)});
     else
       rows.back().push_back("nothing is as cheap");
     row_data.push_back(lead_data(scene) + data("unit", metric.unit));
@@ -106,23 +110,23 @@ void add_peers(Document& page, const Sweep& sweep, const View& view) {
     const Lead lead = worst_lead(*scene);
     const bool behind = lead.ratio > kClearLead;
     const Row *a = cheapest_within(*scene, kOurs), *b = cheapest_within(*scene, "");
-    std::vector<std::string> row = {scene->challenge->scene.name,
-                                    a ? frame_text(a->cost) : "never",
+    std::vector<std::string> row = {scene->challenge->scene.name, a ? frame_text(a->cost) : "never",
                                     b ? frame_text(b->cost) + " " + b->engine : "never",
                                     behind ? ratio_text(lead.ratio) : "-"};
     if (behind) {
       row.push_back(lead.theirs->engine + ", " + at_text(*lead.theirs));
       row.push_back(error_text(lead.theirs->errors[0], metric) + " at " + frame_text(lead.theirs->cost));
-      row.push_back((std::isfinite(lead.our_error) ? error_text(lead.our_error, metric) + " there" : "nothing as cheap") +
-                    (std::isfinite(lead.our_cost) ? "; as exact at " + frame_text(lead.our_cost) : "; never as exact"));
+      row.push_back(
+          (std::isfinite(lead.our_error) ? error_text(lead.our_error, metric) + " there" : "nothing as cheap") +
+          (std::isfinite(lead.our_cost) ? "; as exact at " + frame_text(lead.our_cost) : "; never as exact"));
     }
     rows.push_back(std::move(row));
     red.push_back(behind);
     row_data.push_back(lead_data(*scene));
   }
   page.table("Cost of a frame at 60 Hz to reach the bound, and where a front of theirs is below Carom's",
-             {"scene", "Carom", "best of the others", "behind by", "furthest below at", "which has", "Carom"}, rows, false,
-             red, "peers-table", row_data);
+             {"scene", "Carom", "best of the others", "behind by", "furthest below at", "which has", "Carom"}, rows,
+             false, red, "peers-table", row_data);
   std::vector<std::vector<std::string>> engines;
   for (const EngineNote& e : sweep.engines) engines.push_back({e.name, e.version, e.note});
   page.table("Engines, and how they were set up", {"engine", "version", "settings"}, engines);
@@ -156,11 +160,13 @@ void add_work_precision(Document& page, const View& view) {
         const Cloud cloud = cloud_of(*scene, engine);
         for (const std::size_t i : cloud.front()) {
           const Row& row = *cloud.rows[i];
-          rows.push_back({engine, row.setting, step_text(row.dt), frame_text(row.cost), error_text(row.errors[0], metric)});
+          rows.push_back(
+              {engine, row.setting, step_text(row.dt), frame_text(row.cost), error_text(row.errors[0], metric)});
           row_data.push_back(data("engine", engine));
         }
       }
-      page.table("The fronts in figures", {"engine", "setting", "step", "a frame", "error"}, rows, true, {}, "", row_data);
+      page.table("The fronts in figures", {"engine", "setting", "step", "a frame", "error"}, rows, true, {}, "",
+                 row_data);
       page.end();
     }
     page.end();
@@ -202,12 +208,9 @@ void add_maps(Document& page, const Sweep& sweep) {
 }
 
 std::vector<Solver> own_solvers() {
-  return {{"auto", kOurs, "auto"},
-          {"direct", kOurs, "direct"},
-          {"soft_step", kOurs, "soft_step"},
-          {"sequential", kOurs, "sequential"},
-          {"severity", kOurs, "severity"},
-          {"the defaults", kOurs, kDefaultSetting}};
+  return {{"auto", kOurs, "auto"},           {"direct", kOurs, "direct"},
+          {"soft_step", kOurs, "soft_step"}, {"sequential", kOurs, "sequential"},
+          {"severity", kOurs, "severity"},   {"the defaults", kOurs, kDefaultSetting}};
 }
 
 std::vector<Solver> engines_as_solvers(const View& view) {
@@ -230,18 +233,21 @@ void add_profiles(Document& page, const View& view) {
       "reaches at whatever cost. Higher is better everywhere. Each may use any of its settings and any step.");
   const auto own = scenes_where(view, solved);
   if (!own.empty())
-    page.figure("profile-solvers", performance_profile(own, own_solvers(), "Solvers of Carom, scenes with contacts or joints"),
+    page.figure("profile-solvers",
+                performance_profile(own, own_solvers(), "Solvers of Carom, scenes with contacts or joints"),
                 "\"the defaults\" may choose its step alone.");
   const auto met = scenes_where(view, compared_to_bound);
   if (!met.empty() && view.engines.size() > 1)
-    page.figure("profile-engines", performance_profile(met, engines_as_solvers(view), "Engines, scenes that others ran too"),
+    page.figure("profile-engines",
+                performance_profile(met, engines_as_solvers(view), "Engines, scenes that others ran too"),
                 "Every engine at the best of its settings for each scene.");
 }
 
 void add_effects(Document& page, const Extras& extras) {
   page.heading(2, "effects", "What an effect costs");
   if (extras.effects.empty()) {
-    page.paragraph("Not measured here: `effect_costs --csv effects.csv` (tests/bench) measures it, --effects effects.csv shows it.");
+    page.paragraph(
+        "Not measured here: `effect_costs --csv effects.csv` (tests/bench) measures it, --effects effects.csv shows it.");
     return;
   }
   page.paragraph(
@@ -257,7 +263,8 @@ void add_effects(Document& page, const Extras& extras) {
     chart.rows.push_back({e.name, {{"", e.ns, 0}}, report::number(e.ns, 2) + " ns a " + e.unit, 0, ""});
     rows.push_back({e.name, e.unit, report::number(e.ns, 3), e.spread > 0 ? report::number(e.spread, 2) : ""});
   }
-  page.figure("effects-bars", report::draw(chart), "The axis is logarithmic. Unit of each: what it serves, a body or a contact or a joint.");
+  page.figure("effects-bars", report::draw(chart),
+              "The axis is logarithmic. Unit of each: what it serves, a body or a contact or a joint.");
   page.table("The same in figures", {"effect", "participant", "ns", "+-"}, rows, true);
 }
 
@@ -272,20 +279,24 @@ void add_tolerances(Document& page, const Extras& extras) {
       "size. Left: what a query costs at each tolerance; right: how wide its bracket really is.");
   for (const bool of_time : {true, false}) {
     report::LinePlot plot;
-    plot.title = of_time ? "Time of a query against the tolerance asked for" : "Width of the answer against the tolerance asked for";
+    plot.title = of_time ? "Time of a query against the tolerance asked for"
+                         : "Width of the answer against the tolerance asked for";
     plot.x = {"tolerance, relative", report::Scale::log, false, {}};
     plot.y = {of_time ? "ns a query" : "width of the bracket, m", report::Scale::log, false, {}};
     plot.note = "generic path (GJK and EPA), pairs of about 1 m, apart and in overlap";
     for (const Extras::Tolerance& t : extras.tolerances) {
-      auto line = std::find_if(plot.series.begin(), plot.series.end(), [&](const report::Series& s) { return s.name == t.pair; });
+      auto line = std::find_if(plot.series.begin(), plot.series.end(),
+                               [&](const report::Series& s) { return s.name == t.pair; });
       if (line == plot.series.end())
         line = plot.series.insert(plot.series.end(), {t.pair, {}, static_cast<int>(plot.series.size()) % 6, false});
       line->points.push_back({t.tolerance, of_time ? t.ns : std::max(t.width, 1e-17)});
     }
-    page.figure(of_time ? "tolerance-ns" : "tolerance-width", report::draw(plot),
-                of_time ? "To the left is more exact. Polytopes are answered to the end in a few steps, so their lines are flat; "
-                          "round shapes pay for every digit."
-                        : "Answers are as a rule narrower than they need to be.");
+    page.figure(
+        of_time ? "tolerance-ns" : "tolerance-width", report::draw(plot),
+        of_time
+            ? "To the left is more exact. Polytopes are answered to the end in a few steps, so their lines are flat; "
+              "round shapes pay for every digit."
+            : "Answers are as a rule narrower than they need to be.");
   }
 }
 
@@ -295,9 +306,8 @@ std::string report_page(const Sweep& sweep, const Extras& extras) {
   const View view = view_of(sweep);
   std::size_t measured = 0, left_out = 0;
   for (const Row& row : sweep.rows) ++(row.left_out ? left_out : measured);
-  Document page("What accuracy costs",
-                format("%zu runs of %zu scenes whose answer is known, %s, %s", measured, view.scenes.size(),
-                       sweep.machine.c_str(), sweep.date.c_str()));
+  Document page("What accuracy costs", format("%zu runs of %zu scenes whose answer is known, %s, %s", measured,
+                                              view.scenes.size(), sweep.machine.c_str(), sweep.date.c_str()));
   page.heading(2, "findings", "Findings");
   page.list(findings(view));
   page.contents_here();
@@ -317,12 +327,13 @@ std::string report_page(const Sweep& sweep, const Extras& extras) {
   add_effects(page, extras);
   add_tolerances(page, extras);
   page.heading(2, "method", "How this was measured");
-  page.list({"Cost is CPU time of one thread inside the steps, per simulated second; of runs shorter than 0.15 s the least of "
-             "three. A frame is 1/60 s.",
-             "Errors are judged by the same code for every engine, which sees poses and velocities alone.",
-             format("%zu runs were left out: they would have taken, or took, longer than the sweep had time for.", left_out),
-             "Scenes that ask for a minute or more are cut short (arch, cards, kapla, bridge; the table in "
-             "src/tools/accuracy/sweep/settings.cpp says to what)."});
+  page.list(
+      {"Cost is CPU time of one thread inside the steps, per simulated second; of runs shorter than 0.15 s the least of "
+       "three. A frame is 1/60 s.",
+       "Errors are judged by the same code for every engine, which sees poses and velocities alone.",
+       format("%zu runs were left out: they would have taken, or took, longer than the sweep had time for.", left_out),
+       "Scenes that ask for a minute or more are cut short (arch, cards, kapla, bridge; the table in "
+       "src/tools/accuracy/sweep/settings.cpp says to what)."});
   return page.text();
 }
 
@@ -343,7 +354,8 @@ std::string report_drawing(const Sweep& sweep, const std::string& name) {
   if (name == "map:massratio") return stability_map(sweep, "massratio1e2", "ratio", kMassTitle).document();
   if (name == "map:stack") return stability_map(sweep, "stack10", "n", kHeightTitle).document();
   if (name == "profile:solvers")
-    return performance_profile(scenes_where(view, solved), own_solvers(), "Solvers of Carom, scenes with contacts or joints");
+    return performance_profile(scenes_where(view, solved), own_solvers(),
+                               "Solvers of Carom, scenes with contacts or joints");
   if (name == "profile:engines")
     return performance_profile(scenes_where(view, compared_to_bound), engines_as_solvers(view),
                                "Engines, scenes that others ran too");

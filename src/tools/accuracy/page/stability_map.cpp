@@ -79,9 +79,11 @@ Svg stability_map(const Sweep& sweep, const std::string& scene, const std::strin
       svg.text({x0 - 6, y0 + kCellHeight * (static_cast<double>(up.size() - k) - 0.5) + 4}, Anchor::end, "soft",
                report::power_of_ten(up[k]));
     for (std::size_t k = 0; k < across.size(); ++k)
-      svg.text({x0 + kCellWidth * (static_cast<double>(k) + 0.5), y0 + kCellHeight * static_cast<double>(up.size()) + 15},
-               Anchor::middle, "soft", std::to_string(static_cast<int>(std::lround(1 / across[k]))));
-    svg.text({x0, y0 + kCellHeight * static_cast<double>(up.size()) + 29}, Anchor::start, "tiny soft", "steps a second");
+      svg.text(
+          {x0 + kCellWidth * (static_cast<double>(k) + 0.5), y0 + kCellHeight * static_cast<double>(up.size()) + 15},
+          Anchor::middle, "soft", std::to_string(static_cast<int>(std::lround(1 / across[k]))));
+    svg.text({x0, y0 + kCellHeight * static_cast<double>(up.size()) + 29}, Anchor::start, "tiny soft",
+             "steps a second");
   }
   return svg;
 }

@@ -50,9 +50,9 @@ Lead worst_lead(const SceneView& scene);
 
 /// A whole report's worth.
 struct View {
-  std::vector<SceneView> scenes;        ///< in the order of the suite, rows without knobs
-  std::vector<std::string> engines;     ///< ours first
-  std::map<std::string, int> colour;    ///< 0..5, of engines
+  std::vector<SceneView> scenes;      ///< in the order of the suite, rows without knobs
+  std::vector<std::string> engines;   ///< ours first
+  std::map<std::string, int> colour;  ///< 0..5, of engines
 };
 /// @param sweep  must outlive the view
 View view_of(const Sweep& sweep);

@@ -31,7 +31,8 @@ json scenes_json(const Sweep& sweep) {
     if (std::none_of(sweep.rows.begin(), sweep.rows.end(), [&](const Row& r) { return r.scene == c.scene.name; }))
       continue;
     json metrics = json::array();
-    for (const Metric& m : c.metrics) metrics.push_back({{"what", m.what}, {"unit", m.unit}, {"bound", number(m.bound)}});
+    for (const Metric& m : c.metrics)
+      metrics.push_back({{"what", m.what}, {"unit", m.unit}, {"bound", number(m.bound)}});
     scenes.push_back(
         {{"name", c.scene.name}, {"summary", c.scene.summary}, {"truth", c.reference}, {"metrics", metrics}});
   }
@@ -92,7 +93,8 @@ void write_csv(const std::string& path, const Sweep& sweep) {
   for (const Row& row : sweep.rows) {
     const Challenge& challenge = find_challenge(row.scene);
     std::string knobs;
-    for (const auto& [name, value] : row.knobs) knobs += (knobs.empty() ? "" : " ") + name + "=" + std::to_string(value);
+    for (const auto& [name, value] : row.knobs)
+      knobs += (knobs.empty() ? "" : " ") + name + "=" + std::to_string(value);
     for (std::size_t i = 0; i < row.errors.size(); ++i) {
       const Metric& m = challenge.metrics[i];
       file << '"' << row.engine << "\",\"" << row.setting << "\"," << row.scene << ",\"" << knobs << "\"," << row.dt
@@ -117,7 +119,8 @@ Sweep read_json(const std::string& path) {
     for (const json& row : j.at("rows")) sweep.rows.push_back(row_of(row));
     return sweep;
   } catch (const json::exception& e) {
-    throw Error(path + " is not a sweep: " + e.what(), "give --from a file that `carom accuracy sweep --out FILE.json` wrote");
+    throw Error(path + " is not a sweep: " + e.what(),
+                "give --from a file that `carom accuracy sweep --out FILE.json` wrote");
   }
 }
 

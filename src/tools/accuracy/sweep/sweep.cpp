@@ -31,9 +31,7 @@ bool in_maps(const Entry& entry) {
 
 class Clock {
  public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count(); }
 
  private:
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
@@ -111,7 +109,8 @@ Row measure(Engine& engine, const Line& line, double dt, double patience, const 
 std::vector<Entry> carom_entries() {
   std::vector<Entry> entries;
   for (const Setting& setting : carom_settings())
-    entries.push_back({"Carom", setting.name,
+    entries.push_back({"Carom",
+                       setting.name,
                        [matters_to = setting.matters_to](const Challenge& challenge) {
                          return (traits_of(challenge).has & matters_to) != 0;
                        },

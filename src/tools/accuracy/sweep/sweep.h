@@ -14,8 +14,8 @@ namespace carom::tools::accuracy {
 struct Entry {
   std::string engine, setting;
   std::function<bool(const Challenge&)> takes_part;
-  std::vector<std::string> dials;                        ///< of Carom
-  std::function<std::unique_ptr<Mover>(Stage&)> mover;   ///< of another engine
+  std::vector<std::string> dials;                       ///< of Carom
+  std::function<std::unique_ptr<Mover>(Stage&)> mover;  ///< of another engine
 };
 /// Carom at every setting of the table that matters to a scene.
 std::vector<Entry> carom_entries();
@@ -23,10 +23,10 @@ std::vector<Entry> carom_entries();
 struct SweepPlan {
   std::vector<const Challenge*> scenes;
   std::vector<Entry> entries;
-  std::vector<double> steps;   ///< s, from coarse to fine
-  double seconds = 600;        ///< of the wall clock, for all of it; what does not fit is left out, finest steps first
-  double most_per_run = 20;    ///< s of computing, beyond which a run is left out
-  bool maps = true;            ///< also where a column stands: its height, its mass ratio
+  std::vector<double> steps;  ///< s, from coarse to fine
+  double seconds = 600;       ///< of the wall clock, for all of it; what does not fit is left out, finest steps first
+  double most_per_run = 20;   ///< s of computing, beyond which a run is left out
+  bool maps = true;           ///< also where a column stands: its height, its mass ratio
 };
 
 struct Progress {

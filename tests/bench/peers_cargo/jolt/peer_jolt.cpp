@@ -1,11 +1,10 @@
 // Jolt in a module: default settings, one collision step, except for what the comparison asks of every engine. This version
 // has neither a half-space nor a body without shape: a box that is wide and thick enough, and a small ball that meets nobody.
-#include <Jolt/Jolt.h>
-
 #include <Jolt/Core/Factory.h>
 #include <Jolt/Core/JobSystemSingleThreaded.h>
 #include <Jolt/Core/JobSystemThreadPool.h>
 #include <Jolt/Core/TempAllocator.h>
+#include <Jolt/Jolt.h>
 #include <Jolt/Physics/Body/BodyCreationSettings.h>
 #include <Jolt/Physics/Collision/CastResult.h>
 #include <Jolt/Physics/Collision/GroupFilterTable.h>
@@ -163,8 +162,8 @@ class JoltWorld final : public PeerWorld {
       turn = JPH::Quat::sFromTo(JPH::Vec3::sAxisY(), normal);
     }
     const JPH::ObjectLayer layer = plan.is_static ? kFixed : plan.solid == Solid::none ? kAlone : kMoving;
-    Settings made(shape(plan), position, turn,
-                  plan.is_static ? JPH::EMotionType::Static : JPH::EMotionType::Dynamic, layer);
+    Settings made(shape(plan), position, turn, plan.is_static ? JPH::EMotionType::Static : JPH::EMotionType::Dynamic,
+                  layer);
     made.mFriction = float(plan.friction);
     made.mRestitution = float(plan.restitution);
     if (group_) made.mCollisionGroup = {group_, 0, static_cast<JPH::CollisionGroup::SubGroupID>(bodies_.size())};

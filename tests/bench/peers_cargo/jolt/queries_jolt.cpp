@@ -1,9 +1,8 @@
 // Casts and pairs of Jolt for casts_vs_peers and convex_vs_peers, of the solids that it has, their rounding (convex radius)
 // off where it isn't the shape itself. Pairs in the two ways that it has: the distance of what is apart by GJK between shapes
 // without their radius, and the depth of what overlaps by GJK and EPA, each of which tells no more than whether of the other.
-#include <Jolt/Jolt.h>
-
 #include <Jolt/Geometry/EPAPenetrationDepth.h>
+#include <Jolt/Jolt.h>
 #include <Jolt/Physics/Collision/CastResult.h>
 #include <Jolt/Physics/Collision/RayCast.h>
 #include <Jolt/Physics/Collision/Shape/BoxShape.h>
@@ -126,8 +125,9 @@ class Casts final : public CastPeer {
     JPH::EPAPenetrationDepth epa;
     float fraction = 1 + FLT_EPSILON;
     Vec3 on_a, on_b, normal;
-    const bool hit = epa.CastShape(to_b * c.at_a, way, JPH::cDefaultCollisionTolerance, JPH::cDefaultPenetrationTolerance,
-                                   a, b, a.GetConvexRadius(), b.GetConvexRadius(), false, fraction, on_a, on_b, normal);
+    const bool hit =
+        epa.CastShape(to_b * c.at_a, way, JPH::cDefaultCollisionTolerance, JPH::cDefaultPenetrationTolerance, a, b,
+                      a.GetConvexRadius(), b.GetConvexRadius(), false, fraction, on_a, on_b, normal);
     return hit ? double(fraction) : -1;
   }
 
@@ -180,9 +180,8 @@ class Pairs final : public Peer {
     const JPH::TransformedConvexObject<Support> placed(b_in_a, b);
     Depth epa;
     Vec3 on_a, on_b;
-    const Depth::EStatus status =
-        epa.GetPenetrationDepthStepGJK(a, a.GetConvexRadius(), placed, b.GetConvexRadius(),
-                                       JPH::cDefaultCollisionTolerance, normal, on_a, on_b);
+    const Depth::EStatus status = epa.GetPenetrationDepthStepGJK(a, a.GetConvexRadius(), placed, b.GetConvexRadius(),
+                                                                 JPH::cDefaultCollisionTolerance, normal, on_a, on_b);
     bool found = status == Depth::EStatus::Colliding;
     if (status == Depth::EStatus::Indeterminate) {
       Buffer whole_a, whole_b;

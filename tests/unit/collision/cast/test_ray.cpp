@@ -339,8 +339,7 @@ static void the_first_of_many_is_found(void**) {
   std::vector<Shape> shapes;
   std::vector<Placed> placed;
   for (int i = 0; i < 40; ++i) shapes.push_back(random_shape(random, i % kFamilyCount));
-  for (Shape& s : shapes)
-    placed.push_back({&s, Frame(random_rotation(random).matrix(), 6 * random.direction())});
+  for (Shape& s : shapes) placed.push_back({&s, Frame(random_rotation(random).matrix(), 6 * random.direction())});
   int met = 0;
   for (int i = 0; i < 2000; ++i) {
     const Ray ray{random.in_cube(3), 12 * random.direction(), 1};

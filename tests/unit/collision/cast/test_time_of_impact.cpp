@@ -339,9 +339,11 @@ static void wild_motions_give_no_nan(void**) {
 }
 
 static void a_failing_support_function_is_named(void**) {
-  const Shape invalid_plugin = make_shape(Form::none, failing_support, {1}, Vec3(1, 1, 1), 1.8), cube = box(Vec3(1, 1, 1));
+  const Shape invalid_plugin = make_shape(Form::none, failing_support, {1}, Vec3(1, 1, 1), 1.8),
+              cube = box(Vec3(1, 1, 1));
   SupportFault fault;
-  const CastResult r = ask(invalid_plugin, moving(Vec3(0, 4, 0), Vec3(0, -4, 0)), cube, moving(Vec3::zero()), 1, {}, &fault);
+  const CastResult r =
+      ask(invalid_plugin, moving(Vec3(0, 4, 0), Vec3(0, -4, 0)), cube, moving(Vec3::zero()), 1, {}, &fault);
   assert_true(r.status == QueryStatus::fault && fault.shape == &invalid_plugin);
 }
 
