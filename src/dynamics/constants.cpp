@@ -36,9 +36,9 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 }
 
 constexpr auto kConstantTable =
-    in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kLoneRollerConstants, kPatchFrictionConstants,
-                 kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants, kConeGroupConstants,
-                 kLeastForceConstants, kEnergyBoundConstants, kRattleConstants, kAccuracyConstants,
+    in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kTouchingMotionConstants, kLoneRollerConstants,
+                 kPatchFrictionConstants, kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants,
+                 kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants, kRattleConstants, kAccuracyConstants,
                  accuracy::kGrowthConstants, kFloatConstants, kGiveBackConstants);
 
 }  // namespace

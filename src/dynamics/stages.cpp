@@ -86,7 +86,7 @@ constexpr StageEntry kStageTable[] = {
      .stage = Stage::solve, .effect = +EffectId::continuous,
      .reads = kContactsRead}),
     stage<find_lone_rollers>({.name = "find lone rollers",
-     .what = "bodies that touch one flat surface and nothing else, as they are",
+     .what = "bodies that touch flat surfaces and nothing else, as they are",
      .stage = Stage::solve, .reads = kContactsRead | Part::forces}),
     stage<begin_events>({.name = "begin events",
      .what = "how fast bodies approach, if a host wants to know",

@@ -83,7 +83,7 @@ struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
 struct Accuracy;      // dynamics/accuracy/accuracy.h: islands whose substeps follow from their errors
-struct LoneRollers;   // dynamics/contact/lone_rollers.h: bodies that touch one flat surface and nothing else
+struct LoneRollers;   // dynamics/contact/lone_rollers.h: bodies that touch flat surfaces and nothing else
 struct Rattle;        // dynamics/joint/rattle/rattle.h: islands that joints alone hold
 
 /// Const, it is what a stage reads: what stands in it by value or as Kept does not change, and who writes a part of it

@@ -26,9 +26,11 @@ function(begin)
   file(COPY ${map} DESTINATION ${mutant})
 endfunction()
 
-# change(FILE FROM TO): FROM must be there, or the mutation is none.
+# change(FILE FROM TO): FROM must be there, or the mutation is none; how far comments are indented does not matter.
 function(change file from to)
   file(READ ${mutant}/${file} text)
+  string(REGEX REPLACE " +/[*]" " /*" text "${text}")
+  string(REGEX REPLACE " +/[*]" " /*" from "${from}")
   string(FIND "${text}" "${from}" place)
   if(place EQUAL -1)
     message(FATAL_ERROR "${file} has no \"${from}\" any more: this mutation needs another")

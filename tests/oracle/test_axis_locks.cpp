@@ -202,7 +202,11 @@ static void a_scene_that_is_flat_by_itself_does_not_feel_its_locks(void**) {
       for (std::size_t locked = 0; locked < 2; ++locked) {
         TestWorld t(Vec3(0, -kG, 0));
         exact(t, solver);
-        const std::uint32_t m = t.material(mu, 0);
+        // A body without locks that tips on its edge would move by its equation of motion, far nearer to the truth than
+        // the solver that is asked here. What resists rolling on a line does not, however little. @see lone_rollers.h
+        Material resists;
+        resists.friction = mu, resists.rolling = 1e-14;
+        const std::uint32_t m = handle_slot(t.world.add_material(resists));
         t.ground(m);
         const Shape* cube = t.keep(box(Vec3::constant(0.5)));
         const std::uint32_t tumbles = t.add(cube, Vec3(0, 0.9, 0), BodyType::dynamic, exp_map(Vec3(0, 0, 0.3)), m);

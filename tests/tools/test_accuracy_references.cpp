@@ -256,6 +256,36 @@ static void a_wheel_keeps_its_lean(void**) {
   }
 }
 
+/// Of the cone's points: its energy is that of a body that turns about the line on which it lies.
+static void a_cone_on_its_side_turns_about_its_line(void**) {
+  for (const SlopeCone& cone : {SlopeCone{1, 0.436, 0.1}, {0.3, 0.9, 0.1}, {2, 0.2, 0.3}}) {
+    const double radius = cone.height * std::tan(cone.half_angle), c = std::cos(cone.half_angle);
+    // About its apex, along its axis and across; going round at 1 rad/s it turns at cot(half_angle) about its line.
+    const double along = 0.3 * radius * radius, across = 0.6 * (cone.height * cone.height + radius * radius / 4);
+    const double spin = 1 / std::tan(cone.half_angle), s = std::sin(cone.half_angle);
+    const double twice_energy = spin * spin * (along * c * c + across * s * s);
+    assert_true(std::fabs(cone.inertia() - twice_energy) < 1e-12 * twice_energy);
+  }
+}
+static void a_ladder_keeps_its_energy_and_leaves_the_wall(void**) {
+  for (const Ladder& ladder : {Ladder{1, 0.02}, {0.2, 0.05}, {5, 0.01}}) {
+    Ladder::Motion motion(1.1);
+    const auto energy = [&] {
+      return motion.velocity(ladder).squaredNorm() / 2 + ladder.inertia() * motion.rate() * motion.rate() / 2 +
+             kGravity * motion.middle(ladder).y();
+    };
+    const double before = energy();
+    double off_at = 0;
+    while (motion.angle() > 0.1) {
+      const bool was_off = motion.is_off();
+      motion.step(ladder, 1e-4, kGravity);
+      if (motion.is_off() && !was_off) off_at = std::sin(motion.angle());
+      assert_true(std::fabs(energy() - before) < 1e-10 * before);
+    }
+    assert_true(std::fabs(off_at - 2.0 / 3 * std::sin(1.1)) < 1e-3 / std::sqrt(ladder.half));  // at 2/3 of its height
+  }
+}
+
 static void a_coin_goes_round_as_its_weight_asks_and_falls_as_its_moment_takes(void**) {
   for (double half : {0.01, 0.1}) {
     const Coin coin{0.5, half};
@@ -435,6 +465,8 @@ int main() {
       cmocka_unit_test(bricards_ring_is_shut_and_its_motion_keeps_energy),
       cmocka_unit_test(a_governor_loses_what_its_dampers_take),
       cmocka_unit_test(a_wheel_keeps_its_lean),
+      cmocka_unit_test(a_cone_on_its_side_turns_about_its_line),
+      cmocka_unit_test(a_ladder_keeps_its_energy_and_leaves_the_wall),
       cmocka_unit_test(a_coin_goes_round_as_its_weight_asks_and_falls_as_its_moment_takes),
       cmocka_unit_test(a_leaning_rod_has_one_answer),
   };

@@ -142,4 +142,53 @@ Eigen::Vector3d TurningWheel::spin(double g) const {
   return omega(-rest(0) / (rest(1) - rest(0)));
 }
 
+double SlopeCone::inertia() const {
+  const double c = std::cos(half_angle);
+  return 3.0 / 20 * height * height * (1 + 5 * c * c);
+}
+Eigen::Vector2d SlopeCone::rate(const Eigen::Vector2d& state, double g) const {
+  const double arm = 0.75 * height * std::cos(half_angle);  // of its weight, from the apex along the slope
+  return {state.y(), -g * std::sin(slope) * arm * std::sin(state.x()) / inertia()};
+}
+
+void Ladder::Motion::step(const Ladder& ladder, double h, double g) {
+  const double a = ladder.half;
+  const auto on_both = [&](const Eigen::Vector2d& s) {
+    return Eigen::Vector2d(s.y(), -0.75 * g / a * std::cos(s.x()));
+  };
+  const auto on_floor = [&](const Eigen::Vector2d& s) {
+    const double c = std::cos(s.x());
+    return Eigen::Vector2d(s.y(), (-g * c / a + std::sin(s.x()) * c * s.y() * s.y()) / (1.0 / 3 + c * c));
+  };
+  const auto wall = [&](const Eigen::Vector2d& s) {  // N
+    return -a * (std::cos(s.x()) * s.y() * s.y() + std::sin(s.x()) * on_both(s).y());
+  };
+  if (is_off_) {
+    state_ = runge_kutta(state_, h, on_floor), x_ += h * x_rate_;
+    return;
+  }
+  Eigen::Vector2d next = runge_kutta(state_, h, on_both);
+  double until = h;
+  if (wall(next) < 0) {
+    double bears = 0;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = (bears + until) / 2;
+      (wall(runge_kutta(state_, middle, on_both)) < 0 ? until : bears) = middle;
+    }
+    state_ = runge_kutta(state_, until, on_both), is_off_ = true;
+    x_rate_ = -a * std::sin(state_.x()) * state_.y(), x_ = ladder.radius + a * std::cos(state_.x());
+    step(ladder, h - until, g);
+    return;
+  }
+  state_ = next;
+}
+Eigen::Vector3d Ladder::Motion::middle(const Ladder& ladder) const {
+  const double x = is_off_ ? x_ : ladder.radius + ladder.half * std::cos(state_.x());
+  return {x, ladder.radius + ladder.half * std::sin(state_.x()), 0};
+}
+Eigen::Vector3d Ladder::Motion::velocity(const Ladder& ladder) const {
+  const double x = is_off_ ? x_rate_ : -ladder.half * std::sin(state_.x()) * state_.y();
+  return {x, ladder.half * std::cos(state_.x()) * state_.y(), 0};
+}
+
 }  // namespace carom::tools::accuracy

@@ -1,5 +1,5 @@
 // Equations of motion that mechanisms of accuracy scenes are judged by: Bricard's, the governor, the heavy top, a wheel
-// that leans.
+// that leans, a cone on a slope, a ladder.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -82,6 +82,37 @@ struct TurningWheel {
   Eigen::Vector3d spin(
       double g) const;  ///< rad/s, as it begins: the one with which it goes on so   @oracle its laws of motion
   Eigen::Vector3d velocity(double g) const { return -spin(g).cross(to_ground()); }
+};
+
+/// A uniform cone of 1 kg that lies on a slope and rolls about its apex. (angle, rate): of its axis, from straight down.
+struct SlopeCone {
+  double height, half_angle, slope;  ///< m, rad, rad
+  double inertia() const;  ///< kg m^2, about its apex for its rate about the slope's normal   @oracle its energy
+  Eigen::Vector2d rate(const Eigen::Vector2d& state, double g) const;
+};
+
+/// A uniform rod of 1 kg with round ends that slides down a smooth wall, the plane x = 0, and a smooth floor, y = 0.
+struct Ladder {
+  double half, radius;  ///< m
+  double inertia() const { return half * half / 3; }
+
+  /// On both, x = radius + half cos a and y = radius + half sin a; the wall bears x'', and comes off when that is 0.
+  /// Then x' stays, and the floor alone turns it.   @oracle its energy
+  class Motion {
+   public:
+    explicit Motion(double from) : state_(from, 0) {}
+    void step(const Ladder& ladder, double h, double g);
+    double angle() const { return state_.x(); }
+    double rate() const { return state_.y(); }
+    bool is_off() const { return is_off_; }
+    Eigen::Vector3d middle(const Ladder& ladder) const;    ///< m
+    Eigen::Vector3d velocity(const Ladder& ladder) const;  ///< m/s
+
+   private:
+    Eigen::Vector2d state_;
+    bool is_off_ = false;
+    double x_ = 0, x_rate_ = 0;
+  };
 };
 
 }  // namespace carom::tools::accuracy

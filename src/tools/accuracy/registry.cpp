@@ -30,6 +30,10 @@ Challenge skid_challenge();
 Challenge coin_challenge();
 Challenge wheel_challenge();
 Challenge turntable_challenge();
+Challenge cone_challenge();
+Challenge ladder_challenge();
+Challenge grip_challenge();
+Challenge shake_challenge();
 Challenge painleve_challenge();
 std::vector<Challenge> stack_challenges();
 std::vector<Challenge> massratio_challenges();
@@ -58,7 +62,8 @@ const std::vector<Challenge>& all_challenges() {
     for (auto make : {fourbar_challenge, bricard_challenge, governor_challenge}) list.push_back(make());
     for (auto make : {bouncing_challenge, bounce05_challenge, cradle_challenge, cannon_challenge, elastic666_challenge,
                       pack666_challenge, slide_challenge, slip_challenge, stick_challenge, rolling_challenge,
-                      skid_challenge, coin_challenge, wheel_challenge, turntable_challenge})
+                      skid_challenge, coin_challenge, wheel_challenge, turntable_challenge, cone_challenge,
+                      ladder_challenge, grip_challenge, shake_challenge})
       list.push_back(make());
     for (Challenge& c : stack_challenges()) list.push_back(std::move(c));
     for (Challenge& c : massratio_challenges()) list.push_back(std::move(c));

@@ -1,10 +1,11 @@
 // Jolt in a module: default settings, one collision step, except for what the comparison asks of every engine. This version
 // has neither a half-space nor a body without shape: a box that is wide and thick enough, and a small ball that meets nobody.
+#include <Jolt/Jolt.h>
+
 #include <Jolt/Core/Factory.h>
 #include <Jolt/Core/JobSystemSingleThreaded.h>
 #include <Jolt/Core/JobSystemThreadPool.h>
 #include <Jolt/Core/TempAllocator.h>
-#include <Jolt/Jolt.h>
 #include <Jolt/Physics/Body/BodyCreationSettings.h>
 #include <Jolt/Physics/Collision/CastResult.h>
 #include <Jolt/Physics/Collision/GroupFilterTable.h>

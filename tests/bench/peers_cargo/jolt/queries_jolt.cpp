@@ -1,8 +1,9 @@
 // Casts and pairs of Jolt for casts_vs_peers and convex_vs_peers, of the solids that it has, their rounding (convex radius)
 // off where it isn't the shape itself. Pairs in the two ways that it has: the distance of what is apart by GJK between shapes
 // without their radius, and the depth of what overlaps by GJK and EPA, each of which tells no more than whether of the other.
-#include <Jolt/Geometry/EPAPenetrationDepth.h>
 #include <Jolt/Jolt.h>
+
+#include <Jolt/Geometry/EPAPenetrationDepth.h>
 #include <Jolt/Physics/Collision/CastResult.h>
 #include <Jolt/Physics/Collision/RayCast.h>
 #include <Jolt/Physics/Collision/Shape/BoxShape.h>

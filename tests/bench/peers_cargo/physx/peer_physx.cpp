@@ -1,6 +1,8 @@
 // PhysX 5 on the CPU in a module: its newer solver, TGS, since by PGS, the default of scenes, the joints of S8 gape by 2.3 m
 // (by TGS 66 mm); else default settings (patch friction, 4 iterations for positions and 1 for velocities), except for what the
 // comparison asks of every engine.
+#include "sdk.h"
+
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -8,7 +10,6 @@
 
 #include "counted_memory.h"
 #include "peer.h"
-#include "sdk.h"
 
 namespace carom::bench {
 namespace {
