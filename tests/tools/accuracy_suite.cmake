@@ -2,6 +2,9 @@
 if(NOT CAROM_SANITIZE)
   add_test(NAME tools/accuracy_errors COMMAND ${CAROM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/bench/accuracy_errors $<TARGET_FILE:carom_cli>)
   set_tests_properties(tools/accuracy_errors PROPERTIES LABELS tools TIMEOUT 900)
+  # Presets that another setting dominates: a slice of scenes; all of them: tests/bench/preset_fronts on a sweep.
+  add_test(NAME tools/preset_fronts COMMAND ${CAROM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/bench/preset_fronts --run $<TARGET_FILE:carom_cli>)
+  set_tests_properties(tools/preset_fronts PROPERTIES LABELS tools TIMEOUT 300)
   # What was found to fall at other sizes, loads and steps than the suite's, and sizes that the mends were not made on.
   foreach(of "bridge planks=60 ratio=1000 1/80" "bridge planks=50 ratio=200 1/60" "bridge planks=35 ratio=500 1/100" "kapla layers=27 ratio=1 1/80"
           "kapla layers=50 ratio=1 1/50" "kapla layers=34 ratio=1 1/60")

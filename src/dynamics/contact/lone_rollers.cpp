@@ -248,12 +248,12 @@ void count_touches(const World& world, LoneRollers& l) {
 
 /// Whether a pair is of a body that may roll alone and stands on a point or a line.
 bool may_be_a_touch(const World& world, const ContactPair& m) {
-  if (m.moves_a == m.moves_b || !m.one_normal || !may_roll_alone(world, m)) return false;
+  if (m.moves_a == m.moves_b || !m.one_normal) return false;
   const Stand stand = stand_of(*world.contacts, m);
+  if (!stand.is_point && !stand.is_line) return false;  // most lie on a face
   const std::uint32_t body = m.moves_a ? m.a : m.b, other = m.moves_a ? m.b : m.a;
-  if (world.scene.type[other] != BodyType::kinematic && is_centred_ball(world, world.scene.first_collider[body]))
-    return false;
-  return stand.is_point || stand.is_line;
+  return may_roll_alone(world, m) &&
+         (world.scene.type[other] == BodyType::kinematic || !is_centred_ball(world, world.scene.first_collider[body]));
 }
 
 /// Its bodies, each with all of its touches.
