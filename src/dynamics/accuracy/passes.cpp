@@ -6,6 +6,7 @@
 
 #include "dynamics/accuracy/accuracy.h"
 #include "dynamics/ccd/continuous.h"
+#include "dynamics/contact/lone_rollers.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
@@ -146,16 +147,22 @@ void find_soft(const World& world, Passes& p) {
     if (!view.direct && view.points > 0 && runs(p, view.body)) p.islands[p.island_of[view.body]].is_soft = true;
 }
 
-BodyEnd end_of(const State& s, std::uint32_t i) { return {s.x[i], s.v[i], s.omega[i], s.q[i]}; }
+/// What rolls alone ends elsewhere than the solver leaves it. Alone it is alone in its island, too.
+BodyEnd end_of(const World& world, std::uint32_t i, Real dt) {
+  TouchingMotion::At at;
+  if (ends_alone(world, i, dt, at)) return {at.x, at.v, at.omega, at.q};
+  const State& s = world.state;
+  return {s.x[i], s.v[i], s.omega[i], s.q[i]};
+}
 
 /// An island's run has ended.
-void judge(const World& world, Passes& p, Passes::Island& island, const Borne& borne) {
+void judge(const World& world, Passes& p, Passes::Island& island, const Borne& borne, Real dt) {
   const State& s = world.state;
   bool went_well = true;
   const Real horizon = island.rows > 0 ? kAccuracyHorizonTouching.value : kAccuracyHorizon.value;
   Shares apart;
   each_member(p, island, [&](std::uint32_t k, std::uint32_t i) {
-    const BodyEnd end = end_of(s, i);
+    const BodyEnd end = end_of(world, i, dt);
     went_well &= is_finite(end) && (!s.held_out[i] || p.begun[k].held_out);
     if (island.trial.coarse > 0)
       add_apart(apart, p.coarse[k], end, world.scene.inertia[i], world.scene.inv_inertia[i], horizon, borne);
@@ -171,7 +178,7 @@ void judge(const World& world, Passes& p, Passes::Island& island, const Borne& b
     case End::accepted:
       return keep_ended(world, island);
     case End::compared:
-      return each_member(p, island, [&](std::uint32_t k, std::uint32_t i) { p.coarse[k] = end_of(s, i); });
+      return each_member(p, island, [&](std::uint32_t k, std::uint32_t i) { p.coarse[k] = end_of(world, i, dt); });
     case End::dropped:
       return;
   }
@@ -256,7 +263,7 @@ void end_pass(const World& world, Passing to, const StepTime& time) {
   const int substeps = world.plan->substeps;
   find_soft(world, p);
   for (Passes::Island& island : p.islands)
-    if (island.runs) judge(world, p, island, borne);
+    if (island.runs) judge(world, p, island, borne, time.dt);
   keep_contacts(world, p, Real(substeps) / p.substeps);
   const Joints& joints = world.joints;
   for (std::size_t j = 0; j < p.all_active.size(); ++j) {

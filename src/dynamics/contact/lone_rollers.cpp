@@ -293,7 +293,7 @@ void find_lone_rollers(const World& world, const StepTime& time) {
   if (!world.lone_rollers) return;
   LoneRollers& l = *world.lone_rollers;
   l.bodies.clear();
-  l.pairs.clear();
+  l.pairs.clear(), l.place.clear();
   const auto& pairs = world.contacts->contact_pairs;
   for (std::uint32_t i = 0; i < pairs.size(); ++i)
     if (may_be_a_touch(world, pairs[i])) l.pairs.push_back(i);
@@ -321,6 +321,15 @@ void find_lone_rollers(const World& world, const StepTime& time) {
     }
     return !touches;
   });
+  std::ranges::fill(l.place, kInvalid);
+  for (std::uint32_t i = 0; i < l.bodies.size(); ++i) l.place[l.bodies[i].body] = i;
+}
+
+bool ends_alone(const World& world, std::uint32_t body, Real dt, TouchingMotion::At& at) {
+  if (!world.lone_rollers || world.lone_rollers->place.empty()) return false;
+  const std::uint32_t place = world.lone_rollers->place[body];
+  Vec3 impulse[TouchingMotion::kMostEnds];
+  return place != kInvalid && roll(world, world.lone_rollers->bodies[place], dt, at, impulse);
 }
 
 void roll_alone(const World& world, Poses& poses, Velocities& motion, const StepTime& time) {

@@ -41,11 +41,14 @@ struct LoneRollers {
   Array<TouchingBody> bodies;
   Array<std::uint32_t> pairs;   // scratch: pairs in contact that may be their touches
   Array<std::uint8_t> touches;  // by slot, scratch: how many pairs
-  Array<std::uint32_t> place;   // by slot, scratch: in `bodies`
+  Array<std::uint32_t> place;   // by slot: in `bodies`, or kInvalid; empty where there are none
 };
 
 /// Stage functions of the page. Who may, as a step begins; allocates.
 void find_lone_rollers(const World& world, const StepTime& time);
+/// Where a body is at the end of a step that it takes once more. The state is that of the solver's step.
+/// @return false: it is the solver's, or no such body
+bool ends_alone(const World& world, std::uint32_t body, Real dt, TouchingMotion::At& at);
 /// Their steps once more.
 void roll_alone(const World& world, Poses& poses, Velocities& motion, const StepTime& time);
 
