@@ -60,6 +60,9 @@ typedef struct carom_param_rule {
 #define CAROM_FORM_ELLIPSOID 7u /* centred, axis-aligned; arg[0..2]: radii x, y, z */
 /* clang-format on */
 
+/** In place of an index into params: no parameter. A geometry must write it for core_radius_param where there is no
+ *  core radius, since 0 there is the first parameter. In form_arg and mass_arg it marks places that the form does not
+ *  use; those are not read, so 0 does as well. Where the form needs an index, it is refused (PLUGIN_ABI). */
 #define CAROM_NO_PARAM 0xFFFFFFFFu
 
 /** What the author knows beyond the support function. Data, not code; verified against the support function when a
@@ -67,10 +70,11 @@ typedef struct carom_param_rule {
 typedef struct carom_geometry {
   uint32_t struct_size;       /**< sizeof(carom_geometry) */
   uint32_t form;              /**< CAROM_FORM_*: the whole set, core radius included, equals this closed form */
-  uint32_t form_arg[4];       /**< indices into params, see CAROM_FORM_*; CAROM_NO_PARAM where unused */
-  uint32_t core_radius_param; /**< index into params of the core radius, or CAROM_NO_PARAM. If set, the support
-                                   function is that of the CORE, and the shape is the core swollen by that radius
-                                   (a sphere is a point with a radius, a capsule a segment) */
+  uint32_t form_arg[4];       /**< indices into params, as many as the form uses (see CAROM_FORM_*); CAROM_NO_PARAM in
+                                   the others */
+  uint32_t core_radius_param; /**< index into params of the core radius, or CAROM_NO_PARAM: no core radius. With an
+                                   index, the support function is that of the CORE, and the shape is the core
+                                   swollen by that radius (a sphere is a point with a radius, a capsule a segment) */
   uint32_t mass_form;   /**< CAROM_FORM_* whose volume, centre and inertia the shape has; NONE: derive from support */
   uint32_t mass_arg[4]; /**< indices into params for mass_form */
 } carom_geometry;

@@ -532,6 +532,9 @@ export const CAROM_FORM_CYLINDER: 5;
 export const CAROM_FORM_CONE: 6;
 /** centred, axis-aligned; arg[0..2]: radii x, y, z */
 export const CAROM_FORM_ELLIPSOID: 7;
+/** In place of an index into params: no parameter. A geometry must write it for core_radius_param where there is no
+ *  core radius, since 0 there is the first parameter. In form_arg and mass_arg it marks places that the form does not
+ *  use; those are not read, so 0 does as well. Where the form needs an index, it is refused (PLUGIN_ABI). */
 export const CAROM_NO_PARAM: 4294967295;
 /** flags: support may only be called on the thread that steps (scripting hosts) */
 export const CAROM_PLUGIN_HOST_THREAD: 1;

@@ -967,7 +967,7 @@ class carom_height_field_desc(ctypes.Structure):
     heights: Any
     spacing: Any
 class carom_scenery_info(ctypes.Structure):
-    """What became of scenery."""
+    """Counts of a surface: what the engine keeps of the arrays that made it."""
     struct_size: int
     flags: int
     pieces: int
