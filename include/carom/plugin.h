@@ -12,8 +12,8 @@
 extern "C" {
 #endif
 
-#define CAROM_PLUGIN_ABI_MAJOR 1u
-#define CAROM_PLUGIN_ABI_MINOR 0u
+#define CAROM_PLUGIN_ABI_MAJOR 1u /* a plugin with another one is refused */
+#define CAROM_PLUGIN_ABI_MINOR 0u /* grows with additions */
 
 /** Support function of a bounded convex set: the point of the set farthest along dir, in the shape's own frame.
  *  Contract: pure (same bits in, same bits out), callable from several threads at once; dir is finite and nonzero, of a
@@ -21,6 +21,7 @@ extern "C" {
  *  either way, but repeatably; no allocation, lock, I/O, change of the floating-point environment, or carom_* call.
  *  @param user       as the plugin has it: state of a host's function; NULL for a file's
  *  @param params     [param_len] the shape's parameters; owned by the engine, immutable
+ *  @param param_len  number of parameters
  *  @param dir        [3] direction, shape frame, any positive length
  *  @param out        [3] m, shape frame: argmax over x in the set of dir . x
  *  @return 0; anything else reports a fault: the pair is skipped and the shape put in quarantine */
