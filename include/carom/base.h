@@ -118,6 +118,10 @@ typedef uint64_t carom_force_field;
 typedef uint64_t carom_spring;
 #define CAROM_NULL_HANDLE ((uint64_t)0) /* no object: never the handle of one */
 
+/* Numbers in the arrays of a host. */
+#define CAROM_SCALAR_F32 0u /* float, 4 bytes */
+#define CAROM_SCALAR_F64 1u /* double, 8 bytes */
+
 /** Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
  *  @param major, minor, patch as CAROM_VERSION_*
  *  @status OK; NULL_ARGUMENT */

@@ -26,9 +26,9 @@ typedef struct carom_engine_desc {
   /** Host allocator, both or neither; NULL for the C library's. alloc returns NULL when out of memory; alignment is a
    *  power of two. Called on whichever threads use the engine and its worlds, at once. */
   void *(*alloc)(void *user, uint64_t size, uint64_t alignment);
-  void (*free)(void *user, void *pointer, uint64_t size,
-               uint64_t alignment); /**< takes back what alloc gave, with the same size and alignment */
-  void *alloc_user;                 /**< handed to alloc and free */
+  /** Takes back what alloc gave, with the same size and alignment. */
+  void (*free)(void *user, void *pointer, uint64_t size, uint64_t alignment);
+  void *alloc_user; /**< handed to alloc and free */
   /** Host log, or NULL for silence. */
   void (*log)(void *user, uint32_t level, const char *text);
   void *log_user; /**< handed to log */

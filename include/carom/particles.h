@@ -7,7 +7,7 @@
 #ifndef CAROM_PARTICLES_H
 #define CAROM_PARTICLES_H
 
-#include <carom/body.h>
+#include <carom/body_bulk.h>
 
 #ifdef __cplusplus
 extern "C" {

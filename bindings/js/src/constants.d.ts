@@ -69,6 +69,10 @@ export const CAROM_E_WRITE_FAILED: -29;
 export const CAROM_E_READ_ONLY: -30;
 /** no object: never the handle of one */
 export const CAROM_NULL_HANDLE: 0n;
+/** float, 4 bytes */
+export const CAROM_SCALAR_F32: 0;
+/** double, 8 bytes */
+export const CAROM_SCALAR_F64: 1;
 /** its error was estimated in this step, else in one before */
 export const CAROM_ISLAND_ESTIMATED: 1;
 /** the bound of work was hit: it errs more than was asked */
@@ -161,10 +165,6 @@ export const CAROM_FIELD_CENTER: 7;
 /** 1: kg; read only */
 export const CAROM_FIELD_MASS: 8;
 export const CAROM_FIELD_COUNT: 9;
-/** float, 4 bytes */
-export const CAROM_SCALAR_F32: 0;
-/** double, 8 bytes */
-export const CAROM_SCALAR_F64: 1;
 /** no contact within the motion, proven */
 export const CAROM_CAST_MISS: 0;
 /** contact begins within the motion */

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from .shape import Shape
 
 # Words: each is a constant without its prefix, CAROM_BODY_STATIC "static". Numbers pass, too.
+ScalarWord = Literal["f32", "f64"]
 IslandFlagsWord = Literal["estimated", "bound", "joints_alone", "stalled"]
 MixWord = Literal["geometric_mean", "maximum", "minimum", "average", "multiply"]
 BodyTypeWord = Literal["static", "kinematic", "dynamic"]
@@ -24,7 +25,6 @@ AttributeWord = Literal["gravity_factor", "locks", "drag", "force_field_mask", "
 ContinuousWord = Literal["auto", "always", "never"]
 FieldWord = Literal["position", "orientation", "pose", "linear_velocity", "angular_velocity", "velocity", "force",
     "center", "mass"]
-ScalarWord = Literal["f32", "f64"]
 CastWord = Literal["miss", "hit", "overlap", "undecided", "bad_ray"]
 OverlapWord = Literal["apart", "overlapping", "touching", "fault"]
 DialWord = Literal["integrator", "rotation", "substeps", "solver", "velocity_iterations", "position_iterations",
