@@ -728,9 +728,10 @@ export interface Raw {
    *          PLUGIN_INVALID; DECLARATION_FALSE; OUT_OF_MEMORY */
   carom_shape_create(engine: number, plugin: bigint, params: number, count: bigint, shape: number, error: number): number;
   /** Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the
-   *  engine has come first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute,
-   *  separated by ':'; not in programs that run with raised privileges), beside the library, in the folder where plugins
-   *  are installed. "half_space" is built in: normal x, y, z, offset.
+   *  engine has come first, by id, then by the name of the file they were loaded from. Then a file NAME.so is looked for
+   *  and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not in programs that run with raised
+   *  privileges), beside the library, in the folder where plugins are installed. "half_space" is built in: normal x, y,
+   *  z, offset.
    *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
    *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE;
    *          PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY */
