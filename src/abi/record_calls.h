@@ -4,5 +4,7 @@
 #include <carom/carom.h>
 
 #include "abi/columns.h"
-#include "abi/record_calls.inc"
 #include "abi/recorder.h"
+
+// After what it uses.
+#include "abi/record_calls.inc"
