@@ -2,9 +2,17 @@
 import re
 
 from emit_lua import named
+from threads import tag_of, without_tag
+from usual import read_usual, said_by_name, said_by_type
 
 HEAD = "<!-- Written by bindings/gen/generate from include/carom; do not edit. -->\n"
 TAGS = ("param", "status", "return", "thread", "owns")
+THREADS = {
+    "any": "any thread, at any time",
+    "engine": "any thread, also while worlds of the engine step",
+    "reader": "a reader of the world: beside other readers; `BUSY` beside a writer",
+    "writer": "a writer of the world: `BUSY` beside any other call on it",
+}
 
 
 def page_of(header):
@@ -38,17 +46,36 @@ def parameters(doc):
     return found
 
 
-def said_of(name, known):
-    """What is said of a parameter, also by a name that ends in a star: motion_* is motion_a and motion_b."""
-    text = known.get(name) or next((t for n, t in known.items() if n.endswith("*") and name.startswith(n[:-1])), "")
+def without_way(text):
     return re.sub(r"\bout(?:, or NULL)?(?:: |$)", "", text, count=1)  # the table says that in a column of its own
 
 
+def own_text(name, known):
+    """What is said of a parameter, also by a name that ends in a star: motion_* is motion_a and motion_b."""
+    return known.get(name) or next((t for n, t in known.items() if n.endswith("*") and name.startswith(n[:-1])), "")
+
+
+def said_of(argument, function, api, asked=frozenset()):
+    """Its own text; that of the function whose arguments it has, or of the one that sets what this one gets; what its
+    name means everywhere; its type."""
+    functions = {f["name"]: f for f in api["functions"]}
+    text = without_way(own_text(argument["name"], parameters(function["doc"]))).strip()
+    others = re.findall(r"\bas (carom_\w+)\(\)", function["doc"]) + [function["name"].replace("_get", "_set", 1)]
+    for other in others:
+        if not text and other in functions and other not in asked | {function["name"]}:
+            if any(a["name"] == argument["name"] for a in functions[other]["arguments"]):
+                text = without_way(own_text(argument["name"], parameters(functions[other]["doc"]))).strip()
+    by_type = said_by_type(argument["type"], api)
+    return text or (by_type if by_type.startswith("handle") else "") or said_by_name(argument["name"], read_usual(api)) or by_type
+
+
 def way(argument):
-    if "direction" not in argument:
-        return ""
-    ways = {"in": "in", "out": "out", "inout": "in, out"}
-    return ways[argument["direction"]] + (", or NULL" if argument["nullable"] else "")
+    """in, out, how many, NULL"""
+    words = {"in": "in", "out": "out", "inout": "in, out"}[argument.get("direction", "in")]
+    length = argument.get("length", "")
+    if length:
+        words += f", {length}" if length == "zero-terminated" else f" [{length}]"
+    return words + (", or NULL" if argument.get("nullable") else "")
 
 
 def signature(function):
@@ -75,39 +102,48 @@ def with_tables(text):
     return "\n".join(out + (["```"] if inside else []))
 
 
-def of_function(function, links):
+def of_function(function, links, api):
     out = [f"### {function['name']}", "", "```c", signature(function), "```", ""]
     said = dict(sections(function["doc"]))
     if said[""].strip():
         out += [linked(" ".join(said[""].split()), links), ""]
-    known = parameters(function["doc"])
-    rows = [(a, cell(said_of(a["name"], known))) for a in function["arguments"] if a["name"] != "error"]
-    if any(text or way(a) for a, text in rows):
-        out += ["| argument | way | length | what |", "|---|---|---|---|"]
-        out += [f"| `{a['name']}` | {way(a)} | {cell(a.get('length', ''))} | {text} |" for a, text in rows]
+    rows = [a for a in function["arguments"] if a["name"] != "error"]
+    if rows:
+        out += ["| argument | way | what |", "|---|---|---|"]
+        for a in rows:
+            text = cell(said_of(a, function, api))
+            text = text.removeprefix(f"[{a.get('length')}]").strip() or text  # the column before has it
+            out.append(f"| `{a['name']}` | {cell(way(a))} | {linked(text, links)} |")
         out += [""]
-    for tag, title in (("return", "Returns"), ("thread", "Threads:"), ("owns", "Owner:")):
+    for tag, title in (("return", "Returns"), ("owns", "Owner:")):
         if tag in said:
             out += [f"{title} {' '.join(said[tag].split())}", ""]
+    if "thread" in function:
+        more = (tag_of(function["doc"]) or ("", ""))[1]
+        out += [f"Threads: {more or THREADS[function['thread']]}.", ""]
     if function.get("status"):
         out += ["Results: " + ", ".join(f"`{s}`" for s in function["status"]) + ".", ""]
     return out
 
 
-def of_struct(struct, links):
+def of_struct(struct, links, api):
     out = [f"### {struct['name']}", ""]
     if struct["doc"]:
         out += [linked(" ".join(struct["doc"].split()), links), ""]
     out += ["| field | type | what |", "|---|---|---|"]
     for f in struct["fields"]:
         count = f"[{f['count']}]" if "count" in f else ""
-        out.append(f"| `{f['name']}` | `{cell(f['type'])}{count}` | {linked(cell(f['doc']), links)} |")
+        text = f["doc"] or said_by_name(f["name"], read_usual(api))
+        out.append(f"| `{f['name']}` | `{cell(f['type'])}{count}` | {linked(cell(text), links)} |")
     return out + [""]
 
 
-def of_constants(constants):
-    rows = [f"| `{c['name']}` | `{c['value']}` | {cell(c['doc'])} |" for c in constants]
-    return ["## Constants", "", "| name | value | what |", "|---|---|---|", *rows, ""] if rows else []
+def of_constants(constants, api):
+    counted = {e["count"]: e["name"] for e in api["enumerations"] if e.get("count")}
+    rows = [(c, cell(c["doc"]) or (f"number of values of {counted[c['name']]}; may grow" if c["name"] in counted else ""))
+            for c in constants]
+    return ["## Constants", "", "| name | value | what |", "|---|---|---|",
+            *[f"| `{c['name']}` | `{c['value']}` | {text} |" for c, text in rows], ""] if rows else []
 
 
 def links_of(api):
@@ -122,12 +158,14 @@ def page(api, header):
         return [thing for thing in api[kind] if thing["header"] == header["name"]]
 
     functions = [f for kind in ("functions", "callbacks") for f in here(kind)]
-    out = [HEAD, f"# carom/{header['name']}", "", with_tables(linked(header["doc"], links)), ""]
+    out = [HEAD, f"# carom/{header['name']}", "", with_tables(linked(without_tag(header["doc"]), links)), ""]
+    if header["thread"]:
+        out += [f"Threads: {linked(tag_of(header['doc'])[1], links)}", ""]
     if functions:
-        out += ["## Functions", ""] + [line for f in functions for line in of_function(f, links)]
+        out += ["## Functions", ""] + [line for f in functions for line in of_function(f, links, api)]
     if here("structs"):
-        out += ["## Structs", ""] + [line for s in here("structs") for line in of_struct(s, links)]
-    return "\n".join(out + of_constants(here("constants"))).rstrip() + "\n"
+        out += ["## Structs", ""] + [line for s in here("structs") for line in of_struct(s, links, api)]
+    return "\n".join(out + of_constants(here("constants"), api)).rstrip() + "\n"
 
 
 def index(api):

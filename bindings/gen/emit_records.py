@@ -35,7 +35,7 @@ RECORDS = {
     "carom_contact": {},
     "carom_group": {},
     "carom_accuracy": {},
-    "carom_island": {},
+    "carom_island": {"flags": "IslandFlags"},
     "carom_growth": {"sensitive": "bool"},
     "carom_fault": {"kind": "str"},
     "carom_contact_event": {"kind": "str"},
@@ -49,6 +49,8 @@ RECORDS = {
     "carom_residuals": {"ledger_is_kept": "bool", "energy_drift": "float | None"},
     "carom_draw_line": {},
 }
+# Bits that a record has as an enum.IntFlag: the class, and the prefix of its constants.
+FLAGS = {"IslandFlags": "CAROM_ISLAND_"}
 # Descriptors that calls take as keywords: which of them are given as words, too.
 KEYWORDS = {
     "carom_material_desc": {"friction_mix": "MixWord | int", "restitution_mix": "MixWord | int"},
@@ -122,6 +124,10 @@ def first_sentence(doc):
     return text.rstrip(":;,.").replace('"', "'")
 
 
+def one_line(doc):
+    return " ".join(doc.split()).replace('"', "'")
+
+
 def records(api):
     handles = {h["name"] for h in api["handles"]}
     structs = {s["name"]: s for s in api["structs"]}
@@ -134,6 +140,7 @@ def records(api):
         'Written by bindings/gen/generate from include/carom; do not edit."""',
         "from __future__ import annotations",
         "",
+        "from enum import IntFlag",
         "from typing import TYPE_CHECKING, Literal, TypedDict",
         "",
         "from ._values import Record",
@@ -159,6 +166,11 @@ def records(api):
                 out += textwrap.wrap(
                     text, 118, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
                 )
+    for name, prefix in FLAGS.items():
+        bits = [c for c in api["constants"] if c["name"].startswith(prefix)]
+        out += ["", "", f"class {name}(IntFlag):", f'    """{prefix}*: bits; `{name}.{bits[0]["name"].removeprefix(prefix)} in flags`"""']
+        for bit in bits:
+            out += [f"    {bit['name'].removeprefix(prefix)} = {bit['value']}", f'    """{one_line(bit["doc"])}"""']
     for name, changes in RECORDS.items():
         doc = first_sentence(structs[name]["doc"]) or name
         out += [

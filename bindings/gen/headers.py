@@ -10,6 +10,7 @@ from documentation import add_statuses, one_line, plain_text, since_of, without_
 from enumerations import add_enumerations
 from layout import lay_out
 from pointers import add_owners, add_pointers
+from threads import add_threads
 
 
 class Header:
@@ -244,6 +245,7 @@ def read_api(folder):
     add_enumerations(api)
     add_pointers(api)
     add_owners(api)
+    add_threads(api)
     functions = {f["name"] for f in api["functions"]}
     for struct in api["structs"]:
         struct["init"] = next((n for n in (struct["name"] + "_init",) if n in functions), None)

@@ -13,6 +13,7 @@
  *
  *  No clock decides anything: the same bits come out again, on any number of threads. What bodies remember of their
  *  errors is in snapshots and hashes. A world that asks for nothing pays nothing.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_ACCURACY_H
 #define CAROM_ACCURACY_H
@@ -76,8 +77,7 @@ CAROM_API int32_t carom_accuracy_init(carom_accuracy *accuracy, uint32_t struct_
 /** Ask for an accuracy from the next step on.
  *  @param accuracy NULL: none, as a world is created
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for);
- *  BUSY;
- *          REENTRANT */
+ *          BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_accuracy(carom_world *world, const carom_accuracy *accuracy, carom_error *error);
 
 /** @param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
@@ -101,7 +101,8 @@ CAROM_API int32_t carom_world_get_islands(carom_world *world, carom_island *dst,
  *  @param dt      s, of a step: as for carom_world_step()
  *  @param steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
  *  @param growth  out, its struct_size set
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY
+ *  @thread reader */
 CAROM_API int32_t carom_world_measure_growth(carom_world *world, double dt, uint32_t steps, carom_growth *growth,
                                              carom_error *error);
 

@@ -8,6 +8,25 @@
  *  of it the caller knows, and is STRUCT_SIZE where no version has it. Of a struct that a call fills, set struct_size
  *  to its sizeof before. The same checks run in Release and Debug builds. Nothing aborts, throws or prints across this
  *  boundary.
+ *  Arguments and fields of these names mean the same everywhere:
+ *    world          made by carom_world_create()
+ *    engine         made by carom_engine_create()
+ *    struct_size    sizeof the struct, as the caller knows it
+ *    reserved       0
+ *    n              number of elements in the arrays
+ *    capacity       number of elements that dst has room for
+ *    count          number of elements
+ *    dst            where the elements are written, NULL if capacity is 0
+ *    stride         bytes from one element to the next
+ *    *_stride       bytes from one element to the next; 0: tightly packed
+ *    scalar         CAROM_SCALAR_*
+ *    dial           CAROM_DIAL_*
+ *    effect         CAROM_EFFECT_*
+ *    coordinate     CAROM_COORDINATE_*
+ *    attribute      CAROM_ATTRIBUTE_*
+ *    user           handed back as it is
+ *
+ *  @thread any: a call that takes neither an engine nor a world may run on any thread, at any time.
  */
 #ifndef CAROM_BASE_H
 #define CAROM_BASE_H
@@ -30,12 +49,12 @@
 extern "C" {
 #endif
 
-#define CAROM_VERSION_MAJOR 1u
-#define CAROM_VERSION_MINOR 0u
-#define CAROM_VERSION_PATCH 0u
+#define CAROM_VERSION_MAJOR 1u /* of these headers */
+#define CAROM_VERSION_MINOR 0u /* of these headers */
+#define CAROM_VERSION_PATCH 0u /* of these headers */
 
 /* ---- results: each has a name and a remedy, see carom_result_name() and carom_result_remedy() ---- */
-#define CAROM_OK 0
+#define CAROM_OK 0 /* the call did what it says */
 /* clang-format off */
 #define CAROM_E_NULL_ARGUMENT (-1)      /* a required pointer is NULL */
 #define CAROM_E_NOT_FINITE (-2)         /* a number is NaN or infinite */
@@ -97,16 +116,23 @@ typedef uint64_t carom_particles; /* a set of them */
 typedef uint64_t carom_joint;
 typedef uint64_t carom_force_field;
 typedef uint64_t carom_spring;
-#define CAROM_NULL_HANDLE ((uint64_t)0)
+#define CAROM_NULL_HANDLE ((uint64_t)0) /* no object: never the handle of one */
+
+/* Numbers in the arrays of a host. */
+#define CAROM_SCALAR_F32 0u /* float, 4 bytes */
+#define CAROM_SCALAR_F64 1u /* double, 8 bytes */
 
 /** Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
- *  @status OK; NULL_ARGUMENT   @thread any */
+ *  @param major, minor, patch as CAROM_VERSION_*
+ *  @status OK; NULL_ARGUMENT */
 CAROM_API int32_t carom_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
 
-/** Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.   @thread any */
+/** Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.
+ *  @param result of any call */
 CAROM_API const char *carom_result_name(int32_t result);
 
-/** What to do about a result code, in one sentence. Static storage.   @thread any */
+/** What to do about a result code, in one sentence. Static storage.
+ *  @param result of any call */
 CAROM_API const char *carom_result_remedy(int32_t result);
 
 /** The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
@@ -117,7 +143,7 @@ CAROM_API const char *carom_result_remedy(int32_t result);
  *      carom_error.witness_dir 16 24 f64[3]
  *  Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array.
  *  Newer libraries have more lines, and a struct may be larger; a field stays as it is.
- *  Static storage.   @thread any */
+ *  Static storage. */
 CAROM_API const char *carom_abi_manifest(void);
 
 #ifdef __cplusplus

@@ -1,5 +1,7 @@
 /** @file body.h
- *  Materials, bodies, and colliders (a shape on a body at a local pose); reading and writing many bodies at once.
+ *  Materials, bodies, and colliders (a shape on a body at a local pose); body_bulk.h reads and writes
+ *  many bodies at once.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_BODY_H
 #define CAROM_BODY_H
@@ -11,11 +13,11 @@ extern "C" {
 #endif
 
 /* ---- materials ---- */
-#define CAROM_MIX_GEOMETRIC_MEAN 0u
-#define CAROM_MIX_MAXIMUM 1u
-#define CAROM_MIX_MINIMUM 2u
-#define CAROM_MIX_AVERAGE 3u
-#define CAROM_MIX_MULTIPLY 4u
+#define CAROM_MIX_GEOMETRIC_MEAN 0u /* root of a b */
+#define CAROM_MIX_MAXIMUM 1u        /* the larger */
+#define CAROM_MIX_MINIMUM 2u        /* the smaller */
+#define CAROM_MIX_AVERAGE 3u        /* (a + b) / 2 */
+#define CAROM_MIX_MULTIPLY 4u       /* a b */
 
 /** Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides. */
 typedef struct carom_material_desc {
@@ -51,7 +53,7 @@ CAROM_API int32_t carom_material_destroy(carom_world *world, carom_material mate
 /* ---- bodies ---- */
 #define CAROM_BODY_STATIC 0u    /* never moves */
 #define CAROM_BODY_KINEMATIC 1u /* moved by its velocity; infinite mass */
-#define CAROM_BODY_DYNAMIC 2u
+#define CAROM_BODY_DYNAMIC 2u   /* moved by forces, contacts and joints */
 
 /* bits of carom_body_desc.fields: where 0 is a legal value, a bit says "set" */
 #define CAROM_BODY_FIELD_MASS 1u    /* mass given; else from colliders' densities */
@@ -93,8 +95,7 @@ typedef struct carom_body_desc {
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_body_desc_init(carom_body_desc *desc, uint32_t struct_size);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY;
- *  REENTRANT; LIMIT;
- *          OUT_OF_MEMORY */
+ *          REENTRANT; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body,
                                     carom_error *error);
 /** Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT */
@@ -129,8 +130,7 @@ CAROM_API int32_t carom_body_get_velocity(carom_world *world, carom_body body, d
  *  or NULL:
  *                 from its colliders, scaled to the mass
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0,
- *  and a
- *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
+ *          and a collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_mass(carom_world *world, carom_body body, double mass, const double center[3],
                                       const double inertia[9], carom_error *error);
 /** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
@@ -143,8 +143,7 @@ CAROM_API int32_t carom_body_get_mass(carom_world *world, carom_body body, doubl
  *  (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
  *  @param type CAROM_BODY_*
  *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that
- *  is not
- *          dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
+ *          is not dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_type(carom_world *world, carom_body body, uint32_t type, carom_error *error);
 /** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get_type(carom_world *world, carom_body body, uint32_t *type, carom_error *error);
@@ -186,14 +185,14 @@ CAROM_API int32_t carom_body_get_gravity_factor(carom_world *world, carom_body b
                                                 carom_error *error);
 
 /* ---- axes on which a body does not move ---- */
-#define CAROM_LOCK_LINEAR_X 0x1u /* its centre of mass keeps its world x */
-#define CAROM_LOCK_LINEAR_Y 0x2u
-#define CAROM_LOCK_LINEAR_Z 0x4u
-#define CAROM_LOCK_ANGULAR_X 0x8u /* it does not turn about the world's x axis */
-#define CAROM_LOCK_ANGULAR_Y 0x10u
-#define CAROM_LOCK_ANGULAR_Z 0x20u
-#define CAROM_LOCK_ALL 0x3fu
-#define CAROM_LOCK_PLANE 0x1cu /* LINEAR_Z, ANGULAR_X, ANGULAR_Y: a body of a flat world, the plane of x and y */
+#define CAROM_LOCK_LINEAR_X 0x1u   /* its centre of mass keeps its world x */
+#define CAROM_LOCK_LINEAR_Y 0x2u   /* likewise its y */
+#define CAROM_LOCK_LINEAR_Z 0x4u   /* likewise its z */
+#define CAROM_LOCK_ANGULAR_X 0x8u  /* it does not turn about the world's x axis */
+#define CAROM_LOCK_ANGULAR_Y 0x10u /* likewise about y */
+#define CAROM_LOCK_ANGULAR_Z 0x20u /* likewise about z */
+#define CAROM_LOCK_ALL 0x3fu       /* it keeps its pose */
+#define CAROM_LOCK_PLANE 0x1cu     /* LINEAR_Z, ANGULAR_X, ANGULAR_Y: a body of a flat world, the plane of x and y */
 
 /** Hold the velocity of a dynamic body along and about some world axes at 0, exactly: forces, contacts and joints move
  *  it along the others alone, as heavy there as it is. What it has of such velocity now is gone; what a host writes of
@@ -237,12 +236,12 @@ typedef struct carom_attribute_info {
   const char *unit;    /**< "kg/s, kg/m": of its numbers in turn; "1" of a share or of bits */
   const char *summary; /**< one line */
   double min;          /**< bounds of each number, inclusive */
-  double max;
-  double usual[4]; /**< default, of a body when it is created; numbers that the attribute does not have are 0 */
+  double max;          /**< likewise */
+  double usual[4];     /**< default, of a body when it is created; numbers that the attribute does not have are 0 */
 } carom_attribute_info;
 
 /** @param attribute CAROM_ATTRIBUTE_*   @param info out
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM */
 CAROM_API int32_t carom_attribute_get_info(uint32_t attribute, carom_attribute_info *info, carom_error *error);
 /** Set an attribute. Another value than it has wakes the body and its island.
  *  @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
@@ -315,8 +314,8 @@ CAROM_API int32_t carom_body_is_enabled(carom_world *world, carom_body body, uin
 /** A shape on a body. Fill with carom_collider_desc_init(). */
 typedef struct carom_collider_desc {
   uint32_t struct_size;
-  uint32_t reserved; /**< 0 */
-  carom_shape shape;
+  uint32_t reserved;       /**< 0 */
+  carom_shape shape;       /**< of the same engine as the world */
   carom_material material; /**< CAROM_NULL_HANDLE: friction 0.5, restitution 0 */
   double position[3];      /**< m, body frame: origin of the shape; each within 1e15 */
   double orientation[4];   /**< x, y, z, w, shape to body; default identity */
@@ -344,6 +343,7 @@ CAROM_API int32_t carom_collider_create(carom_world *world, carom_body body, con
  *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
  *  friction 0.5, its restitution 0. carom_body_get_colliders() tells its collider.
  *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
+ *  @param params [count] as carom_shape_create_named()   @param count number of params
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
  *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_create_named(carom_world *world, uint32_t type, const char *name, const double *params,
@@ -387,40 +387,6 @@ CAROM_API int32_t carom_collider_set_surface_velocity(carom_world *world, carom_
 /** @param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_collider_get_surface_velocity(carom_world *world, carom_collider collider, double linear[3],
                                                       double angular[3], carom_error *error);
-
-/* ---- bulk: one call for n bodies ---- */
-#define CAROM_FIELD_POSITION 0u         /* 3: m, world, origin of the body frame */
-#define CAROM_FIELD_ORIENTATION 1u      /* 4: x, y, z, w */
-#define CAROM_FIELD_POSE 2u             /* 7: position, orientation */
-#define CAROM_FIELD_LINEAR_VELOCITY 3u  /* 3: m/s, world, of the centre of mass */
-#define CAROM_FIELD_ANGULAR_VELOCITY 4u /* 3: rad/s, world */
-#define CAROM_FIELD_VELOCITY 5u         /* 6: linear, angular */
-#define CAROM_FIELD_FORCE 6u            /* 6: N and N m, world, pending for the next step; writing replaces it */
-#define CAROM_FIELD_CENTER 7u           /* 3: m, world, centre of mass; read only */
-#define CAROM_FIELD_MASS 8u             /* 1: kg; read only */
-#define CAROM_FIELD_COUNT 9u
-
-#define CAROM_SCALAR_F32 0u
-#define CAROM_SCALAR_F64 1u
-
-/** Number of bodies, and their handles in creation order of the slots.
- *  @param handles [capacity] or NULL   @param count out: how many there are
- *  @status OK; NULL_ARGUMENT; BUSY */
-CAROM_API int32_t carom_world_get_bodies(carom_world *world, carom_body *handles, uint64_t capacity, uint64_t *count,
-                                         carom_error *error);
-
-/** Read one field of n bodies.
- *  @param handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
- *  @param dst     n records of the field's scalars, `stride` bytes apart
- *  @param stride  bytes from one record to the next; 0: tightly packed
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
- *  BUSY */
-CAROM_API int32_t carom_world_read(carom_world *world, uint32_t field, uint32_t scalar, const carom_body *handles,
-                                   uint64_t n, void *dst, uint64_t stride, carom_error *error);
-/** Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
- *  @status as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT */
-CAROM_API int32_t carom_world_write(carom_world *world, uint32_t field, uint32_t scalar, const carom_body *handles,
-                                    uint64_t n, const void *src, uint64_t stride, carom_error *error);
 
 #ifdef __cplusplus
 }

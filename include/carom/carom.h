@@ -7,6 +7,7 @@
 #include <carom/accuracy.h>
 #include <carom/base.h>
 #include <carom/body.h>
+#include <carom/body_bulk.h>
 #include <carom/cast.h>
 #include <carom/dial.h>
 #include <carom/draw.h>

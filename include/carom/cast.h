@@ -4,6 +4,7 @@
  *  Every answer is a bracket. Contact begins at a time in [lower, upper]: before `lower` the separation is proven to
  *  exceed the target, and within the bracket it comes down to target + slack or less. (For the closest points of two
  *  shapes at rest ask carom_shape_distance().)
+ *  @thread engine: any thread, also while worlds of the engine step (engine.h).
  */
 #ifndef CAROM_CAST_H
 #define CAROM_CAST_H
@@ -38,19 +39,19 @@ typedef struct carom_cast_desc {
 /** The answer. Numbers of a fault (status CAROM_QUERY_FAULT) mean nothing. */
 typedef struct carom_cast {
   uint32_t struct_size;
-  uint32_t outcome; /**< CAROM_CAST_* */
-  uint32_t status;  /**< CAROM_QUERY_*: is the bracket as narrow as was asked */
-  uint32_t iterations;
-  double time;       /**< in [lower, upper]; fraction of the direction or motion, s for a time of impact */
-  double lower;      /**< a miss: end of the motion */
-  double upper;      /**< infinite unless in contact */
-  double separation; /**< m, at `time`; the depth (negative) of shapes that overlap at the start */
-  double slack;      /**< m, see above: rounding, or the tolerance where a time of impact found a mere touch */
+  uint32_t outcome;    /**< CAROM_CAST_* */
+  uint32_t status;     /**< CAROM_QUERY_*: is the bracket as narrow as was asked */
+  uint32_t iterations; /**< of the search for the time */
+  double time;         /**< in [lower, upper]; fraction of the direction or motion, s for a time of impact */
+  double lower;        /**< a miss: end of the motion */
+  double upper;        /**< infinite unless in contact */
+  double separation;   /**< m, at `time`; the depth (negative) of shapes that overlap at the start */
+  double slack;        /**< m, see above: rounding, or the tolerance where a time of impact found a mere touch */
   double normal[3];  /**< unit, world, from A (or the ray) to B, so opposed to the surface that a ray meets; a ray that
                                starts inside: its direction; zero for a miss */
   double point_a[3]; /**< m, world, at `time`: on the surface of A; of a ray: where it is */
   double point_b[3]; /**< m, world, at `time`: on the surface of B */
-  uint32_t support_calls;
+  uint32_t support_calls; /**< single calls, A and B together */
   uint32_t reserved;
 } carom_cast;
 
@@ -81,7 +82,7 @@ typedef struct carom_overlap {
   double normal[3];        /**< unit, world, from A to B; apart */
   double point[3];         /**< m, world; overlapping: in both shapes (between them, if the target is not 0) */
   double slack;            /**< m, what rounding may have done to the proof */
-  uint32_t support_calls;
+  uint32_t support_calls;  /**< single calls, A and B together */
   uint32_t reserved;
 } carom_overlap;
 
@@ -95,7 +96,7 @@ CAROM_API int32_t carom_motion_init(carom_motion *motion, uint32_t struct_size);
  *  @param origin [3] m   @param direction [3] m per unit of t, any length; zero asks whether the origin is inside
  *  @param max    >= 0, may be infinite
  *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED */
 CAROM_API int32_t carom_ray_cast(carom_engine *engine, carom_shape shape, const double position[3],
                                  const double orientation[4], const double origin[3], const double direction[3],
                                  double max, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
@@ -103,8 +104,9 @@ CAROM_API int32_t carom_ray_cast(carom_engine *engine, carom_shape shape, const 
 /** Move shape A along a straight line, without turning it, until it touches B.
  *  @param motion [3] m, of A; times are fractions of it. If B moves too: the difference of the two
  *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
- *  @thread any */
+ *  @param position_* [3] m, world   @param orientation_* [4] x, y, z, w
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
+ *          half-spaces) */
 CAROM_API int32_t carom_shape_cast(carom_engine *engine, carom_shape shape_a, const double position_a[3],
                                    const double orientation_a[4], const double motion[3], carom_shape shape_b,
                                    const double position_b[3], const double orientation_b[4],
@@ -115,22 +117,23 @@ CAROM_API int32_t carom_shape_cast(carom_engine *engine, carom_shape shape_a, co
  *  @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
  *  @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
- *          UNSUPPORTED (two half-spaces, or one that turns)     @thread any */
+ *          UNSUPPORTED (two half-spaces, or one that turns) */
 CAROM_API int32_t carom_shape_time_of_impact(carom_engine *engine, carom_shape shape_a, const carom_motion *motion_a,
                                              carom_shape shape_b, const carom_motion *motion_b, double duration,
                                              const carom_cast_desc *desc, carom_cast *result, carom_error *error);
 
 /** Do two shapes overlap (or come nearer than desc->target)? Cheaper than their distance, with a proof of yes or no.
  *  @param desc   may be NULL: defaults; tolerance is not used   @param result struct_size set by the caller
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
- *  @thread any */
+ *  @param position_* [3] m, world   @param orientation_* [4] x, y, z, w
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
+ *          half-spaces) */
 CAROM_API int32_t carom_shape_overlap(carom_engine *engine, carom_shape shape_a, const double position_a[3],
                                       const double orientation_a[4], carom_shape shape_b, const double position_b[3],
                                       const double orientation_b[4], const carom_cast_desc *desc, carom_overlap *result,
                                       carom_error *error);
 
 /* ---- many rays ---- */
-#define CAROM_NO_SHAPE 0xFFFFFFFFu
+#define CAROM_NO_SHAPE 0xFFFFFFFFu /* in place of an index: no shape */
 
 /** Rays in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and scalar set by
  *  the caller, what is not set zero. */
@@ -152,11 +155,11 @@ typedef struct carom_ray_hit {
   uint32_t status;  /**< CAROM_QUERY_* */
   uint32_t shape;   /**< index in the list of shapes; CAROM_NO_SHAPE: none */
   uint32_t reserved;
-  double time; /**< as in carom_cast */
-  double lower;
-  double upper;
-  double normal[3];
-  double point[3]; /**< m, world, on the shape's surface */
+  double time;      /**< as in carom_cast */
+  double lower;     /**< as in carom_cast */
+  double upper;     /**< as in carom_cast */
+  double normal[3]; /**< unit, world, as in carom_cast */
+  double point[3];  /**< m, world, on the shape's surface */
 } carom_ray_hit;
 
 /** Where answers go: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly packed. */
@@ -181,8 +184,9 @@ typedef struct carom_ray_hits {
  *  misbehaves (status CAROM_QUERY_FAULT, `shape` says whose), spoils no other. Nothing is allocated per ray.
  *  @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
  *  @param desc   may be NULL: defaults
+ *  @param shape_count number of shapes
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
- *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any */
+ *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY */
 CAROM_API int32_t carom_rays_cast(carom_engine *engine, const carom_shape *shapes, const double *positions,
                                   const double *orientations, uint64_t shape_count, const carom_rays *rays,
                                   const carom_cast_desc *desc, const carom_ray_hits *hits, carom_error *error);

@@ -1,6 +1,7 @@
 /** @file dial.h
  *  Dials: every approximation is one number with a name, bounds and an order from cheap to exact.
  *  One table inside the engine feeds these calls, the command line and the docs.
+ *  @thread any: no call here takes an engine or a world.
  */
 #ifndef CAROM_DIAL_H
 #define CAROM_DIAL_H
@@ -73,10 +74,10 @@ extern "C" {
 #define CAROM_DIAL_COUNT 44u
 /* clang-format on */
 
-#define CAROM_INTEGRATOR_EXPLICIT_EULER 0u
-#define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u
-#define CAROM_INTEGRATOR_RK4 2u
-#define CAROM_INTEGRATOR_VELOCITY_VERLET 3u /* exact under constant forces, second order under others */
+#define CAROM_INTEGRATOR_EXPLICIT_EULER 0u      /* first order */
+#define CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER 1u /* first order, symplectic */
+#define CAROM_INTEGRATOR_RK4 2u                 /* fourth order, four evaluations of forces */
+#define CAROM_INTEGRATOR_VELOCITY_VERLET 3u     /* exact under constant forces, second order under others */
 
 #define CAROM_ROTATION_NONE 0u     /* no gyroscopic term: exact for spheres and cubes only */
 #define CAROM_ROTATION_EXPLICIT 1u /* the term is a torque like any other (RK4 evaluates it four times) */
@@ -112,8 +113,8 @@ extern "C" {
 #define CAROM_NARROW_GJK_EPA 1u /* GJK on cores, EPA on overlap; exact geometry */
 /* clang-format on */
 
-#define CAROM_SIMPLEX_JOHNSON 0u
-#define CAROM_SIMPLEX_VORONOI 1u
+#define CAROM_SIMPLEX_JOHNSON 0u      /* Johnson's sub-algorithm, of determinants */
+#define CAROM_SIMPLEX_VORONOI 1u      /* by Voronoi regions, all features */
 #define CAROM_SIMPLEX_VORONOI_LAST 2u /* only features that touch the newest vertex, all features as a fall-back */
 
 /* clang-format off */
@@ -134,7 +135,7 @@ extern "C" {
  * solver are doubles in any case. A step with contacts that floats can't bear is solved in doubles: masses outside
  * 1e-9 to 1e9 kg, places more than 10 km from a body's centre of mass, friction beyond 1e6, needles thinner than 1
  * : 700, substeps below 1e-9 s. */
-#define CAROM_PRECISION_FLOAT 0u
+#define CAROM_PRECISION_FLOAT 0u /* floats */
 /* clang-format off */
 #define CAROM_PRECISION_AUTO 1u   /* floats in steps with 512 pairs in contact or more, where their memory saves
                                      time */
@@ -147,9 +148,9 @@ extern "C" {
 #define CAROM_PRESET_REFERENCE 3u /* to compare others with: as exact as the library is at a given step */
 #define CAROM_PRESET_COUNT 4u
 
-#define CAROM_DIAL_KIND_NUMBER 0u
-#define CAROM_DIAL_KIND_INTEGER 1u
-#define CAROM_DIAL_KIND_CHOICE 2u
+#define CAROM_DIAL_KIND_NUMBER 0u  /* any number within its bounds */
+#define CAROM_DIAL_KIND_INTEGER 1u /* a whole number within its bounds */
+#define CAROM_DIAL_KIND_CHOICE 2u  /* one of its named values */
 
 /** What a dial is: documentation and bounds. Strings have static storage. */
 typedef struct carom_dial_info {
@@ -166,14 +167,14 @@ typedef struct carom_dial_info {
   double initial;             /**< value of a new world */
 } carom_dial_info;
 
-/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library)   @thread any */
+/** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library) */
 CAROM_API int32_t carom_dial_get_info(uint32_t dial, carom_dial_info *info, carom_error *error);
 
-/** Number of dials this library has.   @status OK; NULL_ARGUMENT   @thread any */
+/** Number of dials this library has.   @status OK; NULL_ARGUMENT */
 CAROM_API int32_t carom_dial_get_count(uint32_t *count);
 
 /** @param name as in carom_dial_info.name
- *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial)   @thread any */
+ *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial) */
 CAROM_API int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
 
 /* ---- constants: numbers of the library that trade nothing, so that none can be set; read them to know why ---- */
@@ -187,25 +188,27 @@ typedef struct carom_constant_info {
   const char *unit;        /**< "rad", "steps"; "1" of a share or a ratio */
   const char *reason;      /**< what it is, and why it is as large as that */
   const char *consequence; /**< what breaks if it moves */
-  double value;
+  double value;            /**< in its unit */
 } carom_constant_info;
 
-/** Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any */
+/** Number of constants this library has.   @status OK; NULL_ARGUMENT */
 CAROM_API int32_t carom_constant_get_count(uint32_t *count);
 
 /** @param constant from 0   @param info out
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count()) */
 CAROM_API int32_t carom_constant_get_info(uint32_t constant, carom_constant_info *info, carom_error *error);
 
 /* ---- presets: points on the measured front of error against time, from cheap to exact ---- */
 
-/** Static name of a preset ("balanced"), or "?".   @thread any */
+/** Static name of a preset ("balanced"), or "?".
+ *  @param preset CAROM_PRESET_* */
 CAROM_API const char *carom_preset_name(uint32_t preset);
 
 /** What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a
  *  world finds pairs, what sleeps, and what a host chose for its look they leave alone.
  *  @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any */
+ *  @param value what the preset sets the dial to
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone) */
 CAROM_API int32_t carom_preset_get_dial(uint32_t preset, uint32_t dial, double *value, carom_error *error);
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 /** @file draw.h
  *  Debug draw as data: what a world looks like and what happens in it, as coloured lines in one array, for any
  *  renderer. Looking changes nothing: a world that is drawn goes on with the same bits.
- *
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_DRAW_H
 #define CAROM_DRAW_H
@@ -26,7 +26,7 @@ extern "C" {
 /** How lines are coloured where their kind does not say: by body type (static grey, kinematic blue, dynamic sand,
  *  asleep dim), or a colour for each island, what hangs together by contacts of the last step and joints. */
 #define CAROM_DRAW_BY_TYPE 0u
-#define CAROM_DRAW_BY_ISLAND 1u
+#define CAROM_DRAW_BY_ISLAND 1u /* one colour an island */
 
 typedef struct carom_draw_desc {
   uint32_t struct_size;
@@ -52,9 +52,8 @@ typedef struct carom_draw_line {
  *  @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
  *  @param count    out: lines there are; more than capacity: the first `capacity` of them were written
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE,
- *  OUT_OF_RANGE (scale);
- *          BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
- *  @thread one of many readers of the world */
+ *          OUT_OF_RANGE (scale); BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
+ *  @thread reader */
 CAROM_API int32_t carom_world_draw(carom_world *world, const carom_draw_desc *desc, carom_draw_line *dst,
                                    uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 

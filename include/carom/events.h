@@ -5,6 +5,7 @@
  *  Arrays are replaced by the next step. Their order is that of slots, and the same for any number of threads. What was
  *  destroyed keeps its handle in them, which is stale by then. Where it takes memory, a step asks for it before it
  *  moves anything.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_EVENTS_H
 #define CAROM_EVENTS_H
@@ -15,11 +16,11 @@
 extern "C" {
 #endif
 
-#define CAROM_EVENTS_CONTACT 1u
-#define CAROM_EVENTS_SENSOR 2u
-#define CAROM_EVENTS_SLEEP 4u
-#define CAROM_EVENTS_JOINT 8u
-#define CAROM_EVENTS_FAULT 16u
+#define CAROM_EVENTS_CONTACT 1u /* of carom_world_get_contact_events() */
+#define CAROM_EVENTS_SENSOR 2u  /* of carom_world_get_sensor_events() */
+#define CAROM_EVENTS_SLEEP 4u   /* of carom_world_get_sleep_events() */
+#define CAROM_EVENTS_JOINT 8u   /* of carom_world_get_joint_events() */
+#define CAROM_EVENTS_FAULT 16u  /* of carom_world_get_fault_events() */
 
 /** Say what to collect from the next step on; nothing at first. Contacts and overlaps that there are already begin in
  *  that step.
@@ -41,14 +42,14 @@ CAROM_API int32_t carom_world_collect_events(carom_world *world, uint32_t kinds,
 typedef struct carom_contact_event {
   uint32_t kind; /**< CAROM_CONTACT_* */
   uint32_t reserved;
-  carom_collider collider_a;
-  carom_collider collider_b;
-  carom_body body_a;
-  carom_body body_b;
-  double point[3];       /**< m, world: the point that bore most */
-  double normal[3];      /**< unit, world, from A to B, there */
-  double impulse;        /**< N s, normal, of all points, over the step */
-  double approach_speed; /**< m/s, along the normal, of the point that approached fastest as the step began */
+  carom_collider collider_a; /**< first of the pair */
+  carom_collider collider_b; /**< second of the pair */
+  carom_body body_a;         /**< of collider_a */
+  carom_body body_b;         /**< of collider_b */
+  double point[3];           /**< m, world: the point that bore most */
+  double normal[3];          /**< unit, world, from A to B, there */
+  double impulse;            /**< N s, normal, of all points, over the step */
+  double approach_speed;     /**< m/s, along the normal, of the point that approached fastest as the step began */
 } carom_contact_event;
 
 /** Copy them out, by the slots of the two colliders; of one pair END before BEGIN before HIT.
@@ -59,32 +60,32 @@ typedef struct carom_contact_event {
 CAROM_API int32_t carom_world_get_contact_events(carom_world *world, carom_contact_event *dst, uint64_t stride,
                                                  uint64_t capacity, uint64_t *count, carom_error *error);
 
-#define CAROM_SENSOR_ENTER 0u
-#define CAROM_SENSOR_LEAVE 1u
+#define CAROM_SENSOR_ENTER 0u /* the collider begins to overlap the sensor */
+#define CAROM_SENSOR_LEAVE 1u /* it overlaps the sensor no longer */
 
 /** What a sensor overlaps at the end of the step and did not at the end of the one before, or the reverse. Sleepers are
  *  within what they sleep in. */
 typedef struct carom_sensor_event {
   uint32_t kind; /**< CAROM_SENSOR_* */
   uint32_t reserved;
-  carom_collider sensor;
-  carom_collider other;
-  carom_body sensor_body;
-  carom_body other_body;
+  carom_collider sensor;  /**< the collider that is a sensor */
+  carom_collider other;   /**< the collider that overlaps it */
+  carom_body sensor_body; /**< of sensor */
+  carom_body other_body;  /**< of other */
 } carom_sensor_event;
 
 /** Arguments as carom_world_get_contact_events(). */
 CAROM_API int32_t carom_world_get_sensor_events(carom_world *world, carom_sensor_event *dst, uint64_t stride,
                                                 uint64_t capacity, uint64_t *count, carom_error *error);
 
-#define CAROM_SLEEP_ASLEEP 0u
-#define CAROM_SLEEP_AWAKE 1u
+#define CAROM_SLEEP_ASLEEP 0u /* the body fell asleep */
+#define CAROM_SLEEP_AWAKE 1u  /* the body woke */
 
 /** A body that sleeps at the end of the step and did not at the end of the one before, or the reverse. */
 typedef struct carom_sleep_event {
   uint32_t kind; /**< CAROM_SLEEP_* */
   uint32_t reserved;
-  carom_body body;
+  carom_body body; /**< that fell asleep or woke */
 } carom_sleep_event;
 
 /** By the slots of the bodies; arguments as carom_world_get_contact_events(). */
@@ -94,12 +95,12 @@ CAROM_API int32_t carom_world_get_sleep_events(carom_world *world, carom_sleep_e
 /** A joint that bore more than its break_force or break_torque in this step, and holds nothing any more. It stays until
  *  it is destroyed. */
 typedef struct carom_joint_event {
-  carom_joint joint;
+  carom_joint joint; /**< that broke */
   carom_body body_a; /**< CAROM_NULL_HANDLE: the world */
-  carom_body body_b;
-  double force[3];  /**< N, world, on B: mean over the step in which it broke, as carom_joint_state tells it */
-  double torque[3]; /**< N m, world, on B about its point, likewise */
-  uint64_t step;    /**< which step that was: carom_step_report.steps after it */
+  carom_body body_b; /**< as in carom_joint_desc */
+  double force[3];   /**< N, world, on B: mean over the step in which it broke, as carom_joint_state tells it */
+  double torque[3];  /**< N m, world, on B about its point, likewise */
+  uint64_t step;     /**< which step that was: carom_step_report.steps after it */
 } carom_joint_event;
 
 /** By the slots of the joints; arguments as carom_world_get_contact_events(). */

@@ -4,6 +4,7 @@
  *
  *  All may be set at any time between steps and hold from the next step on, for what is in touch, too. They cost
  *  nothing in a world in which none of them is set.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_FILTER_H
 #define CAROM_FILTER_H

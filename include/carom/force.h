@@ -2,6 +2,7 @@
  *  Forces beyond gravity: drag and wind, fields, springs, buoyancy. Each is an effect (carom/plan.h) with participants
  *  of its own, and costs nothing where it has none. They are functions of the state, so an integrator of higher order
  *  takes them to its order. All wake the bodies that they change.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_FORCE_H
 #define CAROM_FORCE_H
@@ -52,7 +53,8 @@ CAROM_API int32_t carom_world_get_wind(carom_world *world, double velocity[3], c
 #define CAROM_FORCE_FIELD_COUNT 4u
 /* clang-format on */
 
-/** Static name of a kind of field ("uniform"), or "?".   @thread any */
+/** Static name of a kind of field ("uniform"), or "?".
+ *  @param kind CAROM_FORCE_FIELD_* */
 CAROM_API const char *carom_force_field_name(uint32_t kind);
 
 /** What acts on every body that shares a bit of its mask, at the centre of mass. Distances d are softened: what the law
@@ -81,8 +83,7 @@ typedef struct carom_force_field_desc {
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_force_field_desc_init(carom_force_field_desc *desc, uint32_t struct_size);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
- *  REENTRANT;
- *          LIMIT; OUT_OF_MEMORY */
+ *          REENTRANT; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_force_field_create(carom_world *world, const carom_force_field_desc *desc,
                                            carom_force_field *field, carom_error *error);
 /** Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE */

@@ -7,6 +7,7 @@
  *
  *  Solver CAROM_SOLVER_SEVERITY knows no joints: a world with that dial refuses them, and a world with joints refuses
  *  that dial (CAROM_E_UNSUPPORTED).
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_JOINT_H
 #define CAROM_JOINT_H
@@ -62,7 +63,7 @@ extern "C" {
 #define CAROM_AXIS_TURN_Y 4u       /* rad, [-pi, pi] */
 #define CAROM_AXIS_TURN_Z 5u       /* rad, [-pi, pi] */
 #define CAROM_AXIS_COUNT 6u
-#define CAROM_AXIS_MODE_FREE 0u
+#define CAROM_AXIS_MODE_FREE 0u    /* no bounds */
 #define CAROM_AXIS_MODE_LOCKED 1u  /* at `lower` */
 #define CAROM_AXIS_MODE_LIMITED 2u /* from `lower` to `upper`; where both are the same and the stops hard, it is
                                       locked */
@@ -111,12 +112,12 @@ typedef struct carom_joint_desc {
   carom_body body_b;       /**< likewise; not both, and one of the two must be dynamic */
   double position_a[3];    /**< m, of the frame in A's coordinates */
   double orientation_a[4]; /**< x, y, z, w: joint -> A */
-  double position_b[3];
-  double orientation_b[4];
-  double length;       /**< m, [0, 1e9]: of a distance joint */
-  double break_force;  /**< N, mean over a step, above which the joint breaks; 0: never */
-  double break_torque; /**< N m, likewise */
-  uint64_t user;       /**< the host's; carried along */
+  double position_b[3];    /**< m, in B */
+  double orientation_b[4]; /**< x, y, z, w, in B */
+  double length;           /**< m, [0, 1e9]: of a distance joint */
+  double break_force;      /**< N, mean over a step, above which the joint breaks; 0: never */
+  double break_torque;     /**< N m, likewise */
+  uint64_t user;           /**< the host's; carried along */
 } carom_joint_desc;
 
 /** A coordinate kept within bounds. */
@@ -130,7 +131,7 @@ typedef struct carom_joint_limit {
 /** A coordinate driven at a speed. */
 typedef struct carom_joint_motor {
   uint32_t struct_size;
-  uint32_t enabled;
+  uint32_t enabled; /**< 1: on, 0: off */
   double speed;     /**< m/s or rad/s, [-1e6, 1e6] */
   double max_force; /**< N or N m, [0, 1e30]: how hard it pushes at most */
 } carom_joint_motor;
@@ -140,7 +141,7 @@ typedef struct carom_joint_motor {
  *  x'). */
 typedef struct carom_joint_spring {
   uint32_t struct_size;
-  uint32_t enabled;
+  uint32_t enabled; /**< 1: on, 0: off */
   double target;    /**< m or rad, within the bounds of a limit */
   double frequency; /**< Hz, [0, 1e4]; a quarter of the substep rate at most acts */
   double damping;   /**< ratio, [0, 1e3]; 1: critical */
@@ -255,8 +256,7 @@ CAROM_API int32_t carom_joint_get_state(carom_world *world, carom_joint joint, c
 /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
  *  @param coordinate CAROM_COORDINATE_*
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
- *  limit
- *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+ *          limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_limit(carom_world *world, carom_joint joint, uint32_t coordinate,
                                         const carom_joint_limit *limit, carom_error *error);
 CAROM_API int32_t carom_joint_set_motor(carom_world *world, carom_joint joint, uint32_t coordinate,
@@ -279,8 +279,7 @@ CAROM_API int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, 
  *  under the direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle:
  *  tests/oracle/test_pulley_gear.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
- *  NOT_FINITE;
- *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
+ *          NOT_FINITE; OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_transmission(carom_world *world, carom_joint joint,
                                                const carom_joint_transmission *transmission, carom_error *error);
 /** @param transmission out: as it was set, with its length; ratio 0: not yet
@@ -310,8 +309,7 @@ CAROM_API int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, ui
  *  joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
  *  it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
- *  field; a
- *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
+ *          field; a reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint,
                                                     const carom_joint_orientation_drive *drive, carom_error *error);
 /** @param drive out: as it was set

@@ -32,7 +32,7 @@
  *  integrator's: nothing in free flight under CAROM_INTEGRATOR_VELOCITY_VERLET, -m g^2 h^2 / 2 a substep of length h
  *  under semi-implicit Euler. The gyroscopic term is no force: what it and the turn of a body do together is the
  *  integrator's, and sums to no angular momentum under the methods that keep it.
- *
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_LEDGER_H
 #define CAROM_LEDGER_H

@@ -2,11 +2,12 @@
  *  Point masses by the thousand: position, velocity, a mass, gravity and drag, and nothing else. They touch nothing,
  *  do not rotate and have no handle each: a set has one, and its particles are told apart by their place in it. A step
  *  takes a nanosecond or a few for each; one is 48 bytes, where a body without a shape is 730.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_PARTICLES_H
 #define CAROM_PARTICLES_H
 
-#include <carom/body.h>
+#include <carom/body_bulk.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -54,8 +55,7 @@ CAROM_API int32_t carom_particles_get_count(carom_world *world, carom_particles 
  *  @param position_stride bytes from one to the next; 0: tightly packed
  *  @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31
- *  - 1
- *          in a set); BUSY; REENTRANT; OUT_OF_MEMORY */
+ *          - 1 in a set); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_particles_add(carom_world *world, carom_particles set, uint64_t n, uint32_t scalar,
                                       const void *positions, uint64_t position_stride, const void *velocities,
                                       uint64_t velocity_stride, carom_error *error);
@@ -65,18 +65,19 @@ CAROM_API int32_t carom_particles_add(carom_world *world, carom_particles set, u
 CAROM_API int32_t carom_particles_remove(carom_world *world, carom_particles set, const uint32_t *indices, uint64_t n,
                                          carom_error *error);
 
-/** Read one field of n particles: CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS.
+/** Read one field of n particles.
+ *  @param field   CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS
  *  @param indices [n] in any order, or NULL: all of them (n must be their number)
  *  @param dst     n records of the field's scalars, `stride` bytes apart
  *  @param stride  bytes from one record to the next; 0: tightly packed
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE
- *  (an
- *          index, n); BUFFER_TOO_SMALL (stride); BUSY */
+ *          (an index, n); BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_particles_read(carom_world *world, carom_particles set, uint32_t field, uint32_t scalar,
                                        const uint32_t *indices, uint64_t n, void *dst, uint64_t stride,
                                        carom_error *error);
 /** Write one field of n particles; all values are checked before the first is written, bounds as carom_particles_add(),
  *  masses as carom_particles_desc. Arguments as carom_particles_read(); where an index comes twice, the last counts.
+ *  @param src n records of the field's scalars, `stride` bytes apart
  *  @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_particles_write(carom_world *world, carom_particles set, uint32_t field, uint32_t scalar,
                                         const uint32_t *indices, uint64_t n, const void *src, uint64_t stride,

@@ -4,6 +4,7 @@
  *
  *  An effect runs for its participants alone. Without participants it executes nothing and allocates nothing, and the
  *  world has the bits of a world in which it is forbidden.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_PLAN_H
 #define CAROM_PLAN_H
@@ -14,39 +15,39 @@
 extern "C" {
 #endif
 
-#define CAROM_EFFECT_GYROSCOPIC 0u
-#define CAROM_EFFECT_LINEAR_DAMPING 1u
-#define CAROM_EFFECT_ANGULAR_DAMPING 2u
-#define CAROM_EFFECT_GRAVITY 3u
-#define CAROM_EFFECT_USER_FORCE 4u
-#define CAROM_EFFECT_USER_TORQUE 5u
-#define CAROM_EFFECT_COLLISION 6u
-#define CAROM_EFFECT_FRICTION 7u
-#define CAROM_EFFECT_RESTITUTION 8u
-#define CAROM_EFFECT_ROLLING_RESISTANCE 9u
-#define CAROM_EFFECT_SPINNING_RESISTANCE 10u
-#define CAROM_EFFECT_SLEEP 11u
-#define CAROM_EFFECT_PARTICLES 12u
-#define CAROM_EFFECT_FILTER 13u
-#define CAROM_EFFECT_SENSOR 14u
-#define CAROM_EFFECT_JOINTS 15u
-#define CAROM_EFFECT_SCENERY 16u
-#define CAROM_EFFECT_CONTINUOUS 17u
-#define CAROM_EFFECT_SURFACE_VELOCITY 18u
-#define CAROM_EFFECT_AXIS_LOCKS 19u
-#define CAROM_EFFECT_DRAG 20u
-#define CAROM_EFFECT_WIND 21u
-#define CAROM_EFFECT_FIELDS 22u
-#define CAROM_EFFECT_SPRINGS 23u
-#define CAROM_EFFECT_BUOYANCY 24u
+#define CAROM_EFFECT_GYROSCOPIC 0u           /* gyroscopic term of bodies with unlike moments of inertia */
+#define CAROM_EFFECT_LINEAR_DAMPING 1u       /* damping of velocity */
+#define CAROM_EFFECT_ANGULAR_DAMPING 2u      /* damping of rotation */
+#define CAROM_EFFECT_GRAVITY 3u              /* the world's gravity */
+#define CAROM_EFFECT_USER_FORCE 4u           /* forces of the host, at the centre of mass or elsewhere */
+#define CAROM_EFFECT_USER_TORQUE 5u          /* torques of the host */
+#define CAROM_EFFECT_COLLISION 6u            /* the search for contacts */
+#define CAROM_EFFECT_FRICTION 7u             /* friction at contacts */
+#define CAROM_EFFECT_RESTITUTION 8u          /* bounces */
+#define CAROM_EFFECT_ROLLING_RESISTANCE 9u   /* resistance of contacts to rolling */
+#define CAROM_EFFECT_SPINNING_RESISTANCE 10u /* resistance of contacts to spinning about the normal */
+#define CAROM_EFFECT_SLEEP 11u               /* islands at rest are not stepped */
+#define CAROM_EFFECT_PARTICLES 12u           /* sets of particles */
+#define CAROM_EFFECT_FILTER 13u              /* categories, masks and groups of colliders */
+#define CAROM_EFFECT_SENSOR 14u              /* colliders that only tell what overlaps them */
+#define CAROM_EFFECT_JOINTS 15u              /* joints: what they lock */
+#define CAROM_EFFECT_SCENERY 16u             /* meshes and height fields */
+#define CAROM_EFFECT_CONTINUOUS 17u          /* fast bodies are swept */
+#define CAROM_EFFECT_SURFACE_VELOCITY 18u    /* surfaces that move: belts */
+#define CAROM_EFFECT_AXIS_LOCKS 19u          /* locked axes of bodies */
+#define CAROM_EFFECT_DRAG 20u                /* drag of bodies */
+#define CAROM_EFFECT_WIND 21u                /* wind on bodies with drag */
+#define CAROM_EFFECT_FIELDS 22u              /* force fields */
+#define CAROM_EFFECT_SPRINGS 23u             /* springs between bodies */
+#define CAROM_EFFECT_BUOYANCY 24u            /* water */
 /* clang-format off */
 #define CAROM_EFFECT_RESPONSE 25u /* what contacts do: without it bodies pass through each other, and there are no
                                      contact points */
-#define CAROM_EFFECT_JOINT_LIMITS 26u
-#define CAROM_EFFECT_JOINT_MOTORS 27u
-#define CAROM_EFFECT_EVENTS 28u
-#define CAROM_EFFECT_LEDGER 29u
-#define CAROM_EFFECT_MAGNETISM 30u
+#define CAROM_EFFECT_JOINT_LIMITS 26u /* limits of joints */
+#define CAROM_EFFECT_JOINT_MOTORS 27u /* motors and springs of joints */
+#define CAROM_EFFECT_EVENTS 28u       /* events that a host asked for */
+#define CAROM_EFFECT_LEDGER 29u       /* accounts of energy and momentum */
+#define CAROM_EFFECT_MAGNETISM 30u    /* magnetic moments in magnetic fields */
 #define CAROM_EFFECT_COUNT 31u
 /* clang-format on */
 
@@ -58,7 +59,7 @@ extern "C" {
                                    are none */
 /* clang-format on */
 
-/** Static name of an effect ("gravity"), or "?".   @thread any */
+/** Static name of an effect ("gravity"), or "?". */
 CAROM_API const char *carom_effect_name(uint32_t effect);
 
 /** Forbid or force an effect from the next step on, for all bodies. Wakes all bodies. Forbidding one that the scene
@@ -71,9 +72,9 @@ CAROM_API int32_t carom_world_get_effect(carom_world *world, uint32_t effect, ui
 
 /** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for
  *  the world is forbidden for it. Particles, events and the ledger are not a body's.
+ *  @param mode CAROM_MODE_*
  *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use
- *  carom_world_set_effect());
- *          BUSY; REENTRANT; OUT_OF_MEMORY */
+ *          carom_world_set_effect()); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_effect(carom_world *world, carom_body body, uint32_t effect, uint32_t mode,
                                         carom_error *error);
 /** @param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY */
@@ -105,7 +106,7 @@ typedef struct carom_plan_line {
   double seconds;       /**< s, in the last step */
   uint32_t timing;      /**< CAROM_TIME_* */
   uint32_t reserved;
-  char name[32];
+  char name[32];    /**< as carom_effect_name() */
   char unit[24];    /**< what the participants are: "bodies", "contact points" */
   char reason[128]; /**< why it runs, or why not */
 } carom_plan_line;

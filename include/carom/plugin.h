@@ -12,8 +12,8 @@
 extern "C" {
 #endif
 
-#define CAROM_PLUGIN_ABI_MAJOR 1u
-#define CAROM_PLUGIN_ABI_MINOR 0u
+#define CAROM_PLUGIN_ABI_MAJOR 1u /* a plugin with another one is refused */
+#define CAROM_PLUGIN_ABI_MINOR 0u /* grows with additions */
 
 /** Support function of a bounded convex set: the point of the set farthest along dir, in the shape's own frame.
  *  Contract: pure (same bits in, same bits out), callable from several threads at once; dir is finite and nonzero, of a
@@ -21,6 +21,7 @@ extern "C" {
  *  either way, but repeatably; no allocation, lock, I/O, change of the floating-point environment, or carom_* call.
  *  @param user       as the plugin has it: state of a host's function; NULL for a file's
  *  @param params     [param_len] the shape's parameters; owned by the engine, immutable
+ *  @param param_len  number of parameters
  *  @param dir        [3] direction, shape frame, any positive length
  *  @param out        [3] m, shape frame: argmax over x in the set of dir . x
  *  @return 0; anything else reports a fault: the pair is skipped and the shape put in quarantine */
@@ -60,6 +61,9 @@ typedef struct carom_param_rule {
 #define CAROM_FORM_ELLIPSOID 7u /* centred, axis-aligned; arg[0..2]: radii x, y, z */
 /* clang-format on */
 
+/** In place of an index into params: no parameter. A geometry must write it for core_radius_param where there is no
+ *  core radius, since 0 there is the first parameter. In form_arg and mass_arg it marks places that the form does not
+ *  use; those are not read, so 0 does as well. Where the form needs an index, it is refused (PLUGIN_ABI). */
 #define CAROM_NO_PARAM 0xFFFFFFFFu
 
 /** What the author knows beyond the support function. Data, not code; verified against the support function when a
@@ -67,10 +71,11 @@ typedef struct carom_param_rule {
 typedef struct carom_geometry {
   uint32_t struct_size;       /**< sizeof(carom_geometry) */
   uint32_t form;              /**< CAROM_FORM_*: the whole set, core radius included, equals this closed form */
-  uint32_t form_arg[4];       /**< indices into params, see CAROM_FORM_*; CAROM_NO_PARAM where unused */
-  uint32_t core_radius_param; /**< index into params of the core radius, or CAROM_NO_PARAM. If set, the support
-                                   function is that of the CORE, and the shape is the core swollen by that radius
-                                   (a sphere is a point with a radius, a capsule a segment) */
+  uint32_t form_arg[4];       /**< indices into params, as many as the form uses (see CAROM_FORM_*); CAROM_NO_PARAM in
+                                   the others */
+  uint32_t core_radius_param; /**< index into params of the core radius, or CAROM_NO_PARAM: no core radius. With an
+                                   index, the support function is that of the CORE, and the shape is the core
+                                   swollen by that radius (a sphere is a point with a radius, a capsule a segment) */
   uint32_t mass_form;   /**< CAROM_FORM_* whose volume, centre and inertia the shape has; NONE: derive from support */
   uint32_t mass_arg[4]; /**< indices into params for mass_form */
 } carom_geometry;

@@ -1,5 +1,6 @@
 /** @file query.h
  *  Questions about two shapes at given poses, without a world.
+ *  @thread engine: any thread, also while worlds of the engine step (engine.h).
  */
 #ifndef CAROM_QUERY_H
 #define CAROM_QUERY_H
@@ -30,16 +31,16 @@ typedef struct carom_distance_desc {
 /** The answer: signed distance (negative: depth of the smallest separating translation) and its bracket. */
 typedef struct carom_distance {
   uint32_t struct_size;
-  uint32_t status;   /**< CAROM_QUERY_* */
-  double separation; /**< m */
-  double lower;      /**< m, separation >= lower */
-  double upper;      /**< m, separation <= upper */
-  double normal[3];  /**< unit, world, from A to B */
-  double point_a[3]; /**< m, world, on the surface of A */
-  double point_b[3]; /**< m, world, on the surface of B */
-  uint32_t gjk_iterations;
-  uint32_t epa_iterations;
-  uint32_t support_calls; /**< single calls, A and B together */
+  uint32_t status;         /**< CAROM_QUERY_* */
+  double separation;       /**< m */
+  double lower;            /**< m, separation >= lower */
+  double upper;            /**< m, separation <= upper */
+  double normal[3];        /**< unit, world, from A to B */
+  double point_a[3];       /**< m, world, on the surface of A */
+  double point_b[3];       /**< m, world, on the surface of B */
+  uint32_t gjk_iterations; /**< taken by GJK */
+  uint32_t epa_iterations; /**< taken by EPA, of shapes that overlap */
+  uint32_t support_calls;  /**< single calls, A and B together */
   uint32_t reserved;
 } carom_distance;
 
@@ -50,7 +51,7 @@ CAROM_API int32_t carom_distance_desc_init(carom_distance_desc *desc, uint32_t s
  *  @param position_*     [3] m     @param orientation_* [4] x, y, z, w
  *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM;
- *          UNSUPPORTED (two half-spaces)     @thread any */
+ *          UNSUPPORTED (two half-spaces) */
 CAROM_API int32_t carom_shape_distance(carom_engine *engine, carom_shape shape_a, const double position_a[3],
                                        const double orientation_a[4], carom_shape shape_b, const double position_b[3],
                                        const double orientation_b[4], const carom_distance_desc *desc,

@@ -15,7 +15,9 @@
  *  (8), content, zeros up to a multiple of 8. A step is written before it is taken and its hash after it, so that a
  *  session that never came back from a step ends with that step. `src/tools/replay` reads it all.
  *
- *  A world that is not recorded pays nothing. Recording costs the hash of each step, and writing. */
+ *  A world that is not recorded pays nothing. Recording costs the hash of each step, and writing.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
+ */
 #ifndef CAROM_RECORD_H
 #define CAROM_RECORD_H
 
@@ -30,6 +32,7 @@ extern "C" {
 
 /** Take bytes of a recording, in order. Called on the thread that makes the call which is recorded, before that
  *  returns; no call of this library is allowed in it.
+ *  @param user as given to carom_world_record_begin()   @param bytes [size]   @param size number of bytes
  *  @return 0; else recording stops, and carom_world_record_end() says so */
 typedef int32_t (*carom_write_fn)(void *user, const void *bytes, uint64_t size);
 
@@ -56,8 +59,9 @@ typedef struct carom_difference {
 
 /** Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
  *  @param difference its struct_size set by the caller
+ *  @param bytes [size] of carom_world_save()   @param size number of bytes
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
- *          OUT_OF_MEMORY */
+ *          OUT_OF_MEMORY   @thread reader */
 CAROM_API int32_t carom_world_compare(carom_world *world, const void *bytes, uint64_t size,
                                       carom_difference *difference, carom_error *error);
 

@@ -2,6 +2,7 @@
  *  How far the last step is from the laws it should obey, and a budget of time that substeps are chosen within.
  *
  *  Computing them costs time only when you call carom_world_get_residuals().
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_RESIDUALS_H
 #define CAROM_RESIDUALS_H
@@ -18,7 +19,7 @@ extern "C" {
 typedef struct carom_residuals {
   uint32_t struct_size;
   uint32_t ledger_is_kept; /**< 1: energy_drift is known, see carom_world_enable_ledger() */
-  uint64_t contact_points;
+  uint64_t contact_points; /**< of the last step */
   uint64_t joints;         /**< that are attached to a body that is awake, and are not broken */
   double max_penetration;  /**< m, 0 if none */
   double mean_penetration; /**< m, over points that overlap */

@@ -10,7 +10,7 @@
  *  carom_shape_time_of_impact, carom_shape_overlap and carom_shape_distance do too, with the scenery as the second
  *  shape where one moves. Functions that need convex shapes (carom_shape_support, carom_rays_cast; shapes that ask a
  *  world) say UNSUPPORTED.
- *
+ *  @thread engine: any thread, also while worlds of the engine step (engine.h).
  */
 #ifndef CAROM_SCENERY_H
 #define CAROM_SCENERY_H
@@ -40,9 +40,7 @@ CAROM_API int32_t carom_mesh_desc_init(carom_mesh_desc *desc, uint32_t struct_si
 
 /** Make scenery of a mesh. All is copied.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far
- *  out, no
- *          triangle that has an area); LIMIT; OUT_OF_MEMORY
- *  @thread any, also while worlds step */
+ *          out, no triangle that has an area); LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_shape_create_mesh(carom_engine *engine, const carom_mesh_desc *desc, carom_shape *shape,
                                           carom_error *error);
 
@@ -64,22 +62,25 @@ CAROM_API int32_t carom_height_field_desc_init(carom_height_field_desc *desc, ui
 
 /** Make scenery of a height field. All is copied.
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a
- *  count, a
- *          spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
- *  @thread any, also while worlds step */
+ *          count, a spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_shape_create_height_field(carom_engine *engine, const carom_height_field_desc *desc,
                                                   carom_shape *shape, carom_error *error);
 
-/** What became of scenery. */
+/** Counts of a surface: what the engine keeps of the arrays that made it. */
 typedef struct carom_scenery_info {
-  uint32_t struct_size;
-  uint32_t flags;    /**< as given */
-  uint64_t pieces;   /**< triangles that are there; of a height field those of holes too */
-  uint64_t vertices; /**< places */
-  uint64_t dropped;  /**< triangles given that have no area (least height below 1e-12 of the longest side) */
-  uint64_t rims;  /**< sides with nothing beyond: 0 for a closed surface. Many in a surface that should be closed: its
-                           triangles do not share corners, and bodies will feel the gaps */
-  uint64_t bytes; /**< of memory, about */
+  uint32_t struct_size; /**< sizeof(carom_scenery_info), set by the caller */
+  uint32_t flags;       /**< CAROM_SCENERY_* bits, as given */
+  uint64_t pieces;      /**< number of triangles: indices of triangles run from 0 to `pieces - 1`. Of a mesh those that
+                             are left: triangle_count - dropped. Of a height field 2 (columns - 1) (rows - 1): the two
+                             triangles of a cell count whether they are there or a hole */
+  uint64_t vertices;    /**< of a mesh: vertices after equal ones were made one; of a height field columns rows, NaN
+                             ones included */
+  uint64_t dropped;     /**< triangles of the mesh that were left out, because they have no area (least height below
+                             1e-12 of the longest side); 0 for a height field */
+  uint64_t rims;        /**< boundary sides: sides of a triangle with no triangle beyond. 0 for a closed surface. Many
+                             in a surface that should be closed: its triangles do not share corners, and bodies will
+                             feel the gaps */
+  uint64_t bytes;       /**< of memory, about */
 } carom_scenery_info;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape) */

@@ -1,5 +1,6 @@
 /** @file shape.h
  *  Shapes: a plugin plus parameters, immutable, shared by any number of colliders and worlds.
+ *  @thread engine: any thread, also while worlds of the engine step (engine.h).
  */
 #ifndef CAROM_SHAPE_H
 #define CAROM_SHAPE_H
@@ -14,21 +15,18 @@ extern "C" {
  *  scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
  *  @param params [count] doubles, meaning as the plugin documents
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which);
- *  PLUGIN_INVALID;
- *          DECLARATION_FALSE; OUT_OF_MEMORY
- *  @thread any, also while worlds step */
+ *          PLUGIN_INVALID; DECLARATION_FALSE; OUT_OF_MEMORY */
 CAROM_API int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, const double *params, uint64_t count,
                                      carom_shape *shape, carom_error *error);
 
 /** Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the
- *  engine has come first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute,
- *  separated by ':'; not in programs that run with raised privileges), beside the library, in the folder where plugins
- *  are installed. "half_space" is built in: normal x, y, z, offset.
+ *  engine has come first, by id, then by the name of the file they were loaded from. Then a file NAME.so is looked for
+ *  and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not in programs that run with raised
+ *  privileges), beside the library, in the folder where plugins are installed. "half_space" is built in: normal x, y,
+ *  z, offset.
  *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
  *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE;
- *  PLUGIN_PATH;
- *          PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
- *  @thread any, also while worlds step */
+ *          PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_shape_create_named(carom_engine *engine, const char *name, const double *params, uint64_t count,
                                            carom_shape *shape, carom_error *error);
 
@@ -49,20 +47,20 @@ typedef struct carom_shape_info {
   uint32_t is_half_space; /**< 1: the built-in half-space */
   uint32_t mass_exact;    /**< 1: mass properties come from a verified closed form, brackets have zero width */
   carom_plugin plugin;    /**< CAROM_NULL_HANDLE for the half-space */
-  uint64_t param_count;
+  uint64_t param_count;   /**< as carom_shape_get_params() tells */
   double core_radius;     /**< m */
   double bounding_radius; /**< m, about the shape's origin */
   double aabb_min[3];     /**< m, exact to rounding */
   double aabb_max[3];     /**< m */
   double volume;          /**< m^3, best estimate, within [volume_min, volume_max] */
-  double volume_min;
-  double volume_max;
-  double centroid[3];    /**< m */
-  double centroid_error; /**< m, upper bound of |error| */
-  double inertia[9];     /**< m^5, about the centroid, row-major, symmetric */
-  double inertia_error;  /**< m^5, upper bound of the spectral norm of the error */
-  uint32_t is_scenery;   /**< 1: a mesh or a height field (scenery.h); it has no volume */
-  uint32_t reserved;     /**< 0 */
+  double volume_min;      /**< m^3, lower bound */
+  double volume_max;      /**< m^3, upper bound */
+  double centroid[3];     /**< m */
+  double centroid_error;  /**< m, upper bound of |error| */
+  double inertia[9];      /**< m^5, about the centroid, row-major, symmetric */
+  double inertia_error;   /**< m^5, upper bound of the spectral norm of the error */
+  uint32_t is_scenery;    /**< 1: a mesh or a height field (scenery.h); it has no volume */
+  uint32_t reserved;      /**< 0 */
 } carom_shape_info;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE */
@@ -70,6 +68,7 @@ CAROM_API int32_t carom_shape_get_info(carom_engine *engine, carom_shape shape, 
                                        carom_error *error);
 
 /** Copy out the parameters. @param count in: capacity of params; out: number of parameters.
+ *  @param params [count]
  *  @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed) */
 CAROM_API int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape, double *params, uint64_t *count,
                                          carom_error *error);

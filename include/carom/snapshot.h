@@ -34,7 +34,9 @@
  *
  *  Bytes are little-endian: sections with tags and sizes, and a checksum over all. Sections that this library does not
  *  know are skipped, and what is absent is as in a new world. Bytes that are damaged, cut off or made up are refused,
- *  and the world stays as it was. */
+ *  and the world stays as it was.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
+ */
 #ifndef CAROM_SNAPSHOT_H
 #define CAROM_SNAPSHOT_H
 
@@ -52,7 +54,7 @@ extern "C" {
  *  @param buffer   [capacity] bytes, or NULL to ask for the size
  *  @param capacity bytes; 0 if buffer is NULL
  *  @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
- *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY */
+ *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
 CAROM_API int32_t carom_world_save(carom_world *world, uint32_t flags, void *buffer, uint64_t capacity,
                                    uint64_t *needed, carom_error *error);
 
@@ -73,7 +75,7 @@ CAROM_API int32_t carom_world_restore(carom_world *world, const void *bytes, uin
 /** Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
  *  changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
  *  @param copy out: to be destroyed as any world
- *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
+ *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
 CAROM_API int32_t carom_world_fork(carom_world *world, carom_world **copy, carom_error *error);
 
 /** Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world
@@ -81,7 +83,7 @@ CAROM_API int32_t carom_world_fork(carom_world *world, carom_world **copy, carom
  *  @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
  *  @param translated [n] out; may be `handles`. All of them or, where one is refused, none
  *  @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
- *          worlds); BUSY; REENTRANT */
+ *          worlds); BUSY; REENTRANT   @thread reader */
 CAROM_API int32_t carom_world_translate_handles(carom_world *world, const uint64_t *handles, uint64_t n,
                                                 uint64_t *translated, carom_error *error);
 

@@ -1,7 +1,8 @@
 /** @file world.h
  *  The second root: a world owns materials, bodies and colliders, and steps them.
- *  One writer per world: a step or a change is BUSY while another thread steps, changes or reads it. Reads may run
- *  concurrently.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer. Readers
+ *  may run at the same time. A writer is BUSY while another thread reads, changes or steps the world, and a reader
+ *  while one changes or steps it. Neither waits for the other. Different worlds are independent of each other.
  */
 #ifndef CAROM_WORLD_H
 #define CAROM_WORLD_H
@@ -28,8 +29,7 @@ CAROM_API int32_t carom_world_desc_init(carom_world_desc *desc, uint32_t struct_
 
 /** @param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in
- *          all); OUT_OF_MEMORY
- *  @thread any */
+ *          all); OUT_OF_MEMORY   @thread engine */
 CAROM_API int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world,
                                      carom_error *error);
 
@@ -46,7 +46,7 @@ CAROM_API int32_t carom_world_step(carom_world *world, double dt, carom_error *e
 /** @param value within the dial's bounds; whole for choices and integers
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_dial(carom_world *world, uint32_t dial, double value, carom_error *error);
-/** @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
+/** @param value as carom_world_set_dial() takes it   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
 CAROM_API int32_t carom_world_get_dial(carom_world *world, uint32_t dial, double *value, carom_error *error);
 
 /** Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
@@ -74,22 +74,22 @@ CAROM_API int32_t carom_world_get_gravity(carom_world *world, double gravity[3],
 /** Times, counts and residuals of the last step. A stage without participants did not run: its time is 0. */
 typedef struct carom_step_report {
   uint32_t struct_size;
-  uint32_t stage_count;     /**< CAROM_STAGE_COUNT of this library */
-  double stage_seconds[16]; /**< s, [stage_count] used, index CAROM_STAGE_* */
-  double total_seconds;     /**< s */
-  uint64_t steps;           /**< since the world was made */
-  double time;              /**< s, simulated */
-  uint64_t bodies;          /**< all kinds; particles are counted by themselves */
-  uint64_t dynamic_bodies;
-  uint64_t colliders;
-  uint64_t broad_pairs;   /**< pairs that the broad phase reported */
-  uint64_t contact_pairs; /**< of them, pairs with at least one contact point */
-  uint64_t contact_points;
-  uint64_t groups;        /**< contact groups with at least one contact */
-  uint64_t largest_group; /**< contact points in it */
-  uint64_t gjk_calls;     /**< generic queries */
-  uint64_t epa_calls;
-  uint64_t support_calls;
+  uint32_t stage_count;        /**< CAROM_STAGE_COUNT of this library */
+  double stage_seconds[16];    /**< s, [stage_count] used, index CAROM_STAGE_* */
+  double total_seconds;        /**< s */
+  uint64_t steps;              /**< since the world was made */
+  double time;                 /**< s, simulated */
+  uint64_t bodies;             /**< all kinds; particles are counted by themselves */
+  uint64_t dynamic_bodies;     /**< asleep ones too */
+  uint64_t colliders;          /**< of all bodies */
+  uint64_t broad_pairs;        /**< pairs that the broad phase reported */
+  uint64_t contact_pairs;      /**< of them, pairs with at least one contact point */
+  uint64_t contact_points;     /**< of all contact pairs */
+  uint64_t groups;             /**< contact groups with at least one contact */
+  uint64_t largest_group;      /**< contact points in it */
+  uint64_t gjk_calls;          /**< generic queries */
+  uint64_t epa_calls;          /**< of shapes that overlap */
+  uint64_t support_calls;      /**< single calls of support functions */
   uint64_t velocity_impulses;  /**< impulses applied by the solver */
   uint64_t position_moves;     /**< penetration corrections applied */
   uint64_t quarantined_bodies; /**< held still since their state was not finite, in all */
@@ -118,20 +118,21 @@ typedef struct carom_step_report {
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
 CAROM_API int32_t carom_world_get_report(carom_world *world, carom_step_report *report, carom_error *error);
 
-/** Static name of a stage ("broad"), or "?".   @thread any */
+/** Static name of a stage ("broad"), or "?".
+ *  @param stage CAROM_STAGE_* */
 CAROM_API const char *carom_stage_name(uint32_t stage);
 
 /** A contact point of the last step. */
 typedef struct carom_contact {
-  carom_collider collider_a;
-  carom_collider collider_b;
-  carom_body body_a;
-  carom_body body_b;
-  double point[3];         /**< m, world, midway between the two surfaces */
-  double normal[3];        /**< unit, world, from A to B */
-  double separation;       /**< m, negative in overlap */
-  double normal_impulse;   /**< N s, summed over the step, along the normal on B */
-  double friction_impulse; /**< N s, magnitude, summed over the step */
+  carom_collider collider_a; /**< first of the pair */
+  carom_collider collider_b; /**< second of the pair */
+  carom_body body_a;         /**< of collider_a */
+  carom_body body_b;         /**< of collider_b */
+  double point[3];           /**< m, world, midway between the two surfaces */
+  double normal[3];          /**< unit, world, from A to B */
+  double separation;         /**< m, negative in overlap */
+  double normal_impulse;     /**< N s, summed over the step, along the normal on B */
+  double friction_impulse;   /**< N s, magnitude, summed over the step */
 } carom_contact;
 
 /** Copy out the contact points of the last step, in a deterministic order; those of colliders destroyed since are gone.
@@ -196,7 +197,9 @@ CAROM_API int32_t carom_world_get_faults(carom_world *world, carom_fault *dst, u
                                          uint64_t *count, carom_error *error);
 
 /** 64-bit hash of the dynamic state: equal iff (up to collision of the hash) every pose, velocity and cached contact
- *  has the same bits, and every particle's position and velocity.   @status OK; NULL_ARGUMENT; BUSY */
+ *  has the same bits, and every particle's position and velocity.
+ *  @param hash of the state
+ *  @status OK; NULL_ARGUMENT; BUSY   @thread reader */
 CAROM_API int32_t carom_world_hash(carom_world *world, uint64_t *hash, carom_error *error);
 
 #ifdef __cplusplus

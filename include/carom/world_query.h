@@ -9,9 +9,9 @@
  *  in the lower slot (the low 24 bits of its handle). A collider whose support function misbehaves is reported where
  *  its bounds are, with status CAROM_QUERY_FAULT.
  *
- *  Threads: any number may ask at once while no call changes the world (then: BUSY). The first question after a change
- *  brings an index up to date, in time proportional to what moved; others that come meanwhile wait for it.
- *
+ *  All are readers. The first question after a change brings an index up to date, in time proportional to what moved;
+ *  others that come meanwhile wait for it.
+ *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
 #ifndef CAROM_WORLD_QUERY_H
 #define CAROM_WORLD_QUERY_H
@@ -54,14 +54,14 @@ typedef struct carom_world_hit {
   uint32_t status;         /**< CAROM_QUERY_* */
   uint64_t question;       /**< index in the call's arrays */
   carom_collider collider; /**< CAROM_NULL_HANDLE: none; with status FAULT: it was the asking shape that misbehaved */
-  carom_body body;
-  double time;
-  double lower;
-  double upper;
-  double separation;   /**< m */
-  double normal[3];    /**< unit, world, from the ray or the asking shape to the collider */
-  double point[3];     /**< m, world, on the collider's surface */
-  double point_own[3]; /**< m, world, on the asking shape's surface, or where the ray is */
+  carom_body body;         /**< the collider's */
+  double time;             /**< as in carom_cast */
+  double lower;            /**< as in carom_cast; of a distance m */
+  double upper;            /**< as in carom_cast; of a distance m */
+  double separation;       /**< m */
+  double normal[3];        /**< unit, world, from the ray or the asking shape to the collider */
+  double point[3];         /**< m, world, on the collider's surface */
+  double point_own[3];     /**< m, world, on the asking shape's surface, or where the ray is */
 } carom_world_hit;
 
 /** Shapes that ask, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and
@@ -106,7 +106,7 @@ CAROM_API int32_t carom_query_desc_init(carom_query_desc *desc, uint32_t struct_
  *  @param origin [3] m   @param direction [3] m per unit of t, any length   @param max >= 0, may be infinite
  *  @param desc   may be NULL: defaults   @param size sizeof(carom_world_hit) as the caller knows it
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
- *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread any */
+ *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread reader */
 CAROM_API int32_t carom_world_cast_ray(carom_world *world, const double origin[3], const double direction[3],
                                        double max, const carom_query_desc *desc, carom_world_hit *hit, uint64_t size,
                                        carom_error *error);
@@ -115,8 +115,7 @@ CAROM_API int32_t carom_world_cast_ray(carom_world *world, const double origin[3
  *  other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
  *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE;
- *  OUT_OF_RANGE;
- *          BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
+ *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader */
 CAROM_API int32_t carom_world_cast_rays(carom_world *world, const carom_rays *rays, uint32_t want,
                                         const carom_query_desc *desc, const carom_world_hits *hits, carom_error *error);
 
@@ -124,7 +123,7 @@ CAROM_API int32_t carom_world_cast_rays(carom_world *world, const carom_rays *ra
  *  @param dst    [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride sizeof(carom_world_hit) as the caller knows it
  *  @param count  out: how many there are (may exceed capacity; the first `capacity` are written)
- *  @status as carom_world_cast_rays()   @thread any */
+ *  @status as carom_world_cast_rays()   @thread reader */
 CAROM_API int32_t carom_world_cast_rays_all(carom_world *world, const carom_rays *rays, const carom_query_desc *desc,
                                             carom_world_hit *dst, uint64_t stride, uint64_t capacity, uint64_t *count,
                                             carom_error *error);
@@ -134,19 +133,19 @@ CAROM_API int32_t carom_world_cast_rays_all(carom_world *world, const carom_rays
  *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
  *  @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE;
- *  NOT_UNIT;
- *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
+ *          NOT_UNIT; OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader */
 CAROM_API int32_t carom_world_cast_shapes(carom_world *world, const carom_query_shapes *shapes, uint32_t want,
                                           const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride,
                                           carom_error *error);
 
-/** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all(). */
+/** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
+ *  @thread reader */
 CAROM_API int32_t carom_world_cast_shapes_all(carom_world *world, const carom_query_shapes *shapes,
                                               const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride,
                                               uint64_t capacity, uint64_t *count, carom_error *error);
 
 /** All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
- *  carom_world_cast_rays_all(). */
+ *  carom_world_cast_rays_all().   @thread reader */
 CAROM_API int32_t carom_world_overlap_shapes(carom_world *world, const carom_query_shapes *shapes,
                                              const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride,
                                              uint64_t capacity, uint64_t *count, carom_error *error);
@@ -154,7 +153,7 @@ CAROM_API int32_t carom_world_overlap_shapes(carom_world *world, const carom_que
 /** The collider nearest to each of many shapes or points, and where: least signed distance.
  *  @param reach  m, >= 0, may be infinite: farther ones are not looked for (then: MISS)
  *  @param dst    as carom_world_cast_shapes()
- *  @status as carom_world_cast_shapes()   @thread any */
+ *  @status as carom_world_cast_shapes()   @thread reader */
 CAROM_API int32_t carom_world_find_nearest(carom_world *world, const carom_query_shapes *shapes, double reach,
                                            const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride,
                                            carom_error *error);

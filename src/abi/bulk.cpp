@@ -1,5 +1,5 @@
 // One call for n bodies: read or write a field, in float or double, at any stride.
-#include <carom/body.h>
+#include <carom/body_bulk.h>
 
 #include <cstdio>
 

@@ -14,12 +14,13 @@ namespace carom::abi {
 
 /// A plugin as the engine took it in: a copy of all that its author's struct says, so that nothing is read there again.
 struct PluginRecord {
-  explicit PluginRecord(Memory* memory) : id(memory), bounds(memory), rules(memory) {}
+  explicit PluginRecord(Memory* memory) : id(memory), file(memory), bounds(memory), rules(memory) {}
 
   const carom_shape_plugin* given = nullptr;  // the author's own, for carom_plugin_describe()
   carom_shape_plugin description{};           // brought to this library's size
   carom_geometry geometry{};                  // likewise; form and mass_form NONE where nothing is declared
   std::pmr::string id;
+  std::pmr::string file;          // "box" of .../box.so; empty if it was registered by pointer
   Array<carom_param> bounds;      // [param_count]
   Array<carom_param_rule> rules;  // [rule_count]
   std::uint64_t uses = 0;         // shapes made, or being made, of it

@@ -160,10 +160,18 @@ void add(Call& call, carom_engine& engine, PluginRecord* record, carom_plugin* p
   *plugin = handle;
 }
 
+/// "box" of "/usr/lib/carom/plugins/box.so".
+std::string_view stem_of(std::string_view path) {
+  path.remove_prefix(path.rfind('/') + 1);  // npos + 1 is 0
+  return path.substr(0, path.rfind('.'));
+}
+
+/// @param path  of the file, or empty
 void take_plugin(Call& call, carom_engine& engine, const carom_shape_plugin* given, std::size_t room,
-                 carom_plugin* plugin) {
+                 std::string_view path, carom_plugin* plugin) {
   auto* record = make_on<PluginRecord>(&engine.memory, &engine.memory);
   try {
+    record->file = stem_of(path);
     if (check_description(call, given, room, *record) && check_valid(call, *record, &engine.memory))
       add(call, engine, record, plugin);
   } catch (...) {
@@ -200,7 +208,7 @@ int32_t carom_plugin_load(carom_engine* engine, const char* path, carom_plugin* 
     if (!present(call, 1, "engine", engine) || !present(call, 2, "path", path) || !present(call, 3, "plugin", plugin))
       return;
     const EntrySymbol entry = load_entry_symbol(call, path, kSmallestPlugin);
-    if (entry.description) take_plugin(call, *engine, entry.description, entry.room, plugin);
+    if (entry.description) take_plugin(call, *engine, entry.description, entry.room, path, plugin);
   });
 }
 
@@ -209,7 +217,7 @@ int32_t carom_plugin_register(carom_engine* engine, const carom_shape_plugin* de
   return guarded(error, [&](Call& call) {
     if (present(call, 1, "engine", engine) && present(call, 2, "description", description) &&
         present(call, 3, "plugin", plugin))
-      take_plugin(call, *engine, description, 0, plugin);
+      take_plugin(call, *engine, description, 0, {}, plugin);
   });
 }
 

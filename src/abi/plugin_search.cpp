@@ -32,10 +32,14 @@ bool is_called(const PluginRecord& plugin, std::string_view name) {
   return id == name || (id.starts_with(kOwn) && id.substr(kOwn.size()) == short_name(name));
 }
 
-/// The plugin of that name that the engine has, or 0. The engine's mutex is held.
+/// The plugin of that name that the engine has, or 0: by its id, else by the file that it was loaded from. The engine's
+/// mutex is held.
 carom_plugin plugin_called(const carom_engine& engine, std::string_view name) {
   for (std::uint32_t slot = 0; slot < engine.plugins.size(); ++slot)
     if (engine.plugins[slot] && is_called(*engine.plugins[slot], name)) return engine.plugin_slots.handle(slot);
+  const std::string_view file = short_name(name);
+  for (std::uint32_t slot = 0; slot < engine.plugins.size() && !file.empty(); ++slot)
+    if (engine.plugins[slot] && engine.plugins[slot]->file == file) return engine.plugin_slots.handle(slot);
   return CAROM_NULL_HANDLE;
 }
 
@@ -67,8 +71,9 @@ std::int32_t find(carom_engine* engine, const char* name, Found& found, carom_er
 /// A shape that the engine has, of a plugin of that name and with these parameters; else 0.
 carom_shape shape_like(carom_engine& engine, const char* name, const double* params, std::uint64_t count) {
   const std::lock_guard lock(engine.mutex);
+  const carom_plugin plugin = plugin_called(engine, name);
   for (const ShapeRecord& record : engine.shapes) {
-    if (!record.shape || !record.plugin || !is_called(*record.plugin, name)) continue;
+    if (!plugin || !record.shape || record.plugin != engine.plugins[handle_slot(plugin)]) continue;
     const Array<double>& own = record.shape->params;
     if (own.size() == count && std::equal(own.begin(), own.end(), params)) return record.shape->handle;
   }

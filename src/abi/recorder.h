@@ -2,7 +2,7 @@
 // go to the host at once; when it says that it failed, or memory is short, recording is over and the world goes on.
 #pragma once
 
-#include <carom/body.h>
+#include <carom/body_bulk.h>
 #include <carom/record.h>
 
 #include <iterator>

@@ -131,7 +131,7 @@ constexpr Effect kEffectRows[] = {
      .called_by = "springs with an end that moves",
      .missing = "no spring, or all its bodies sleep"},
     {.id = EffectId::buoyancy, .name = "buoyancy", .stage = Stage::integrate, .participants = bodies,
-     .find = buoyancy::find, .wakes = buoyancy::wakes, .force = buoyancy::force,
+     .find = buoyancy::find, .wakes = buoyancy::wakes, .force = buoyancy::force, .reads_velocities = true,
      .called_by = "bodies in the water",
      .missing = "no water, or no body with a volume in it"},
     {.id = EffectId::response, .name = "response", .stage = Stage::solve, .participants = contact_pairs,

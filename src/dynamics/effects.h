@@ -54,9 +54,10 @@ struct Effect {
   ForceFn force = nullptr;                      // null: served by its stage, not by the integrator
   FlowFn flow = nullptr;                        // null: there is no closed form
   Real (*rate)(const Scene&, const State&, std::uint32_t body) = nullptr;  // 1/s, of decay; null: none decays
-  void (*everyone)(const Scene&, const State&, Participants&) = nullptr;   // whom it can be forced on; null: on nobody
-  const char* called_by = nullptr;                                         // what participants are: "bodies with ..."
-  const char* missing = nullptr;                                           // what a scene without any lacks
+  bool reads_velocities = false;  // of a force without a flow: it is given those that no force has changed yet
+  void (*everyone)(const Scene&, const State&, Participants&) = nullptr;  // whom it can be forced on; null: on nobody
+  const char* called_by = nullptr;                                        // what participants are: "bodies with ..."
+  const char* missing = nullptr;                                          // what a scene without any lacks
 };
 
 /// What does the work of a planned row.

@@ -74,10 +74,13 @@ void plan_bodies(const World& world, Plan& plan) {
   plan.predicted.q.resize(plan.integrator->proposes || plan.rotation_method ? slots : 0, Quat::identity());
   plan_principal(world, plan, plan.rotation_method ? slots : 0);
   const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic];
-  plan.reads_velocities =
-      !plan.integrator->forces_only &&
-      ((gyro.served == Served::force && gyro.candidates.count > 0) ||
-       plan.effects[+EffectId::buoyancy].candidates.count > 0 || scene.springs.slots.alive_count() > 0);
+  plan.reads_velocities = !plan.integrator->forces_only &&
+                          ((gyro.served == Served::force && gyro.candidates.count > 0) ||
+                           std::ranges::any_of(plan.effects,
+                                               [](const PlannedEffect& row) {
+                                                 return row.effect->reads_velocities && row.candidates.count > 0;
+                                               }) ||
+                           scene.springs.slots.alive_count() > 0);
   plan.read_v.resize(plan.reads_velocities ? slots : 0, Vec3::zero());
   plan.read_omega.resize(plan.read_v.size(), Vec3::zero());
   plan.scratch_vectors.resize(plan.integrator->vectors * slots, Vec3::zero());
@@ -357,7 +360,8 @@ void find_readers(const World& world) {
   if (!plan.reads_velocities) return;
   if (const PlannedEffect& gyro = plan.effects[+EffectId::gyroscopic]; gyro.served == Served::force)
     gyro.participants.each(add);
-  plan.effects[+EffectId::buoyancy].participants.each(add);
+  for (const PlannedEffect& row : plan.effects)
+    if (row.effect->reads_velocities) row.participants.each(add);
   list(bodies, plan.readers);
 }
 

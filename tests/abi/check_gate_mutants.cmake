@@ -26,11 +26,11 @@ function(begin)
   file(COPY ${map} DESTINATION ${mutant})
 endfunction()
 
-# change(FILE FROM TO): FROM must be there, or the mutation is none; how far comments are indented does not matter.
+# change(FILE FROM TO): FROM must be there, or the mutation is none. Blanks count as one: comments stand in columns.
 function(change file from to)
   file(READ ${mutant}/${file} text)
-  string(REGEX REPLACE " +/[*]" " /*" text "${text}")
-  string(REGEX REPLACE " +/[*]" " /*" from "${from}")
+  string(REGEX REPLACE " +" " " text "${text}")
+  string(REGEX REPLACE " +" " " from "${from}")
   string(FIND "${text}" "${from}" place)
   if(place EQUAL -1)
     message(FATAL_ERROR "${file} has no \"${from}\" any more: this mutation needs another")
@@ -157,7 +157,7 @@ begin()
 change(include/carom/dial.h "#define CAROM_DIAL_COUNT 44u" "#define CAROM_DIAL_COUNT 38u")
 verdict("a count became less" "constant CAROM_DIAL_COUNT was")
 begin()
-change(include/carom/events.h "#define CAROM_EVENTS_SLEEP 4u\n" "")
+change(include/carom/events.h "#define CAROM_EVENTS_SLEEP 4u" "")
 verdict("a constant is gone" "constant CAROM_EVENTS_SLEEP is gone")
 
 # ---- sins against the library, for check_symbols.cmake ----

@@ -40,3 +40,32 @@ string(SUBSTRING "${readme}" 0 ${end} program)
 file(WRITE ${SCRATCH}/readme_hello.c "${program}\n")
 run(${C_COMPILER} ${SCRATCH}/readme_hello.c ${flags} -o ${SCRATCH}/readme_hello)
 run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${libdir} ${SCRATCH}/readme_hello)
+
+# plugins/README.md's line makes a shape of the template, as typed, and it is found by the name of its file.
+file(READ ${SOURCE_DIR}/plugins/README.md readme)
+string(REGEX MATCH "\ncc -shared[^\n]*" line "${readme}")
+if(NOT line)
+  message(FATAL_ERROR "plugins/README.md has no line that begins with cc -shared")
+endif()
+file(COPY ${SOURCE_DIR}/plugins/template/template.c DESTINATION ${SCRATCH}/shape)
+execute_process(COMMAND sh -c "${line}" WORKING_DIRECTORY ${SCRATCH}/shape RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "failed as typed:${line}")
+endif()
+file(WRITE ${SCRATCH}/shape/client.c [[
+#include <carom/carom.h>
+#include <stdio.h>
+int main(void) {
+  carom_error e = CAROM_ERROR_INIT;
+  carom_engine *engine = NULL;
+  carom_shape shape[2] = {0, 0};
+  const double top[2] = {0.35, 0.4}, larger[2] = {0.7, 0.8};
+  int32_t r = carom_engine_create(NULL, &engine, &e);
+  if (r == CAROM_OK) r = carom_shape_create_named(engine, "top", top, 2, &shape[0], &e);
+  if (r == CAROM_OK) r = carom_shape_create_named(engine, "top", larger, 2, &shape[1], &e);
+  if (r != CAROM_OK) fprintf(stderr, "%s. %s\n", e.message, e.remedy);
+  return r != CAROM_OK || shape[0] == shape[1];
+}
+]])
+run(${C_COMPILER} ${SCRATCH}/shape/client.c ${flags} -o ${SCRATCH}/shape/client)
+run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${libdir} CAROM_PLUGIN_PATH=${SCRATCH}/shape ${SCRATCH}/shape/client)

@@ -69,6 +69,26 @@ static void what_is_not_found_says_where_it_was_looked_for(void** state) {
   assert_int_equal(carom_engine_destroy(engine, NULL), CAROM_OK);
 }
 
+/* A file's name stands for its plugin, whatever the id: every time, not only when it is loaded. */
+static void files_are_found_by_their_names(void** state) {
+  carom_engine* engine = engine_of();
+  carom_error e = CAROM_ERROR_INIT;
+  carom_shape shape[3] = {0, 0, 0};
+  carom_shape_info info[3];
+  const double size[2] = {1, 2};
+  int i;
+  (void)state;
+  setenv("CAROM_PLUGIN_PATH", CAROM_INVALID_DIR, 1);
+  for (i = 0; i < 2; ++i) {
+    assert_int_equal(carom_shape_create_named(engine, "valid", &size[i], 1, &shape[i], &e), CAROM_OK);
+    info[i].struct_size = sizeof info[i];
+    assert_int_equal(carom_shape_get_info(engine, shape[i], &info[i], NULL), CAROM_OK);
+  }
+  assert_true(shape[0] != shape[1] && info[0].plugin == info[1].plugin);
+  assert_int_equal(carom_shape_create_named(engine, "invalid_plugin.valid", size, 1, &shape[2], &e), CAROM_OK);
+  assert_int_equal(carom_engine_destroy(engine, NULL), CAROM_OK);
+}
+
 /* A plugin of the host's own comes before files of the same name. */
 static void registered_plugins_come_first(void** state) {
   carom_engine* engine = engine_of();
@@ -139,6 +159,7 @@ static void a_scene_of_three_calls(void** state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(standard_shapes_are_found), cmocka_unit_test(what_is_not_found_says_where_it_was_looked_for),
-      cmocka_unit_test(registered_plugins_come_first), cmocka_unit_test(a_scene_of_three_calls)};
+      cmocka_unit_test(files_are_found_by_their_names), cmocka_unit_test(registered_plugins_come_first),
+      cmocka_unit_test(a_scene_of_three_calls)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,6 +41,21 @@ class Pages(unittest.TestCase):
         listed = re.findall(r"^- \[`(\w+)`\]", TEXT["index.md"], re.MULTILINE)
         self.assertEqual(listed, sorted(f["name"] for f in API["functions"]))
 
+    def test_no_cell_of_a_table_is_empty(self):
+        tables = 0
+        for name, text in TEXT.items():
+            for line in text.split("\n"):
+                if line.startswith("|"):
+                    cells = re.split(r"(?<!\\)\|", line.strip())[1:-1]
+                    self.assertTrue(all(cell.strip() for cell in cells), f"{name}: {line}: write it in the header")
+                    tables += set(cells) == {"---"}
+        self.assertGreater(tables, len(API["functions"]))
+
+    def test_every_function_says_which_threads_may_call_it(self):
+        for function in API["functions"]:
+            entry = TEXT[function["header"].replace(".h", ".md")].split(f"### {function['name']}\n", 1)[1].split("\n### ")[0]
+            self.assertRegex(entry, r"\nThreads: \S", function["name"])
+
     def test_what_a_call_may_answer_is_on_its_page(self):
         for function in API["functions"]:
             page = TEXT[function["header"].replace(".h", ".md")]

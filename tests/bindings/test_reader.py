@@ -9,7 +9,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bindings" / "gen")
 from c_reader import HeaderError  # noqa: E402
 from headers import read_api  # noqa: E402
 
-BASE = """/** @file base.h\n *  First. */
+BASE = """/** @file base.h\n *  First.\n *  @thread any. */
 #define CAROM_VERSION_MAJOR 1u
 #define CAROM_VERSION_MINOR 2u
 #define CAROM_VERSION_PATCH 3u
@@ -21,9 +21,9 @@ typedef uint64_t carom_body; /* it   @since 1.4 */
 """
 
 
-def api_of(more):
+def api_of(more, thread="any"):
     with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "base.h").write_text(BASE + more)
+        Path(folder, "base.h").write_text(BASE.replace("@thread any", f"@thread {thread}" if thread else "") + more)
         return read_api(folder)
 
 
@@ -65,6 +65,18 @@ class Reads(unittest.TestCase):
         self.assertEqual(api["functions"][1]["status"], ["OK", "BUSY"])
 
 
+    def test_threads(self):
+        declared = ("typedef struct carom_engine carom_engine;\ntypedef struct carom_world carom_world;\n"
+                    "/** @status OK */\nCAROM_API int32_t carom_a(uint32_t n);\n\n"
+                    "/** @thread reader, and slow\n *  @status OK */\nCAROM_API int32_t carom_b(carom_world *world);\n\n"
+                    "/** @status OK */\nCAROM_API int32_t %s(%s);\n")
+        for rule, name, takes, want in (("world", "carom_get_it", "carom_world *world", "reader"),
+                                        ("world", "carom_getter", "carom_world *world", "writer"),
+                                        ("engine", "carom_get_it", "carom_engine *engine", "engine")):
+            functions = api_of(declared % (name, takes), rule)["functions"]
+            self.assertEqual([f["thread"] for f in functions], ["any", "reader", want])
+
+
 class Refuses(unittest.TestCase):
     def refused(self, more, why):
         with self.assertRaisesRegex(HeaderError, why):
@@ -72,7 +84,17 @@ class Refuses(unittest.TestCase):
 
     def test_types_of_no_fixed_size(self):
         for type in ("long", "bool", "float", "unsigned", "enum"):
-            self.refused(f"/** @status OK */\nCAROM_API int32_t carom_f({type} x);\n", r"base\.h:12.*no place at this boundary")
+            self.refused(f"/** @status OK */\nCAROM_API int32_t carom_f({type} x);\n", r"base\.h:13.*no place at this boundary")
+
+    def test_functions_without_thread(self):
+        takes_a_world = ("typedef struct carom_world carom_world;\n/** @status OK%s */\n"
+                         "CAROM_API int32_t carom_f(carom_world *world);\n")
+        self.refused(takes_a_world % "", "carom_f: say its @thread")
+        self.refused(takes_a_world % "   @thread tired", "carom_f: @thread tired is none of")
+        with self.assertRaisesRegex(HeaderError, "@thread none of a header"):
+            api_of("", "none")
+        with self.assertRaisesRegex(HeaderError, "its opening comment has no @thread"):
+            api_of("/** @status OK */\nCAROM_API int32_t carom_f(void);\n", None)
 
     def test_functions_without_status(self):
         self.refused("/** Nothing. */\nCAROM_API int32_t carom_f(void);\n", "has no @status")

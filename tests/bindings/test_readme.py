@@ -35,13 +35,16 @@ class Readme(unittest.TestCase):
         said = output_of(PROGRAMS[1])
         self.assertRegex(said, r"weighs 1000 kg and lies at y = (0\.49[5-9]|0\.50[0-5]) m")
 
+    def test_state(self):
+        self.assertRegex(output_of(PROGRAMS[2]), r"saved \d+ bytes; the same bits again: True")
+
     def test_front_page(self):
         """As its twin in C: at rest on its radius."""
         [program] = programs("README.md")
         self.assertRegex(output_of(program), r"y = (0\.49[5-9]|0\.50[0-5]) m")
 
     def test_that_is_all(self):
-        self.assertEqual(len(PROGRAMS), 2)
+        self.assertEqual(len(PROGRAMS), 3)
 
 
 if __name__ == "__main__":

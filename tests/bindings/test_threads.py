@@ -1,108 +1,96 @@
-"""A step lets other Python threads run, and two worlds step at the same time."""
-import ctypes
-import threading
-import time
+"""bindings/api.json says of every function which threads may call it, and the library locks as it says.
+
+A reader of a world enters its gate through Reading, a writer through Changing or Recorded (src/abi/world.h); what says
+neither enters none. The entry point of a call, or a function of src/abi that it calls, names the gate.
+
+    python3 tests/bindings/test_threads.py
+"""
+import json
+import re
 import unittest
+from pathlib import Path
 
-import carom
-from carom import raw
-
-
-def busy_world(engine):
-    """A step of it takes a hundred milliseconds or so, all of it in C."""
-    world = engine.world(substeps=20)
-    world.ground()
-    box = engine.box(0.5, 0.5, 0.5)
-    for i in range(600):
-        world.body(box, position=(i % 10 * 0.9, 0.5 + i // 100 * 0.95, i // 10 % 10 * 0.9))
-    world.step()
-    return world
+ROOT = Path(__file__).resolve().parents[2]
+API = json.loads((ROOT / "bindings" / "api.json").read_text(encoding="utf-8"))
+GATES = {"Reading": "reader", "Changing": "writer", "Recorded": "writer", "enter_alone": "writer"}
 
 
-def longest_pause(world, step):
-    """@return (the longest that another thread, which only looks at the clock, had to wait during step(); how long step() was in C)"""
-    stop, stamps = threading.Event(), []
+def block(text, start):
+    """From a brace to the one that closes it."""
+    depth = 0
+    for at in range(start, len(text)):
+        depth += (text[at] == "{") - (text[at] == "}")
+        if depth == 0:
+            return text[start : at + 1]
+    raise ValueError(f"no end of a block: {text[start : start + 60]}")
 
-    def watch():
-        while not stop.is_set():
-            stamps.append(time.perf_counter())
 
-    watcher = threading.Thread(target=watch)
-    watcher.start()
-    time.sleep(0.02)
-    began = time.perf_counter()
-    step()
-    ended = time.perf_counter()
-    stop.set()
-    watcher.join()
-    within = [began] + [t for t in stamps if began < t < ended] + [ended]
-    return max(b - a for a, b in zip(within, within[1:])), world.report.total_seconds
+def functions_of(folder):
+    """{file: {name: [bodies]}} of every function that is defined at the beginning of a line, or two blanks in."""
+    found = {}
+    for file in sorted(folder.glob("*.cpp")) + sorted(folder.glob("*.h")):
+        text = re.sub(r"//[^\n]*", "", file.read_text(encoding="utf-8"))
+        bodies = found.setdefault(file.name, {})
+        for head in re.finditer(r"^(?:  )?(?!return|else|namespace)[a-zA-Z_][\w:<>,*& ]*?[ *&](\w+)\(", text, flags=re.M):
+            depth, at = 1, head.end()
+            while depth:
+                depth += (text[at] == "(") - (text[at] == ")")
+                at += 1
+            after = re.match(r"(?: const| noexcept)*\s*(\{)", text[at:])
+            if after:
+                bodies.setdefault(head.group(1), []).append(block(text, at + after.start(1)))
+    return found
+
+
+SOURCES = functions_of(ROOT / "src" / "abi")
+ENTRIES = {name: file for file, bodies in SOURCES.items() for name in bodies if name.startswith("carom_")}
+
+
+def gates_of(name, file, asked):
+    """Which gates a function of this file names, itself or in functions that it calls."""
+    if name in asked:
+        return set()
+    asked.add(name)
+    gates = set()
+    for body in SOURCES[file].get(name, ()):
+        gates |= {GATES[word] for word in re.findall(r"\w+", body) if word in GATES}
+        if not gates:
+            for called in re.findall(r"(\w+)(?:<[^<>()]*>)?\(", body):
+                gates |= gates_of(called, ENTRIES.get(called, file), asked)
+    return gates
 
 
 class Threads(unittest.TestCase):
-    def test_another_thread_goes_on_during_a_step(self):
-        """Under a call that keeps the interpreter's lock the other thread waits for all of it, however busy the machine. So one step
-        in which it never waited for half of it is proof; a busy machine gets five tries."""
-        held = ctypes.PyDLL(raw.LIBRARY).carom_world_step
-        held.argtypes, held.restype = raw.carom_world_step.argtypes, ctypes.c_int32
-        tries, free = [], False
-        with carom.Engine() as engine, busy_world(engine) as world:
-            while len(tries) < 5 and not free:
-                tries.append(longest_pause(world, world.step))
-                free = tries[-1][0] < 0.5 * tries[-1][1]
-            kept = longest_pause(world, lambda: held(world._pointer, 1 / 60, None))
-        print(f"\nlongest pause of another thread of a step, ms: {[f'{1e3 * a:.1f} of {1e3 * b:.0f}' for a, b in tries]}; "
-              f"with the lock held: {1e3 * kept[0]:.1f} of {1e3 * kept[1]:.0f}")
-        self.assertTrue(free)
-        self.assertGreaterEqual(kept[0], kept[1])  # this test can fail
+    def test_every_function_says_it(self):
+        for function in API["functions"]:
+            self.assertIn(function.get("thread"), ("any", "engine", "reader", "writer"), function["name"])
 
-    def test_two_worlds_step_at_the_same_time(self):
-        """Each is in its step while the other is: both wait, inside, for the other to arrive."""
-        meeting = threading.Barrier(2, timeout=20)
-        met = set()
+    def test_every_header_with_functions_says_it(self):
+        for name in {function["header"] for function in API["functions"]}:
+            header = next(h for h in API["headers"] if h["name"] == name)
+            self.assertIn(header["thread"], ("any", "engine", "world"), name)
 
-        def support(params, direction):
-            me = threading.current_thread().name
-            if me in ("a", "b") and me not in met:
-                meeting.wait()
-                met.add(me)
-            return tuple(0.5 if x >= 0 else -0.5 for x in direction)
+    def test_it_follows_from_what_a_call_takes(self):
+        for function in API["functions"]:
+            takes = {a["type"] for a in function["arguments"]}
+            want = ("reader", "writer") if "carom_world *" in takes else ("engine", "writer") if "carom_engine *" in takes else ("any",)
+            self.assertIn(function["thread"], want, function["name"])
 
-        with carom.Engine() as engine:
-            shape = engine.support_plugin(support, "test.meets")()
-            worlds = [engine.world(), engine.world()]
-            for world in worlds:
-                world.ground()
-                world.body(shape, position=(0, 0.5, 0))
-            threads = [threading.Thread(target=world.step, name=name) for world, name in zip(worlds, "ab")]
-            for thread in threads:
-                thread.start()
-            for thread in threads:
-                thread.join()
-            self.assertEqual(met, {"a", "b"})
-            self.assertEqual([world.report.steps for world in worlds], [1, 1])
-            self.assertEqual(worlds[0].hash, worlds[1].hash)
+    def test_a_call_may_be_busy_where_it_enters_the_gate_of_a_world(self):
+        for function in API["functions"]:
+            gated = any(a["type"] == "carom_world *" for a in function["arguments"])
+            self.assertEqual("BUSY" in function["status"], gated, function["name"])
 
-    def test_many_worlds_on_many_threads(self):
-        with carom.Engine() as engine:
-            box, hashes = engine.box(0.5, 0.4, 0.3), []
-
-            def work():
-                for _ in range(5):
-                    with engine.world() as world:
-                        world.ground()
-                        for i in range(20):
-                            world.body(box, position=(0.1 * i, 0.5 + i, 0))
-                        carom.run(world, 0.5)
-                        hashes.append(world.hash)
-
-            threads = [threading.Thread(target=work) for _ in range(4)]
-            for thread in threads:
-                thread.start()
-            for thread in threads:
-                thread.join()
-            self.assertEqual(len(hashes), 20)
-            self.assertEqual(len(set(hashes)), 1)
+    def test_the_library_locks_as_it_says(self):
+        checked = 0
+        for function in API["functions"]:
+            name = function["name"]
+            if not any(a["type"] == "carom_world *" for a in function["arguments"]):
+                continue
+            self.assertIn(name, ENTRIES)
+            self.assertEqual(gates_of(name, ENTRIES[name], set()), {function["thread"]}, name)
+            checked += 1
+        self.assertGreater(checked, 140)
 
 
 if __name__ == "__main__":

@@ -27,6 +27,10 @@ class Face(unittest.TestCase):
             hash_before = world.hash
             growth = world.measure_growth(steps=1200)
             self.assertEqual(world.hash, hash_before)
+            world.step()
+            flags = world.islands()[0].flags
+            self.assertIs(type(flags), carom.records.IslandFlags)
+            self.assertIn(carom.records.IslandFlags.JOINTS_ALONE, flags)
             return growth
 
         wild, calm = rods((2.0, 2.5)), rods((1.0,))

@@ -1,7 +1,11 @@
 // Written by bindings/gen/generate from include/carom; do not edit.
+/** of these headers */
 export const CAROM_VERSION_MAJOR: 1;
+/** of these headers */
 export const CAROM_VERSION_MINOR: 0;
+/** of these headers */
 export const CAROM_VERSION_PATCH: 0;
+/** the call did what it says */
 export const CAROM_OK: 0;
 /** a required pointer is NULL */
 export const CAROM_E_NULL_ARGUMENT: -1;
@@ -63,7 +67,12 @@ export const CAROM_E_MISMATCH: -28;
 export const CAROM_E_WRITE_FAILED: -29;
 /** a number of the library that is fixed, no dial */
 export const CAROM_E_READ_ONLY: -30;
+/** no object: never the handle of one */
 export const CAROM_NULL_HANDLE: 0n;
+/** float, 4 bytes */
+export const CAROM_SCALAR_F32: 0;
+/** double, 8 bytes */
+export const CAROM_SCALAR_F64: 1;
 /** its error was estimated in this step, else in one before */
 export const CAROM_ISLAND_ESTIMATED: 1;
 /** the bound of work was hit: it errs more than was asked */
@@ -72,15 +81,21 @@ export const CAROM_ISLAND_BOUND: 2;
 export const CAROM_ISLAND_JOINTS_ALONE: 4;
 /** more substeps do not lessen its error, which is over what was asked: contacts, mostly */
 export const CAROM_ISLAND_STALLED: 8;
+/** root of a b */
 export const CAROM_MIX_GEOMETRIC_MEAN: 0;
+/** the larger */
 export const CAROM_MIX_MAXIMUM: 1;
+/** the smaller */
 export const CAROM_MIX_MINIMUM: 2;
+/** (a + b) / 2 */
 export const CAROM_MIX_AVERAGE: 3;
+/** a b */
 export const CAROM_MIX_MULTIPLY: 4;
 /** never moves */
 export const CAROM_BODY_STATIC: 0;
 /** moved by its velocity; infinite mass */
 export const CAROM_BODY_KINEMATIC: 1;
+/** moved by forces, contacts and joints */
 export const CAROM_BODY_DYNAMIC: 2;
 /** mass given; else from colliders' densities */
 export const CAROM_BODY_FIELD_MASS: 1;
@@ -94,12 +109,17 @@ export const CAROM_BODY_STAYS_AWAKE: 8;
 export const CAROM_BODY_DISABLED: 16;
 /** its centre of mass keeps its world x */
 export const CAROM_LOCK_LINEAR_X: 1;
+/** likewise its y */
 export const CAROM_LOCK_LINEAR_Y: 2;
+/** likewise its z */
 export const CAROM_LOCK_LINEAR_Z: 4;
 /** it does not turn about the world's x axis */
 export const CAROM_LOCK_ANGULAR_X: 8;
+/** likewise about y */
 export const CAROM_LOCK_ANGULAR_Y: 16;
+/** likewise about z */
 export const CAROM_LOCK_ANGULAR_Z: 32;
+/** it keeps its pose */
 export const CAROM_LOCK_ALL: 63;
 /** LINEAR_Z, ANGULAR_X, ANGULAR_Y: a body of a flat world, the plane of x and y */
 export const CAROM_LOCK_PLANE: 28;
@@ -145,8 +165,6 @@ export const CAROM_FIELD_CENTER: 7;
 /** 1: kg; read only */
 export const CAROM_FIELD_MASS: 8;
 export const CAROM_FIELD_COUNT: 9;
-export const CAROM_SCALAR_F32: 0;
-export const CAROM_SCALAR_F64: 1;
 /** no contact within the motion, proven */
 export const CAROM_CAST_MISS: 0;
 /** contact begins within the motion */
@@ -165,6 +183,7 @@ export const CAROM_OVERLAP_OVERLAPPING: 1;
 export const CAROM_OVERLAP_TOUCHING: 2;
 /** a support function misbehaved; nothing else is meaningful */
 export const CAROM_OVERLAP_FAULT: 3;
+/** in place of an index: no shape */
 export const CAROM_NO_SHAPE: 4294967295;
 /** choice: CAROM_INTEGRATOR_* */
 export const CAROM_DIAL_INTEGRATOR: 0;
@@ -255,8 +274,11 @@ export const CAROM_DIAL_ACCURACY_TURN: 42;
 /** bound of work: substeps of an island in a step */
 export const CAROM_DIAL_ACCURACY_SUBSTEPS: 43;
 export const CAROM_DIAL_COUNT: 44;
+/** first order */
 export const CAROM_INTEGRATOR_EXPLICIT_EULER: 0;
+/** first order, symplectic */
 export const CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER: 1;
+/** fourth order, four evaluations of forces */
 export const CAROM_INTEGRATOR_RK4: 2;
 /** exact under constant forces, second order under others */
 export const CAROM_INTEGRATOR_VELOCITY_VERLET: 3;
@@ -302,7 +324,9 @@ export const CAROM_BROAD_TREE: 3;
 export const CAROM_NARROW_HYBRID: 0;
 /** GJK on cores, EPA on overlap; exact geometry */
 export const CAROM_NARROW_GJK_EPA: 1;
+/** Johnson's sub-algorithm, of determinants */
 export const CAROM_SIMPLEX_JOHNSON: 0;
+/** by Voronoi regions, all features */
 export const CAROM_SIMPLEX_VORONOI: 1;
 /** only features that touch the newest vertex, all features as a fall-back */
 export const CAROM_SIMPLEX_VORONOI_LAST: 2;
@@ -320,6 +344,7 @@ export const CAROM_SWEEP_NOBODY: 0;
 export const CAROM_SWEEP_FLAGGED: 1;
 /** also what moves far for its size in a step */
 export const CAROM_SWEEP_FAST: 2;
+/** floats */
 export const CAROM_PRECISION_FLOAT: 0;
 /** floats in steps with 512 pairs in contact or more, where their memory saves time */
 export const CAROM_PRECISION_AUTO: 1;
@@ -334,8 +359,11 @@ export const CAROM_PRESET_ACCURATE: 2;
 /** to compare others with: as exact as the library is at a given step */
 export const CAROM_PRESET_REFERENCE: 3;
 export const CAROM_PRESET_COUNT: 4;
+/** any number within its bounds */
 export const CAROM_DIAL_KIND_NUMBER: 0;
+/** a whole number within its bounds */
 export const CAROM_DIAL_KIND_INTEGER: 1;
+/** one of its named values */
 export const CAROM_DIAL_KIND_CHOICE: 2;
 /** outlines of convex shapes: edges of polytopes, three sections' silhouettes of all others */
 export const CAROM_DRAW_SHAPES: 1;
@@ -352,14 +380,23 @@ export const CAROM_DRAW_BODIES: 32;
 /** How lines are coloured where their kind does not say: by body type (static grey, kinematic blue, dynamic sand,
  *  asleep dim), or a colour for each island, what hangs together by contacts of the last step and joints. */
 export const CAROM_DRAW_BY_TYPE: 0;
+/** one colour an island */
 export const CAROM_DRAW_BY_ISLAND: 1;
+/** what happened */
 export const CAROM_LOG_INFO: 1;
+/** what may surprise: the call succeeded */
 export const CAROM_LOG_WARNING: 2;
+/** not used so far: a call that fails says so by its result */
 export const CAROM_LOG_ERROR: 3;
+/** of carom_world_get_contact_events() */
 export const CAROM_EVENTS_CONTACT: 1;
+/** of carom_world_get_sensor_events() */
 export const CAROM_EVENTS_SENSOR: 2;
+/** of carom_world_get_sleep_events() */
 export const CAROM_EVENTS_SLEEP: 4;
+/** of carom_world_get_joint_events() */
 export const CAROM_EVENTS_JOINT: 8;
+/** of carom_world_get_fault_events() */
 export const CAROM_EVENTS_FAULT: 16;
 /** the first step in which the two press on each other */
 export const CAROM_CONTACT_BEGIN: 0;
@@ -367,9 +404,13 @@ export const CAROM_CONTACT_BEGIN: 0;
 export const CAROM_CONTACT_END: 1;
 /** they press, and approached faster than hit_speed as the step began, or when a sweep met them */
 export const CAROM_CONTACT_HIT: 2;
+/** the collider begins to overlap the sensor */
 export const CAROM_SENSOR_ENTER: 0;
+/** it overlaps the sensor no longer */
 export const CAROM_SENSOR_LEAVE: 1;
+/** the body fell asleep */
 export const CAROM_SLEEP_ASLEEP: 0;
+/** the body woke */
 export const CAROM_SLEEP_AWAKE: 1;
 /** `vector` within a box about the frame's origin */
 export const CAROM_FORCE_FIELD_UNIFORM: 0;
@@ -421,6 +462,7 @@ export const CAROM_AXIS_TURN_Y: 4;
 /** rad, [-pi, pi] */
 export const CAROM_AXIS_TURN_Z: 5;
 export const CAROM_AXIS_COUNT: 6;
+/** no bounds */
 export const CAROM_AXIS_MODE_FREE: 0;
 /** at `lower` */
 export const CAROM_AXIS_MODE_LOCKED: 1;
@@ -467,37 +509,67 @@ export const CAROM_JOINT_READ_ERROR: 6;
 /** 1: 1 or 0 */
 export const CAROM_JOINT_READ_BROKEN: 7;
 export const CAROM_JOINT_READ_COUNT: 8;
+/** gyroscopic term of bodies with unlike moments of inertia */
 export const CAROM_EFFECT_GYROSCOPIC: 0;
+/** damping of velocity */
 export const CAROM_EFFECT_LINEAR_DAMPING: 1;
+/** damping of rotation */
 export const CAROM_EFFECT_ANGULAR_DAMPING: 2;
+/** the world's gravity */
 export const CAROM_EFFECT_GRAVITY: 3;
+/** forces of the host, at the centre of mass or elsewhere */
 export const CAROM_EFFECT_USER_FORCE: 4;
+/** torques of the host */
 export const CAROM_EFFECT_USER_TORQUE: 5;
+/** the search for contacts */
 export const CAROM_EFFECT_COLLISION: 6;
+/** friction at contacts */
 export const CAROM_EFFECT_FRICTION: 7;
+/** bounces */
 export const CAROM_EFFECT_RESTITUTION: 8;
+/** resistance of contacts to rolling */
 export const CAROM_EFFECT_ROLLING_RESISTANCE: 9;
+/** resistance of contacts to spinning about the normal */
 export const CAROM_EFFECT_SPINNING_RESISTANCE: 10;
+/** islands at rest are not stepped */
 export const CAROM_EFFECT_SLEEP: 11;
+/** sets of particles */
 export const CAROM_EFFECT_PARTICLES: 12;
+/** categories, masks and groups of colliders */
 export const CAROM_EFFECT_FILTER: 13;
+/** colliders that only tell what overlaps them */
 export const CAROM_EFFECT_SENSOR: 14;
+/** joints: what they lock */
 export const CAROM_EFFECT_JOINTS: 15;
+/** meshes and height fields */
 export const CAROM_EFFECT_SCENERY: 16;
+/** fast bodies are swept */
 export const CAROM_EFFECT_CONTINUOUS: 17;
+/** surfaces that move: belts */
 export const CAROM_EFFECT_SURFACE_VELOCITY: 18;
+/** locked axes of bodies */
 export const CAROM_EFFECT_AXIS_LOCKS: 19;
+/** drag of bodies */
 export const CAROM_EFFECT_DRAG: 20;
+/** wind on bodies with drag */
 export const CAROM_EFFECT_WIND: 21;
+/** force fields */
 export const CAROM_EFFECT_FIELDS: 22;
+/** springs between bodies */
 export const CAROM_EFFECT_SPRINGS: 23;
+/** water */
 export const CAROM_EFFECT_BUOYANCY: 24;
 /** what contacts do: without it bodies pass through each other, and there are no contact points */
 export const CAROM_EFFECT_RESPONSE: 25;
+/** limits of joints */
 export const CAROM_EFFECT_JOINT_LIMITS: 26;
+/** motors and springs of joints */
 export const CAROM_EFFECT_JOINT_MOTORS: 27;
+/** events that a host asked for */
 export const CAROM_EFFECT_EVENTS: 28;
+/** accounts of energy and momentum */
 export const CAROM_EFFECT_LEDGER: 29;
+/** magnetic moments in magnetic fields */
 export const CAROM_EFFECT_MAGNETISM: 30;
 export const CAROM_EFFECT_COUNT: 31;
 /** it runs for the bodies that need it (default) */
@@ -514,7 +586,9 @@ export const CAROM_TIME_OWN: 0;
 export const CAROM_TIME_IN_STAGE: 1;
 /** not measured, see carom_world_time_effects() */
 export const CAROM_TIME_OFF: 2;
+/** a plugin with another one is refused */
 export const CAROM_PLUGIN_ABI_MAJOR: 1;
+/** grows with additions */
 export const CAROM_PLUGIN_ABI_MINOR: 0;
 /** nothing declared */
 export const CAROM_FORM_NONE: 0;
@@ -532,6 +606,9 @@ export const CAROM_FORM_CYLINDER: 5;
 export const CAROM_FORM_CONE: 6;
 /** centred, axis-aligned; arg[0..2]: radii x, y, z */
 export const CAROM_FORM_ELLIPSOID: 7;
+/** In place of an index into params: no parameter. A geometry must write it for core_radius_param where there is no
+ *  core radius, since 0 there is the first parameter. In form_arg and mass_arg it marks places that the form does not
+ *  use; those are not read, so 0 does as well. Where the form needs an index, it is refused (PLUGIN_ABI). */
 export const CAROM_NO_PARAM: 4294967295;
 /** flags: support may only be called on the thread that steps (scripting hosts) */
 export const CAROM_PLUGIN_HOST_THREAD: 1;

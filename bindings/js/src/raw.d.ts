@@ -5,11 +5,14 @@ export interface Raw {
   malloc(bytes: number): number;
   free(pointer: number): void;
   /** Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
-   *  @status OK; NULL_ARGUMENT   @thread any */
+   *  @param major, minor, patch as CAROM_VERSION_*
+   *  @status OK; NULL_ARGUMENT */
   carom_version(major: number, minor: number, patch: number): number;
-  /** Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.   @thread any */
+  /** Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.
+   *  @param result of any call */
   carom_result_name(result: number): number;
-  /** What to do about a result code, in one sentence. Static storage.   @thread any */
+  /** What to do about a result code, in one sentence. Static storage.
+   *  @param result of any call */
   carom_result_remedy(result: number): number;
   /** The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
    *  compares it with its own when it is loaded. Lines of four words, ending in '\n'; first "carom" and the version:
@@ -19,15 +22,14 @@ export interface Raw {
    *      carom_error.witness_dir 16 24 f64[3]
    *  Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array.
    *  Newer libraries have more lines, and a struct may be larger; a field stays as it is.
-   *  Static storage.   @thread any */
+   *  Static storage. */
   carom_abi_manifest(): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_accuracy_init(accuracy: number, struct_size: number): number;
   /** Ask for an accuracy from the next step on.
    *  @param accuracy NULL: none, as a world is created
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for);
-   *  BUSY;
-   *          REENTRANT */
+   *          BUSY; REENTRANT */
   carom_world_set_accuracy(world: number, accuracy: number, error: number): number;
   /** @param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
@@ -46,7 +48,8 @@ export interface Raw {
    *  @param dt      s, of a step: as for carom_world_step()
    *  @param steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
    *  @param growth  out, its struct_size set
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY
+   *  @thread reader */
   carom_world_measure_growth(world: number, dt: number, steps: number, growth: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_material_desc_init(desc: number, struct_size: number): number;
@@ -67,8 +70,7 @@ export interface Raw {
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_body_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY;
-   *  REENTRANT; LIMIT;
-   *          OUT_OF_MEMORY */
+   *          REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_body_create(world: number, desc: number, body: number, error: number): number;
   /** Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_body_destroy(world: number, body: bigint, error: number): number;
@@ -96,8 +98,7 @@ export interface Raw {
    *  or NULL:
    *                 from its colliders, scaled to the mass
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0,
-   *  and a
-   *          collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
+   *          and a collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_mass(world: number, body: bigint, mass: number, center: number, inertia: number, error: number): number;
   /** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
    *  @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg
@@ -108,8 +109,7 @@ export interface Raw {
    *  (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
    *  @param type CAROM_BODY_*
    *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that
-   *  is not
-   *          dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
+   *          is not dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_type(world: number, body: bigint, type: number, error: number): number;
   /** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_type(world: number, body: bigint, type: number, error: number): number;
@@ -155,7 +155,7 @@ export interface Raw {
   /** @param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_get_locks(world: number, body: bigint, locks: number, error: number): number;
   /** @param attribute CAROM_ATTRIBUTE_*   @param info out
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM */
   carom_attribute_get_info(attribute: number, info: number, error: number): number;
   /** Set an attribute. Another value than it has wakes the body and its island.
    *  @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
@@ -199,6 +199,7 @@ export interface Raw {
    *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
    *  friction 0.5, its restitution 0. carom_body_get_colliders() tells its collider.
    *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
+   *  @param params [count] as carom_shape_create_named()   @param count number of params
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
    *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_body_create_named(world: number, type: number, name: number, params: number, count: bigint, position: number, body: number, error: number): number;
@@ -239,10 +240,12 @@ export interface Raw {
    *  @param handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart
    *  @param stride  bytes from one record to the next; 0: tightly packed
+   *  @param field   CAROM_FIELD_*
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
    *  BUSY */
   carom_world_read(world: number, field: number, scalar: number, handles: number, n: bigint, dst: number, stride: bigint, error: number): number;
   /** Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
+   *  @param src n records of the field's scalars, `stride` bytes apart
    *  @status as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT */
   carom_world_write(world: number, field: number, scalar: number, handles: number, n: bigint, src: number, stride: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
@@ -254,51 +257,56 @@ export interface Raw {
    *  @param origin [3] m   @param direction [3] m per unit of t, any length; zero asks whether the origin is inside
    *  @param max    >= 0, may be infinite
    *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED */
   carom_ray_cast(engine: number, shape: bigint, position: number, orientation: number, origin: number, direction: number, max: number, desc: number, result: number, error: number): number;
   /** Move shape A along a straight line, without turning it, until it touches B.
    *  @param motion [3] m, of A; times are fractions of it. If B moves too: the difference of the two
    *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
-   *  @thread any */
+   *  @param position_* [3] m, world   @param orientation_* [4] x, y, z, w
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
+   *          half-spaces) */
   carom_shape_cast(engine: number, shape_a: bigint, position_a: number, orientation_a: number, motion: number, shape_b: bigint, position_b: number, orientation_b: number, desc: number, result: number, error: number): number;
   /** First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing
    *  touches before `lower`.
    *  @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
    *  @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
-   *          UNSUPPORTED (two half-spaces, or one that turns)     @thread any */
+   *          UNSUPPORTED (two half-spaces, or one that turns) */
   carom_shape_time_of_impact(engine: number, shape_a: bigint, motion_a: number, shape_b: bigint, motion_b: number, duration: number, desc: number, result: number, error: number): number;
   /** Do two shapes overlap (or come nearer than desc->target)? Cheaper than their distance, with a proof of yes or no.
    *  @param desc   may be NULL: defaults; tolerance is not used   @param result struct_size set by the caller
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
-   *  @thread any */
+   *  @param position_* [3] m, world   @param orientation_* [4] x, y, z, w
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
+   *          half-spaces) */
   carom_shape_overlap(engine: number, shape_a: bigint, position_a: number, orientation_a: number, shape_b: bigint, position_b: number, orientation_b: number, desc: number, result: number, error: number): number;
   /** Cast many rays against one or more shapes: the first hit of each. A bad ray, or one for which a support function
    *  misbehaves (status CAROM_QUERY_FAULT, `shape` says whose), spoils no other. Nothing is allocated per ray.
    *  @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
    *  @param desc   may be NULL: defaults
+   *  @param shape_count number of shapes
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
-   *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any */
+   *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY */
   carom_rays_cast(engine: number, shapes: number, positions: number, orientations: number, shape_count: bigint, rays: number, desc: number, hits: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library)   @thread any */
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library) */
   carom_dial_get_info(dial: number, info: number, error: number): number;
-  /** Number of dials this library has.   @status OK; NULL_ARGUMENT   @thread any */
+  /** Number of dials this library has.   @status OK; NULL_ARGUMENT */
   carom_dial_get_count(count: number): number;
   /** @param name as in carom_dial_info.name
-   *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial)   @thread any */
+   *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial) */
   carom_dial_find(name: number, dial: number, error: number): number;
-  /** Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any */
+  /** Number of constants this library has.   @status OK; NULL_ARGUMENT */
   carom_constant_get_count(count: number): number;
   /** @param constant from 0   @param info out
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count()) */
   carom_constant_get_info(constant: number, info: number, error: number): number;
-  /** Static name of a preset ("balanced"), or "?".   @thread any */
+  /** Static name of a preset ("balanced"), or "?".
+   *  @param preset CAROM_PRESET_* */
   carom_preset_name(preset: number): number;
   /** What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a
    *  world finds pairs, what sleeps, and what a host chose for its look they leave alone.
    *  @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any */
+   *  @param value what the preset sets the dial to
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone) */
   carom_preset_get_dial(preset: number, dial: number, value: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_draw_desc_init(desc: number, struct_size: number): number;
@@ -308,18 +316,16 @@ export interface Raw {
    *  @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
    *  @param count    out: lines there are; more than capacity: the first `capacity` of them were written
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE,
-   *  OUT_OF_RANGE (scale);
-   *          BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
-   *  @thread one of many readers of the world */
+   *          OUT_OF_RANGE (scale); BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
+   *  @thread reader */
   carom_world_draw(world: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_engine_desc_init(desc: number, struct_size: number): number;
   /** Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
-   *  @thread any */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY */
   carom_engine_create(desc: number, engine: number, error: number): number;
   /** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
-   *  REENTRANT */
+   *  REENTRANT   @thread writer: no other call may use the engine */
   carom_engine_destroy(engine: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_jobs_desc_init(desc: number, struct_size: number): number;
@@ -328,25 +334,25 @@ export interface Raw {
    *  on the stepping one.
    *  @param desc may be NULL: the stepping thread alone
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
-   *  no more threads); OUT_OF_MEMORY; REENTRANT   @thread any */
+   *  no more threads); OUT_OF_MEMORY; REENTRANT */
   carom_engine_set_jobs(engine: number, desc: number, error: number): number;
   /** Load a shape plugin from a shared object. @param path absolute.
    *  The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
    *  bounds allow. Loading the same path twice is ALREADY_EXISTS.
-   *  @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY
-   *  @thread any, also while worlds step */
+   *  @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY */
   carom_plugin_load(engine: number, path: number, plugin: number, error: number): number;
   /** Register a plugin by pointer: static linking, WebAssembly, or a shape written in the host's language.
    *  The struct and all it points to must outlive the engine.   @status as carom_plugin_load() */
   carom_plugin_register(engine: number, description: number, plugin: number, error: number): number;
   /** Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in
    *  WebAssembly, and where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
-   *  @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY
-   *  @thread any, also while worlds step */
+   *  @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY */
   carom_plugins_register_standard(engine: number, error: number): number;
   /** Forget a plugin (logically: the code stays mapped).   @status OK; IN_USE (shapes of it live); *_HANDLE; REENTRANT */
   carom_plugin_unload(engine: number, plugin: bigint, error: number): number;
-  /** Find a loaded plugin by its id.   @status OK; NULL_ARGUMENT; NOT_FOUND (load it first) */
+  /** Find a loaded plugin by its id.
+   *  @param id as in carom_shape_plugin.id
+   *  @status OK; NULL_ARGUMENT; NOT_FOUND (load it first) */
   carom_plugin_find(engine: number, id: number, plugin: number, error: number): number;
   /** The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within
    *  its struct_size are there. Valid while the engine lives.
@@ -414,13 +420,13 @@ export interface Raw {
   carom_world_set_wind(world: number, velocity: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; BUSY */
   carom_world_get_wind(world: number, velocity: number, error: number): number;
-  /** Static name of a kind of field ("uniform"), or "?".   @thread any */
+  /** Static name of a kind of field ("uniform"), or "?".
+   *  @param kind CAROM_FORCE_FIELD_* */
   carom_force_field_name(kind: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_force_field_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
-   *  REENTRANT;
-   *          LIMIT; OUT_OF_MEMORY */
+   *          REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_force_field_create(world: number, desc: number, field: number, error: number): number;
   /** Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE */
   carom_force_field_update(world: number, field: bigint, desc: number, error: number): number;
@@ -492,20 +498,17 @@ export interface Raw {
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-   *  limit
-   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+   *          limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_limit(world: number, joint: bigint, coordinate: number, limit: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-   *  limit
-   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+   *          limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_motor(world: number, joint: bigint, coordinate: number, motor: number, error: number): number;
   /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
    *  @param coordinate CAROM_COORDINATE_*
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-   *  limit
-   *          alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+   *          limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_spring(world: number, joint: bigint, coordinate: number, spring: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_limit(world: number, joint: bigint, coordinate: number, limit: number, error: number): number;
@@ -521,8 +524,7 @@ export interface Raw {
    *  under the direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle:
    *  tests/oracle/test_pulley_gear.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
-   *  NOT_FINITE;
-   *          OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
+   *          NOT_FINITE; OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
   carom_joint_set_transmission(world: number, joint: bigint, transmission: number, error: number): number;
   /** @param transmission out: as it was set, with its length; ratio 0: not yet
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
@@ -547,8 +549,7 @@ export interface Raw {
    *  joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
    *  it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
-   *  field; a
-   *          reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
+   *          field; a reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_orientation_drive(world: number, joint: bigint, drive: number, error: number): number;
   /** @param drive out: as it was set
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
@@ -601,23 +602,23 @@ export interface Raw {
    *  @param position_stride bytes from one to the next; 0: tightly packed
    *  @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31
-   *  - 1
-   *          in a set); BUSY; REENTRANT; OUT_OF_MEMORY */
+   *          - 1 in a set); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_particles_add(world: number, set: bigint, n: bigint, scalar: number, positions: number, position_stride: bigint, velocities: number, velocity_stride: bigint, error: number): number;
   /** Remove n particles. The others keep their order, so each moves up by as many as went before it.
    *  @param indices [n] ascending, each once; NULL: all of them (n must be their number)
    *  @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
   carom_particles_remove(world: number, set: bigint, indices: number, n: bigint, error: number): number;
-  /** Read one field of n particles: CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS.
+  /** Read one field of n particles.
+   *  @param field   CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS
    *  @param indices [n] in any order, or NULL: all of them (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart
    *  @param stride  bytes from one record to the next; 0: tightly packed
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE
-   *  (an
-   *          index, n); BUFFER_TOO_SMALL (stride); BUSY */
+   *          (an index, n); BUFFER_TOO_SMALL (stride); BUSY */
   carom_particles_read(world: number, set: bigint, field: number, scalar: number, indices: number, n: bigint, dst: number, stride: bigint, error: number): number;
   /** Write one field of n particles; all values are checked before the first is written, bounds as carom_particles_add(),
    *  masses as carom_particles_desc. Arguments as carom_particles_read(); where an index comes twice, the last counts.
+   *  @param src n records of the field's scalars, `stride` bytes apart
    *  @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY */
   carom_particles_write(world: number, set: bigint, field: number, scalar: number, indices: number, n: bigint, src: number, stride: bigint, error: number): number;
   /** A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still
@@ -631,7 +632,7 @@ export interface Raw {
    *  @param sets [capacity] or NULL   @param count out: how many there are
    *  @status OK; NULL_ARGUMENT; BUSY */
   carom_world_get_particles(world: number, sets: number, capacity: bigint, count: number, error: number): number;
-  /** Static name of an effect ("gravity"), or "?".   @thread any */
+  /** Static name of an effect ("gravity"), or "?". */
   carom_effect_name(effect: number): number;
   /** Forbid or force an effect from the next step on, for all bodies. Wakes all bodies. Forbidding one that the scene
    *  needs is allowed, and carom_world_get_plan() says so.
@@ -642,9 +643,9 @@ export interface Raw {
   carom_world_get_effect(world: number, effect: number, mode: number, error: number): number;
   /** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for
    *  the world is forbidden for it. Particles, events and the ledger are not a body's.
+   *  @param mode CAROM_MODE_*
    *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use
-   *  carom_world_set_effect());
-   *          BUSY; REENTRANT; OUT_OF_MEMORY */
+   *          carom_world_set_effect()); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_effect(world: number, body: bigint, effect: number, mode: number, error: number): number;
   /** @param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY */
   carom_body_get_effect(world: number, body: bigint, effect: number, mode: number, error: number): number;
@@ -664,7 +665,7 @@ export interface Raw {
    *  @param position_*     [3] m     @param orientation_* [4] x, y, z, w
    *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM;
-   *          UNSUPPORTED (two half-spaces)     @thread any */
+   *          UNSUPPORTED (two half-spaces) */
   carom_shape_distance(engine: number, shape_a: bigint, position_a: number, orientation_a: number, shape_b: bigint, position_b: number, orientation_b: number, desc: number, result: number, error: number): number;
   /** Record a world from now on, until carom_world_record_end() or until it is destroyed.
    *  @param flags CAROM_RECORD_*   @param write is kept, and called with `user`
@@ -677,8 +678,9 @@ export interface Raw {
   carom_world_record_end(world: number, error: number): number;
   /** Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
    *  @param difference its struct_size set by the caller
+   *  @param bytes [size] of carom_world_save()   @param size number of bytes
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
-   *          OUT_OF_MEMORY */
+   *          OUT_OF_MEMORY   @thread reader */
   carom_world_compare(world: number, bytes: number, size: bigint, difference: number, error: number): number;
   /** @param residuals with its struct_size set; filled. Before the first step, and after a step without contacts, what
    *                   concerns them is 0.
@@ -702,17 +704,13 @@ export interface Raw {
   carom_mesh_desc_init(desc: number, struct_size: number): number;
   /** Make scenery of a mesh. All is copied.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far
-   *  out, no
-   *          triangle that has an area); LIMIT; OUT_OF_MEMORY
-   *  @thread any, also while worlds step */
+   *          out, no triangle that has an area); LIMIT; OUT_OF_MEMORY */
   carom_shape_create_mesh(engine: number, desc: number, shape: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_height_field_desc_init(desc: number, struct_size: number): number;
   /** Make scenery of a height field. All is copied.
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a
-   *  count, a
-   *          spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
-   *  @thread any, also while worlds step */
+   *          count, a spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY */
   carom_shape_create_height_field(engine: number, desc: number, shape: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape) */
   carom_shape_get_scenery_info(engine: number, shape: bigint, info: number, error: number): number;
@@ -727,19 +725,16 @@ export interface Raw {
    *  scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
    *  @param params [count] doubles, meaning as the plugin documents
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which);
-   *  PLUGIN_INVALID;
-   *          DECLARATION_FALSE; OUT_OF_MEMORY
-   *  @thread any, also while worlds step */
+   *          PLUGIN_INVALID; DECLARATION_FALSE; OUT_OF_MEMORY */
   carom_shape_create(engine: number, plugin: bigint, params: number, count: bigint, shape: number, error: number): number;
   /** Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the
-   *  engine has come first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute,
-   *  separated by ':'; not in programs that run with raised privileges), beside the library, in the folder where plugins
-   *  are installed. "half_space" is built in: normal x, y, z, offset.
+   *  engine has come first, by id, then by the name of the file they were loaded from. Then a file NAME.so is looked for
+   *  and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not in programs that run with raised
+   *  privileges), beside the library, in the folder where plugins are installed. "half_space" is built in: normal x, y,
+   *  z, offset.
    *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
    *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE;
-   *  PLUGIN_PATH;
-   *          PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
-   *  @thread any, also while worlds step */
+   *          PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY */
   carom_shape_create_named(engine: number, name: number, params: number, count: bigint, shape: number, error: number): number;
   /** The built-in half-space { x : normal . x <= offset } in the shape's own frame; unbounded, so static bodies only.
    *  @param normal [3] unit (within 1e-6)   @param offset m
@@ -750,6 +745,7 @@ export interface Raw {
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE */
   carom_shape_get_info(engine: number, shape: bigint, info: number, error: number): number;
   /** Copy out the parameters. @param count in: capacity of params; out: number of parameters.
+   *  @param params [count]
    *  @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed) */
   carom_shape_get_params(engine: number, shape: bigint, params: number, count: number, error: number): number;
   /** Support points of the whole shape, core radius included, for n directions at once.
@@ -762,7 +758,7 @@ export interface Raw {
    *  @param buffer   [capacity] bytes, or NULL to ask for the size
    *  @param capacity bytes; 0 if buffer is NULL
    *  @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
-   *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY */
+   *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
   carom_world_save(world: number, flags: number, buffer: number, capacity: bigint, needed: number, error: number): number;
   /** Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
    *  anything of the world changes.
@@ -780,21 +776,20 @@ export interface Raw {
   /** Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
    *  changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
    *  @param copy out: to be destroyed as any world
-   *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
+   *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
   carom_world_fork(world: number, copy: number, error: number): number;
   /** Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world
    *  that it has forked, or of one that was saved whole, in another process too.
    *  @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
    *  @param translated [n] out; may be `handles`. All of them or, where one is refused, none
    *  @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
-   *          worlds); BUSY; REENTRANT */
+   *          worlds); BUSY; REENTRANT   @thread reader */
   carom_world_translate_handles(world: number, handles: number, n: bigint, translated: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_world_desc_init(desc: number, struct_size: number): number;
   /** @param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in
-   *          all); OUT_OF_MEMORY
-   *  @thread any */
+   *          all); OUT_OF_MEMORY   @thread engine */
   carom_world_create(engine: number, desc: number, world: number, error: number): number;
   /** Destroys its bodies, colliders, materials and particles too.   @status OK; NULL_ARGUMENT; BUSY; REENTRANT */
   carom_world_destroy(world: number, error: number): number;
@@ -807,7 +802,7 @@ export interface Raw {
   /** @param value within the dial's bounds; whole for choices and integers
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_world_set_dial(world: number, dial: number, value: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
+  /** @param value as carom_world_set_dial() takes it   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
   carom_world_get_dial(world: number, dial: number, value: number, error: number): number;
   /** Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
    *  carom_world_set_dial() change them one by one.   @param preset CAROM_PRESET_*
@@ -819,7 +814,8 @@ export interface Raw {
   carom_world_get_gravity(world: number, gravity: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_report(world: number, report: number, error: number): number;
-  /** Static name of a stage ("broad"), or "?".   @thread any */
+  /** Static name of a stage ("broad"), or "?".
+   *  @param stage CAROM_STAGE_* */
   carom_stage_name(stage: number): number;
   /** Copy out the contact points of the last step, in a deterministic order; those of colliders destroyed since are gone.
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
@@ -837,7 +833,9 @@ export interface Raw {
   /** Copy out the faults of the last step; arguments as carom_world_get_contacts(). */
   carom_world_get_faults(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** 64-bit hash of the dynamic state: equal iff (up to collision of the hash) every pose, velocity and cached contact
-   *  has the same bits, and every particle's position and velocity.   @status OK; NULL_ARGUMENT; BUSY */
+   *  has the same bits, and every particle's position and velocity.
+   *  @param hash of the state
+   *  @status OK; NULL_ARGUMENT; BUSY   @thread reader */
   carom_world_hash(world: number, hash: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_query_desc_init(desc: number, struct_size: number): number;
@@ -845,37 +843,36 @@ export interface Raw {
    *  @param origin [3] m   @param direction [3] m per unit of t, any length   @param max >= 0, may be infinite
    *  @param desc   may be NULL: defaults   @param size sizeof(carom_world_hit) as the caller knows it
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
-   *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread any */
+   *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread reader */
   carom_world_cast_ray(world: number, origin: number, direction: number, max: number, desc: number, hit: number, size: bigint, error: number): number;
   /** What each of many rays meets first, or whether it meets anything. A bad ray (not finite, or max negative) spoils no
    *  other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
    *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE;
-   *  OUT_OF_RANGE;
-   *          BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
+   *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader */
   carom_world_cast_rays(world: number, rays: number, want: number, desc: number, hits: number, error: number): number;
   /** All that each of many rays meets: by ray, then by time, then by slot. A bad ray has one record that says so.
    *  @param dst    [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride sizeof(carom_world_hit) as the caller knows it
    *  @param count  out: how many there are (may exceed capacity; the first `capacity` are written)
-   *  @status as carom_world_cast_rays()   @thread any */
+   *  @status as carom_world_cast_rays()   @thread reader */
   carom_world_cast_rays_all(world: number, rays: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** What each of many shapes meets first as it moves by its motion without turning, or whether it meets anything.
    *  @param shapes every shape, position, orientation and motion must be good, else nothing is written
    *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
    *  @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE;
-   *  NOT_UNIT;
-   *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any */
+   *          NOT_UNIT; OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader */
   carom_world_cast_shapes(world: number, shapes: number, want: number, desc: number, dst: number, stride: bigint, error: number): number;
-  /** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all(). */
+  /** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
+   *  @thread reader */
   carom_world_cast_shapes_all(world: number, shapes: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
-   *  carom_world_cast_rays_all(). */
+   *  carom_world_cast_rays_all().   @thread reader */
   carom_world_overlap_shapes(world: number, shapes: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** The collider nearest to each of many shapes or points, and where: least signed distance.
    *  @param reach  m, >= 0, may be infinite: farther ones are not looked for (then: MISS)
    *  @param dst    as carom_world_cast_shapes()
-   *  @status as carom_world_cast_shapes()   @thread any */
+   *  @status as carom_world_cast_shapes()   @thread reader */
   carom_world_find_nearest(world: number, shapes: number, reach: number, desc: number, dst: number, stride: bigint, error: number): number;
 }

@@ -46,6 +46,8 @@ CAROM_E_MISMATCH: int
 CAROM_E_WRITE_FAILED: int
 CAROM_E_READ_ONLY: int
 CAROM_NULL_HANDLE: int
+CAROM_SCALAR_F32: int
+CAROM_SCALAR_F64: int
 CAROM_ISLAND_ESTIMATED: int
 CAROM_ISLAND_BOUND: int
 CAROM_ISLAND_JOINTS_ALONE: int
@@ -93,8 +95,6 @@ CAROM_FIELD_FORCE: int
 CAROM_FIELD_CENTER: int
 CAROM_FIELD_MASS: int
 CAROM_FIELD_COUNT: int
-CAROM_SCALAR_F32: int
-CAROM_SCALAR_F64: int
 CAROM_CAST_MISS: int
 CAROM_CAST_HIT: int
 CAROM_CAST_OVERLAP: int
@@ -967,7 +967,7 @@ class carom_height_field_desc(ctypes.Structure):
     heights: Any
     spacing: Any
 class carom_scenery_info(ctypes.Structure):
-    """What became of scenery."""
+    """Counts of a surface: what the engine keeps of the arrays that made it."""
     struct_size: int
     flags: int
     pieces: int
@@ -1132,13 +1132,16 @@ class carom_world_hits(ctypes.Structure):
     point_stride: int
 def carom_version(major: Any, minor: Any, patch: Any) -> int:
     """Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
-    @status OK; NULL_ARGUMENT   @thread any"""
+    @param major, minor, patch as CAROM_VERSION_*
+    @status OK; NULL_ARGUMENT"""
     ...
 def carom_result_name(result: Any) -> bytes:
-    """Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.   @thread any"""
+    """Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.
+    @param result of any call"""
     ...
 def carom_result_remedy(result: Any) -> bytes:
-    """What to do about a result code, in one sentence. Static storage.   @thread any"""
+    """What to do about a result code, in one sentence. Static storage.
+    @param result of any call"""
     ...
 def carom_abi_manifest() -> bytes:
     """The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
@@ -1149,7 +1152,7 @@ def carom_abi_manifest() -> bytes:
         carom_error.witness_dir 16 24 f64[3]
     Kinds: u32, i32, u64 (handles too), f64, char, ptr, fn (pointer to a function), struct; [n] behind it: an array.
     Newer libraries have more lines, and a struct may be larger; a field stays as it is.
-    Static storage.   @thread any"""
+    Static storage."""
     ...
 def carom_accuracy_init(accuracy: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -1158,8 +1161,7 @@ def carom_world_set_accuracy(world: Any, accuracy: Any, error: Any) -> int:
     """Ask for an accuracy from the next step on.
     @param accuracy NULL: none, as a world is created
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for);
-    BUSY;
-            REENTRANT"""
+            BUSY; REENTRANT"""
     ...
 def carom_world_get_accuracy(world: Any, accuracy: Any, present: Any, error: Any) -> int:
     """@param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
@@ -1181,7 +1183,8 @@ def carom_world_measure_growth(world: Any, dt: Any, steps: Any, growth: Any, err
     @param dt      s, of a step: as for carom_world_step()
     @param steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
     @param growth  out, its struct_size set
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY
+    @thread reader"""
     ...
 def carom_material_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -1210,8 +1213,7 @@ def carom_body_desc_init(desc: Any, struct_size: Any) -> int:
     ...
 def carom_body_create(world: Any, desc: Any, body: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY;
-    REENTRANT; LIMIT;
-            OUT_OF_MEMORY"""
+            REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_body_destroy(world: Any, body: Any, error: Any) -> int:
     """Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT"""
@@ -1246,8 +1248,7 @@ def carom_body_set_mass(world: Any, body: Any, mass: Any, center: Any, inertia: 
     or NULL:
                    from its colliders, scaled to the mass
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0,
-    and a
-            collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY"""
+            and a collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_mass(world: Any, body: Any, mass: Any, center: Any, inertia: Any, error: Any) -> int:
     """As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
@@ -1260,8 +1261,7 @@ def carom_body_set_type(world: Any, body: Any, type: Any, error: Any) -> int:
     (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
     @param type CAROM_BODY_*
     @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that
-    is not
-            dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY"""
+            is not dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_type(world: Any, body: Any, type: Any, error: Any) -> int:
     """@param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
@@ -1320,7 +1320,7 @@ def carom_body_get_locks(world: Any, body: Any, locks: Any, error: Any) -> int:
     ...
 def carom_attribute_get_info(attribute: Any, info: Any, error: Any) -> int:
     """@param attribute CAROM_ATTRIBUTE_*   @param info out
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM   @thread any"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM"""
     ...
 def carom_body_set_attribute(world: Any, body: Any, attribute: Any, value: Any, error: Any) -> int:
     """Set an attribute. Another value than it has wakes the body and its island.
@@ -1375,6 +1375,7 @@ def carom_body_create_named(world: Any, type: Any, name: Any, params: Any, count
     Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
     friction 0.5, its restitution 0. carom_body_get_colliders() tells its collider.
     @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
+    @param params [count] as carom_shape_create_named()   @param count number of params
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
             PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
@@ -1424,11 +1425,13 @@ def carom_world_read(world: Any, field: Any, scalar: Any, handles: Any, n: Any, 
     @param handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart
     @param stride  bytes from one record to the next; 0: tightly packed
+    @param field   CAROM_FIELD_*
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
     BUSY"""
     ...
 def carom_world_write(world: Any, field: Any, scalar: Any, handles: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
     """Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
+    @param src n records of the field's scalars, `stride` bytes apart
     @status as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT"""
     ...
 def carom_cast_desc_init(desc: Any, struct_size: Any) -> int:
@@ -1443,14 +1446,15 @@ def carom_ray_cast(engine: Any, shape: Any, position: Any, orientation: Any, ori
     @param origin [3] m   @param direction [3] m per unit of t, any length; zero asks whether the origin is inside
     @param max    >= 0, may be infinite
     @param desc   may be NULL: defaults     @param result struct_size set by the caller
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED   @thread any"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED"""
     ...
 def carom_shape_cast(engine: Any, shape_a: Any, position_a: Any, orientation_a: Any, motion: Any, shape_b: Any, position_b: Any, orientation_b: Any, desc: Any, result: Any, error: Any) -> int:
     """Move shape A along a straight line, without turning it, until it touches B.
     @param motion [3] m, of A; times are fractions of it. If B moves too: the difference of the two
     @param desc   may be NULL: defaults     @param result struct_size set by the caller
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
-    @thread any"""
+    @param position_* [3] m, world   @param orientation_* [4] x, y, z, w
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
+            half-spaces)"""
     ...
 def carom_shape_time_of_impact(engine: Any, shape_a: Any, motion_a: Any, shape_b: Any, motion_b: Any, duration: Any, desc: Any, result: Any, error: Any) -> int:
     """First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing
@@ -1458,47 +1462,51 @@ def carom_shape_time_of_impact(engine: Any, shape_a: Any, motion_a: Any, shape_b
     @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
     @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
-            UNSUPPORTED (two half-spaces, or one that turns)     @thread any"""
+            UNSUPPORTED (two half-spaces, or one that turns)"""
     ...
 def carom_shape_overlap(engine: Any, shape_a: Any, position_a: Any, orientation_a: Any, shape_b: Any, position_b: Any, orientation_b: Any, desc: Any, result: Any, error: Any) -> int:
     """Do two shapes overlap (or come nearer than desc->target)? Cheaper than their distance, with a proof of yes or no.
     @param desc   may be NULL: defaults; tolerance is not used   @param result struct_size set by the caller
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two half-spaces)
-    @thread any"""
+    @param position_* [3] m, world   @param orientation_* [4] x, y, z, w
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
+            half-spaces)"""
     ...
 def carom_rays_cast(engine: Any, shapes: Any, positions: Any, orientations: Any, shape_count: Any, rays: Any, desc: Any, hits: Any, error: Any) -> int:
     """Cast many rays against one or more shapes: the first hit of each. A bad ray, or one for which a support function
     misbehaves (status CAROM_QUERY_FAULT, `shape` says whose), spoils no other. Nothing is allocated per ray.
     @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
     @param desc   may be NULL: defaults
+    @param shape_count number of shapes
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
-            BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY     @thread any"""
+            BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY"""
     ...
 def carom_dial_get_info(dial: Any, info: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library)   @thread any"""
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library)"""
     ...
 def carom_dial_get_count(count: Any) -> int:
-    """Number of dials this library has.   @status OK; NULL_ARGUMENT   @thread any"""
+    """Number of dials this library has.   @status OK; NULL_ARGUMENT"""
     ...
 def carom_dial_find(name: Any, dial: Any, error: Any) -> int:
     """@param name as in carom_dial_info.name
-    @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial)   @thread any"""
+    @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial)"""
     ...
 def carom_constant_get_count(count: Any) -> int:
-    """Number of constants this library has.   @status OK; NULL_ARGUMENT   @thread any"""
+    """Number of constants this library has.   @status OK; NULL_ARGUMENT"""
     ...
 def carom_constant_get_info(constant: Any, info: Any, error: Any) -> int:
     """@param constant from 0   @param info out
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())   @thread any"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count())"""
     ...
 def carom_preset_name(preset: Any) -> bytes:
-    """Static name of a preset ("balanced"), or "?".   @thread any"""
+    """Static name of a preset ("balanced"), or "?".
+    @param preset CAROM_PRESET_*"""
     ...
 def carom_preset_get_dial(preset: Any, dial: Any, value: Any, error: Any) -> int:
     """What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a
     world finds pairs, what sleeps, and what a host chose for its look they leave alone.
     @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)   @thread any"""
+    @param value what the preset sets the dial to
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone)"""
     ...
 def carom_draw_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -1510,21 +1518,19 @@ def carom_world_draw(world: Any, desc: Any, dst: Any, stride: Any, capacity: Any
     @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
     @param count    out: lines there are; more than capacity: the first `capacity` of them were written
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE,
-    OUT_OF_RANGE (scale);
-            BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
-    @thread one of many readers of the world"""
+            OUT_OF_RANGE (scale); BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
+    @thread reader"""
     ...
 def carom_engine_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_engine_create(desc: Any, engine: Any, error: Any) -> int:
     """Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
-    @thread any"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY"""
     ...
 def carom_engine_destroy(engine: Any, error: Any) -> int:
     """Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
-    REENTRANT"""
+    REENTRANT   @thread writer: no other call may use the engine"""
     ...
 def carom_jobs_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -1535,14 +1541,13 @@ def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
     on the stepping one.
     @param desc may be NULL: the stepping thread alone
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
-    no more threads); OUT_OF_MEMORY; REENTRANT   @thread any"""
+    no more threads); OUT_OF_MEMORY; REENTRANT"""
     ...
 def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
     """Load a shape plugin from a shared object. @param path absolute.
     The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
     bounds allow. Loading the same path twice is ALREADY_EXISTS.
-    @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY
-    @thread any, also while worlds step"""
+    @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY"""
     ...
 def carom_plugin_register(engine: Any, description: Any, plugin: Any, error: Any) -> int:
     """Register a plugin by pointer: static linking, WebAssembly, or a shape written in the host's language.
@@ -1551,14 +1556,15 @@ def carom_plugin_register(engine: Any, description: Any, plugin: Any, error: Any
 def carom_plugins_register_standard(engine: Any, error: Any) -> int:
     """Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in
     WebAssembly, and where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
-    @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY
-    @thread any, also while worlds step"""
+    @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_plugin_unload(engine: Any, plugin: Any, error: Any) -> int:
     """Forget a plugin (logically: the code stays mapped).   @status OK; IN_USE (shapes of it live); *_HANDLE; REENTRANT"""
     ...
 def carom_plugin_find(engine: Any, id: Any, plugin: Any, error: Any) -> int:
-    """Find a loaded plugin by its id.   @status OK; NULL_ARGUMENT; NOT_FOUND (load it first)"""
+    """Find a loaded plugin by its id.
+    @param id as in carom_shape_plugin.id
+    @status OK; NULL_ARGUMENT; NOT_FOUND (load it first)"""
     ...
 def carom_plugin_describe(engine: Any, plugin: Any, description: Any, error: Any) -> int:
     """The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within
@@ -1645,15 +1651,15 @@ def carom_world_get_wind(world: Any, velocity: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; BUSY"""
     ...
 def carom_force_field_name(kind: Any) -> bytes:
-    """Static name of a kind of field ("uniform"), or "?".   @thread any"""
+    """Static name of a kind of field ("uniform"), or "?".
+    @param kind CAROM_FORCE_FIELD_*"""
     ...
 def carom_force_field_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_force_field_create(world: Any, desc: Any, field: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
-    REENTRANT;
-            LIMIT; OUT_OF_MEMORY"""
+            REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_force_field_update(world: Any, field: Any, desc: Any, error: Any) -> int:
     """Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE"""
@@ -1751,22 +1757,19 @@ def carom_joint_set_limit(world: Any, joint: Any, coordinate: Any, limit: Any, e
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-    limit
-            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+            limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_motor(world: Any, joint: Any, coordinate: Any, motor: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-    limit
-            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+            limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_set_spring(world: Any, joint: Any, coordinate: Any, spring: Any, error: Any) -> int:
     """Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
     @param coordinate CAROM_COORDINATE_*
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
-    limit
-            alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+            limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_limit(world: Any, joint: Any, coordinate: Any, limit: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY"""
@@ -1786,8 +1789,7 @@ def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, erro
     under the direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle:
     tests/oracle/test_pulley_gear.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
-    NOT_FINITE;
-            OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT"""
+            NOT_FINITE; OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT"""
     ...
 def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
     """@param transmission out: as it was set, with its length; ratio 0: not yet
@@ -1816,8 +1818,7 @@ def carom_joint_set_orientation_drive(world: Any, joint: Any, drive: Any, error:
     joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
     it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
-    field; a
-            reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT"""
+            field; a reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_orientation_drive(world: Any, joint: Any, drive: Any, error: Any) -> int:
     """@param drive out: as it was set
@@ -1883,8 +1884,7 @@ def carom_particles_add(world: Any, set: Any, n: Any, scalar: Any, positions: An
     @param position_stride bytes from one to the next; 0: tightly packed
     @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31
-    - 1
-            in a set); BUSY; REENTRANT; OUT_OF_MEMORY"""
+            - 1 in a set); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_particles_remove(world: Any, set: Any, indices: Any, n: Any, error: Any) -> int:
     """Remove n particles. The others keep their order, so each moves up by as many as went before it.
@@ -1892,17 +1892,18 @@ def carom_particles_remove(world: Any, set: Any, indices: Any, n: Any, error: An
     @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT"""
     ...
 def carom_particles_read(world: Any, set: Any, field: Any, scalar: Any, indices: Any, n: Any, dst: Any, stride: Any, error: Any) -> int:
-    """Read one field of n particles: CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS.
+    """Read one field of n particles.
+    @param field   CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS
     @param indices [n] in any order, or NULL: all of them (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart
     @param stride  bytes from one record to the next; 0: tightly packed
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE
-    (an
-            index, n); BUFFER_TOO_SMALL (stride); BUSY"""
+            (an index, n); BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_particles_write(world: Any, set: Any, field: Any, scalar: Any, indices: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
     """Write one field of n particles; all values are checked before the first is written, bounds as carom_particles_add(),
     masses as carom_particles_desc. Arguments as carom_particles_read(); where an index comes twice, the last counts.
+    @param src n records of the field's scalars, `stride` bytes apart
     @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_particles_get_quarantined(world: Any, set: Any, indices: Any, capacity: Any, count: Any, error: Any) -> int:
@@ -1919,7 +1920,7 @@ def carom_world_get_particles(world: Any, sets: Any, capacity: Any, count: Any, 
     @status OK; NULL_ARGUMENT; BUSY"""
     ...
 def carom_effect_name(effect: Any) -> bytes:
-    """Static name of an effect ("gravity"), or "?".   @thread any"""
+    """Static name of an effect ("gravity"), or "?"."""
     ...
 def carom_world_set_effect(world: Any, effect: Any, mode: Any, error: Any) -> int:
     """Forbid or force an effect from the next step on, for all bodies. Wakes all bodies. Forbidding one that the scene
@@ -1933,9 +1934,9 @@ def carom_world_get_effect(world: Any, effect: Any, mode: Any, error: Any) -> in
 def carom_body_set_effect(world: Any, body: Any, effect: Any, mode: Any, error: Any) -> int:
     """The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for
     the world is forbidden for it. Particles, events and the ledger are not a body's.
+    @param mode CAROM_MODE_*
     @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use
-    carom_world_set_effect());
-            BUSY; REENTRANT; OUT_OF_MEMORY"""
+            carom_world_set_effect()); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_body_get_effect(world: Any, body: Any, effect: Any, mode: Any, error: Any) -> int:
     """@param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY"""
@@ -1960,7 +1961,7 @@ def carom_shape_distance(engine: Any, shape_a: Any, position_a: Any, orientation
     @param position_*     [3] m     @param orientation_* [4] x, y, z, w
     @param desc   may be NULL: defaults     @param result struct_size set by the caller
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM;
-            UNSUPPORTED (two half-spaces)     @thread any"""
+            UNSUPPORTED (two half-spaces)"""
     ...
 def carom_world_record_begin(world: Any, flags: Any, write: Any, user: Any, error: Any) -> int:
     """Record a world from now on, until carom_world_record_end() or until it is destroyed.
@@ -1976,8 +1977,9 @@ def carom_world_record_end(world: Any, error: Any) -> int:
 def carom_world_compare(world: Any, bytes: Any, size: Any, difference: Any, error: Any) -> int:
     """Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
     @param difference its struct_size set by the caller
+    @param bytes [size] of carom_world_save()   @param size number of bytes
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
-            OUT_OF_MEMORY"""
+            OUT_OF_MEMORY   @thread reader"""
     ...
 def carom_world_get_residuals(world: Any, residuals: Any, error: Any) -> int:
     """@param residuals with its struct_size set; filled. Before the first step, and after a step without contacts, what
@@ -2006,9 +2008,7 @@ def carom_mesh_desc_init(desc: Any, struct_size: Any) -> int:
 def carom_shape_create_mesh(engine: Any, desc: Any, shape: Any, error: Any) -> int:
     """Make scenery of a mesh. All is copied.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far
-    out, no
-            triangle that has an area); LIMIT; OUT_OF_MEMORY
-    @thread any, also while worlds step"""
+            out, no triangle that has an area); LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_height_field_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -2016,9 +2016,7 @@ def carom_height_field_desc_init(desc: Any, struct_size: Any) -> int:
 def carom_shape_create_height_field(engine: Any, desc: Any, shape: Any, error: Any) -> int:
     """Make scenery of a height field. All is copied.
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a
-    count, a
-            spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY
-    @thread any, also while worlds step"""
+            count, a spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_shape_get_scenery_info(engine: Any, shape: Any, info: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape)"""
@@ -2036,20 +2034,17 @@ def carom_shape_create(engine: Any, plugin: Any, params: Any, count: Any, shape:
     scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
     @param params [count] doubles, meaning as the plugin documents
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which);
-    PLUGIN_INVALID;
-            DECLARATION_FALSE; OUT_OF_MEMORY
-    @thread any, also while worlds step"""
+            PLUGIN_INVALID; DECLARATION_FALSE; OUT_OF_MEMORY"""
     ...
 def carom_shape_create_named(engine: Any, name: Any, params: Any, count: Any, shape: Any, error: Any) -> int:
     """Make a shape by the name of its plugin: "box", or "carom.box", or the id of a plugin of yours. Plugins that the
-    engine has come first. Then a file NAME.so is looked for and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute,
-    separated by ':'; not in programs that run with raised privileges), beside the library, in the folder where plugins
-    are installed. "half_space" is built in: normal x, y, z, offset.
+    engine has come first, by id, then by the name of the file they were loaded from. Then a file NAME.so is looked for
+    and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not in programs that run with raised
+    privileges), beside the library, in the folder where plugins are installed. "half_space" is built in: normal x, y,
+    z, offset.
     @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
     @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE;
-    PLUGIN_PATH;
-            PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY
-    @thread any, also while worlds step"""
+            PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_shape_create_half_space(engine: Any, normal: Any, offset: Any, shape: Any, error: Any) -> int:
     """The built-in half-space { x : normal . x <= offset } in the shape's own frame; unbounded, so static bodies only.
@@ -2064,6 +2059,7 @@ def carom_shape_get_info(engine: Any, shape: Any, info: Any, error: Any) -> int:
     ...
 def carom_shape_get_params(engine: Any, shape: Any, params: Any, count: Any, error: Any) -> int:
     """Copy out the parameters. @param count in: capacity of params; out: number of parameters.
+    @param params [count]
     @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)"""
     ...
 def carom_shape_support(engine: Any, shape: Any, dirs: Any, n: Any, points: Any, error: Any) -> int:
@@ -2078,7 +2074,7 @@ def carom_world_save(world: Any, flags: Any, buffer: Any, capacity: Any, needed:
     @param buffer   [capacity] bytes, or NULL to ask for the size
     @param capacity bytes; 0 if buffer is NULL
     @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
-    @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY"""
+    @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader"""
     ...
 def carom_world_restore(world: Any, bytes: Any, size: Any, error: Any) -> int:
     """Put a snapshot back, between steps. All of it is read and checked, and all memory that it takes is there, before
@@ -2098,7 +2094,7 @@ def carom_world_fork(world: Any, copy: Any, error: Any) -> int:
     """Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
     changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
     @param copy out: to be destroyed as any world
-    @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY"""
+    @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader"""
     ...
 def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: Any, error: Any) -> int:
     """Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world
@@ -2106,7 +2102,7 @@ def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: 
     @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
     @param translated [n] out; may be `handles`. All of them or, where one is refused, none
     @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
-            worlds); BUSY; REENTRANT"""
+            worlds); BUSY; REENTRANT   @thread reader"""
     ...
 def carom_world_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -2114,8 +2110,7 @@ def carom_world_desc_init(desc: Any, struct_size: Any) -> int:
 def carom_world_create(engine: Any, desc: Any, world: Any, error: Any) -> int:
     """@param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in
-            all); OUT_OF_MEMORY
-    @thread any"""
+            all); OUT_OF_MEMORY   @thread engine"""
     ...
 def carom_world_destroy(world: Any, error: Any) -> int:
     """Destroys its bodies, colliders, materials and particles too.   @status OK; NULL_ARGUMENT; BUSY; REENTRANT"""
@@ -2132,7 +2127,7 @@ def carom_world_set_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_world_get_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY"""
+    """@param value as carom_world_set_dial() takes it   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY"""
     ...
 def carom_world_set_preset(world: Any, preset: Any, error: Any) -> int:
     """Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
@@ -2149,7 +2144,8 @@ def carom_world_get_report(world: Any, report: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
     ...
 def carom_stage_name(stage: Any) -> bytes:
-    """Static name of a stage ("broad"), or "?".   @thread any"""
+    """Static name of a stage ("broad"), or "?".
+    @param stage CAROM_STAGE_*"""
     ...
 def carom_world_get_contacts(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """Copy out the contact points of the last step, in a deterministic order; those of colliders destroyed since are gone.
@@ -2171,7 +2167,9 @@ def carom_world_get_faults(world: Any, dst: Any, stride: Any, capacity: Any, cou
     ...
 def carom_world_hash(world: Any, hash: Any, error: Any) -> int:
     """64-bit hash of the dynamic state: equal iff (up to collision of the hash) every pose, velocity and cached contact
-    has the same bits, and every particle's position and velocity.   @status OK; NULL_ARGUMENT; BUSY"""
+    has the same bits, and every particle's position and velocity.
+    @param hash of the state
+    @status OK; NULL_ARGUMENT; BUSY   @thread reader"""
     ...
 def carom_query_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -2181,22 +2179,21 @@ def carom_world_cast_ray(world: Any, origin: Any, direction: Any, max: Any, desc
     @param origin [3] m   @param direction [3] m per unit of t, any length   @param max >= 0, may be infinite
     @param desc   may be NULL: defaults   @param size sizeof(carom_world_hit) as the caller knows it
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
-            BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread any"""
+            BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread reader"""
     ...
 def carom_world_cast_rays(world: Any, rays: Any, want: Any, desc: Any, hits: Any, error: Any) -> int:
     """What each of many rays meets first, or whether it meets anything. A bad ray (not finite, or max negative) spoils no
     other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
     @param want   CAROM_WANT_*   @param desc may be NULL: defaults
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE;
-    OUT_OF_RANGE;
-            BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any"""
+            OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader"""
     ...
 def carom_world_cast_rays_all(world: Any, rays: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """All that each of many rays meets: by ray, then by time, then by slot. A bad ray has one record that says so.
     @param dst    [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride sizeof(carom_world_hit) as the caller knows it
     @param count  out: how many there are (may exceed capacity; the first `capacity` are written)
-    @status as carom_world_cast_rays()   @thread any"""
+    @status as carom_world_cast_rays()   @thread reader"""
     ...
 def carom_world_cast_shapes(world: Any, shapes: Any, want: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
     """What each of many shapes meets first as it moves by its motion without turning, or whether it meets anything.
@@ -2204,19 +2201,19 @@ def carom_world_cast_shapes(world: Any, shapes: Any, want: Any, desc: Any, dst: 
     @param want   CAROM_WANT_*   @param desc may be NULL: defaults
     @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE;
-    NOT_UNIT;
-            OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread any"""
+            NOT_UNIT; OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader"""
     ...
 def carom_world_cast_shapes_all(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all()."""
+    """All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
+    @thread reader"""
     ...
 def carom_world_overlap_shapes(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
-    carom_world_cast_rays_all()."""
+    carom_world_cast_rays_all().   @thread reader"""
     ...
 def carom_world_find_nearest(world: Any, shapes: Any, reach: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
     """The collider nearest to each of many shapes or points, and where: least signed distance.
     @param reach  m, >= 0, may be infinite: farther ones are not looked for (then: MISS)
     @param dst    as carom_world_cast_shapes()
-    @status as carom_world_cast_shapes()   @thread any"""
+    @status as carom_world_cast_shapes()   @thread reader"""
     ...

@@ -3,6 +3,7 @@
 Written by bindings/gen/generate from include/carom; do not edit."""
 from __future__ import annotations
 
+from enum import IntFlag
 from typing import TYPE_CHECKING, Literal, TypedDict
 
 from ._values import Record
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from .shape import Shape
 
 # Words: each is a constant without its prefix, CAROM_BODY_STATIC "static". Numbers pass, too.
+ScalarWord = Literal["f32", "f64"]
 IslandFlagsWord = Literal["estimated", "bound", "joints_alone", "stalled"]
 MixWord = Literal["geometric_mean", "maximum", "minimum", "average", "multiply"]
 BodyTypeWord = Literal["static", "kinematic", "dynamic"]
@@ -24,7 +26,6 @@ AttributeWord = Literal["gravity_factor", "locks", "drag", "force_field_mask", "
 ContinuousWord = Literal["auto", "always", "never"]
 FieldWord = Literal["position", "orientation", "pose", "linear_velocity", "angular_velocity", "velocity", "force",
     "center", "mass"]
-ScalarWord = Literal["f32", "f64"]
 CastWord = Literal["miss", "hit", "overlap", "undecided", "bad_ray"]
 OverlapWord = Literal["apart", "overlapping", "touching", "fault"]
 DialWord = Literal["integrator", "rotation", "substeps", "solver", "velocity_iterations", "position_iterations",
@@ -79,6 +80,18 @@ ReasonWord = Literal["ordinary", "mass_ratio", "sink", "too_much", "bounce", "im
 FaultWord = Literal["returned", "not_finite", "outside", "not_support", "body_state", "particle_state"]
 WantWord = Literal["first", "any"]
 QueryFlagsWord = Literal["generic", "sensors"]
+
+
+class IslandFlags(IntFlag):
+    """CAROM_ISLAND_*: bits; `IslandFlags.ESTIMATED in flags`"""
+    ESTIMATED = 1
+    """its error was estimated in this step, else in one before"""
+    BOUND = 2
+    """the bound of work was hit: it errs more than was asked"""
+    JOINTS_ALONE = 4
+    """joints alone hold it: its error is of order 2, 4 or 6"""
+    STALLED = 8
+    """more substeps do not lessen its error, which is over what was asked: contacts, mostly"""
 
 
 class BodyRecord(Record):
@@ -400,7 +413,7 @@ class IslandRecord(Record):
     bodies: int
     substeps: int
     order: int
-    flags: int
+    flags: IslandFlags
     work: int
     place: float
     turn: float

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any, Callable, TypeVar
 
 from . import raw
 from ._values import Record, bits, copy_out, describe, enum, need_numpy, record, word
-from .records import (AccuracyRecord, ContactEventRecord, ContactRecord, DrawLineRecord, FaultEventRecord, FaultRecord, GroupRecord,
-                      GrowthRecord, IslandRecord, JointEventRecord, LedgerEntryRecord, LedgerStateRecord, PlanLineRecord, ResidualsRecord, SensorEventRecord, SleepEventRecord,
+from .records import (AccuracyRecord, ContactEventRecord, ContactRecord, DrawLineRecord, FaultEventRecord, FaultRecord,
+                      GroupRecord, GrowthRecord, IslandFlags, IslandRecord, JointEventRecord, LedgerEntryRecord,
+                      LedgerStateRecord, PlanLineRecord, ResidualsRecord, SensorEventRecord, SleepEventRecord,
                       StepReportRecord)
 
 if TYPE_CHECKING:
@@ -123,8 +124,10 @@ class Reports:
         return record(AccuracyRecord, asked) if present.value else None
 
     def islands(self) -> list[IslandRecord]:
-        """Islands of the last step, worst first: errors by the last estimate, substeps, work, flags. Of a world that asks."""
-        return self._records(IslandRecord, raw.carom_world_get_islands, raw.carom_island)
+        """Islands of the last step, worst first: errors by the last estimate, substeps, work, flags. Of a world that asks.
+        `IslandFlags.BOUND in world.islands()[0].flags`: the bound of work was hit, it errs more than was asked."""
+        found = copy_out(self._call, raw.carom_world_get_islands, raw.carom_island)
+        return [record(IslandRecord, one, self._wrap, flags=IslandFlags(one.flags)) for one in found]
 
     def measure_growth(self, *, steps: int, dt: float = 1 / 60) -> GrowthRecord:
         """How errors grow from here, by two copies of the world that begin a little apart; the world itself stays as it is.

@@ -40,7 +40,7 @@ void print_witness(const Witness& witness, bool answered) {
   if (answered) std::printf("     answer:     %s\n", triple(witness.out).c_str());
 }
 
-/// The child did not live to tell.   @return its obituary
+/// The child ended before its verdict: how, and with which input.
 void print_death(const ChildEnd& end, const Verdict& verdict, unsigned seconds) {
   std::string how;
   if (end.out_of_time)
@@ -68,10 +68,10 @@ int print_verdict(const Verdict& verdict, const ChildEnd& end, const CheckOption
               static_cast<unsigned long long>(verdict.calls), static_cast<unsigned long long>(verdict.param_sets),
               static_cast<unsigned long long>(verdict.shapes),
               verdict.seconds_per_call > 0 ? format(", %.0f ns a call", 1e9 * verdict.seconds_per_call).c_str() : "");
-  int lies = 0;
+  int invalid = 0;
   for (const Finding& finding : verdict.findings) {
     if (!finding.seen) continue;
-    ++lies;
+    ++invalid;
     std::printf(
         "  INVALID: %s%s\n", finding.what,
         finding.seen > 1 ? format(" (seen %llu times)", static_cast<unsigned long long>(finding.seen)).c_str() : "");
@@ -79,7 +79,7 @@ int print_verdict(const Verdict& verdict, const ChildEnd& end, const CheckOption
     std::printf("     what to do: %s\n", finding.remedy);
   }
   if (!end.finished) print_death(end, verdict, options.seconds);
-  if (lies || !end.finished) return kExitBadNews;
+  if (invalid || !end.finished) return kExitBadNews;
   std::printf(
       "  valid: every answer finite, repeatable, free of the direction's length, and of one convex set;\n"
       "  its declarations agree with its support function\n");
@@ -106,14 +106,14 @@ void add_check_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand(
       "check",
-      "Is this shape plugin valid? Tried in a child process; a witness when it lies. Its code runs: this is no sandbox");
+      "Is this shape plugin valid? Tried in a child process; a witness where it is invalid. Its code runs: this is no sandbox");
   command->add_option("PLUGIN", options->plugin, "A shared object, or the name of a plugin that `carom shapes` lists")
       ->required();
   command->add_option("PARAMS", options->params, "Parameters of the shape; none: several sets within its bounds");
   command->add_option("--seconds", options->seconds, "CPU limit; a function that takes longer counts as hanging")
       ->check(CLI::Range(1u, 3600u))
       ->capture_default_str();
-  command->footer("Exit codes: 0 valid; 1 it lies, hangs or crashes; 2 it could not be tried.");
+  command->footer("Exit codes: 0 valid; 1 it is invalid, hangs or crashes; 2 it could not be tried.");
   command->callback([options, &context] { check(*options, context); });
 }
 

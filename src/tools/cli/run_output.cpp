@@ -49,10 +49,11 @@ namespace {
 
 void print_what_happened(const Stage& stage, const Observer* observer, const RunSummary& run,
                          const std::vector<KindSummary>& kinds) {
-  std::printf("\nwhat happened in %.2f s:\n", run.simulated);
+  std::printf("\nsimulated %.2f s of world time in %llu steps:\n", run.simulated, count(run.steps));
   if (observer) {
     for (const std::string& line : observer->tell(stage)) std::printf("  %s\n", line.c_str());
-    if (!observer->came_off(stage)) std::printf("  (not what this scene is about: its parameters or dials spoil it)\n");
+    if (!observer->came_off(stage))
+      std::printf("  (the scene did not do what it shows: its parameters or dials prevent it)\n");
   }
   std::vector<std::vector<std::string>> rows = {
       {"bodies", "count", "moving", "y min", "y mean", "y max m", "fastest m/s", "escaped", "not finite"}};
@@ -83,7 +84,7 @@ void print_islands(const std::vector<carom_island>& islands) {
   constexpr std::size_t kTold = 5;
   if (islands.empty()) return;
   std::vector<std::vector<std::string>> rows = {
-      {"islands", "bodies", "substeps", "of runs", "m/s", "rad/s", "of what was asked", ""}};
+      {"islands", "bodies", "substeps", "of runs", "m/s", "rad/s", "of tolerance", ""}};
   for (std::size_t k = 0; k < std::min(kTold, islands.size()); ++k) {
     const carom_island& i = islands[k];
     const bool joints = i.flags & CAROM_ISLAND_JOINTS_ALONE;
@@ -112,8 +113,8 @@ void print_growth(const carom_growth& growth, double dt) {
 }
 
 void print_cost(const RunSummary& run) {
-  std::printf("\nwhat it cost:\n%llu steps in %.3f s of computing (%.1f times real time)\n", count(run.steps),
-              run.total_seconds, run.simulated / std::max(run.total_seconds, 1e-9));
+  std::printf("\ncost:\ncomputing time %.3f s for %llu steps (%.1f times real time)\n", run.total_seconds,
+              count(run.steps), run.simulated / std::max(run.total_seconds, 1e-9));
   std::printf("steps per second: min %.0f, average %.0f, max %.0f\n\n", run.min_rate, run.average_rate, run.max_rate);
   std::vector<std::vector<std::string>> rows = {{"stage", "ms/step", "share", ""}};
   for (std::size_t i = 0; i < run.stage_seconds.size(); ++i) {

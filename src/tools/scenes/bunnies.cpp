@@ -61,7 +61,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
 Scene bunnies_scene() {
   return {"bunnies",
           "N bunnies and, to each, boxes and spheres rain into a walled ground (the paper's scene C).",
-          "bunnies at rest among boxes, ears over edges, nobody inside a neighbour",
+          "bunnies at rest among boxes, ears over edges, none inside a neighbour",
           {{"n", "", "number of bunnies", 40, 1, 5000, true},
            {"hull_vertices", "", "vertices of a bunny's hull at most", 42, 8, 2000, true},
            {"boxes", "", "boxes to a bunny", 1, 0, 10, true},

@@ -57,7 +57,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
 Scene falling_scene() {
   return {"falling",
           "N boxes and spheres, alternating, fall into a walled box.",
-          "a heap that comes to rest, nobody lost, nobody sunk into a neighbour",
+          "a heap that comes to rest, no body lost, none sunk into a neighbour",
           {{"n", "", "number of bodies", 1024, 1, 100000, true},
            {"layers", "", "layers that they start in; 0: as many as make a cube", 0, 0, 1000, true},
            {"spacing", "m", "between neighbours of a layer; 2 spreads them out", 0.8, 0.8, 100}},

@@ -77,7 +77,7 @@ Scene terrain_scene() {
   return {
       "terrain",
       "Bodies of five kinds fall on hills made of triangles.",
-      "nobody falls through, and nobody stumbles over a seam",
+      "no body falls through, and none trips over a seam",
       {{"n", "", "number of bodies", 200, 1, 20000, true}, {"across", "m", "side of the square of hills", 24, 4, 400}},
       8.0,
       1.0 / 60,

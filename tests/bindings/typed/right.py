@@ -2,7 +2,7 @@
 import carom
 import numpy as np
 from carom.query import Hits, RayHits
-from carom.records import ContactRecord, JointAxisRecord, JointLimitRecord, JointStateRecord, WorldHitRecord
+from carom.records import ContactRecord, IslandFlags, JointAxisRecord, JointLimitRecord, JointStateRecord, WorldHitRecord
 from numpy.typing import NDArray
 from typing_extensions import assert_type
 
@@ -37,6 +37,8 @@ with carom.Engine(threads=2) as engine, engine.world(substeps=8, solver="direct"
     assert_type(world.create_bodies(np.zeros((4, 3)), engine.sphere(1), density=500), NDArray[np.uint64])
     assert_type(world.contacts(), list[ContactRecord])
     assert_type(world.report.max_penetration, float)
+    assert_type(world.islands()[0].flags, IslandFlags)
+    assert_type(IslandFlags.BOUND in world.islands()[0].flags, bool)
     assert_type(world.ray((0, 9, 0), (0, -1, 0), mask=1), "WorldHitRecord | None")
     assert_type(world.rays(np.zeros((4, 3)), (0, -1, 0)), RayHits)
     assert_type(world.casts(engine.sphere(1), np.zeros((4, 3)), (0, -1, 0)), Hits)

@@ -46,7 +46,7 @@ bool is_read(const World& world, const PlannedEffect& row) {
     row.participants.each([&](std::uint32_t k) { damped |= world.scene.springs.def[k].damping > 0; });
     return damped;
   }
-  return row.effect->rate || row.effect->id == EffectId::buoyancy;
+  return row.effect->rate || row.effect->reads_velocities;
 }
 
 /// Rattled islands and their joints leave the lists that the rest of the step goes through.
