@@ -4,5 +4,6 @@
 #include <carom/carom.h>
 
 #include "abi/columns.h"
-#include "abi/record_calls.inc"
 #include "abi/recorder.h"
+
+#include "abi/record_calls.inc"
