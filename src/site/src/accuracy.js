@@ -1,6 +1,6 @@
 // Accuracy in, steps out: a tolerance for the scene that runs, and what each island of the last step made of it.
 const MOST = 12; // islands that are listed; the rest is summed
-const number = (x) => (x === 0 ? "0" : x.toPrecision(2).replace(/\.?0+e/, "e"));
+const number = (x) => String(Number(x.toPrecision(2)));
 const NOTES = {
   bound: "the bound of work was hit",
   stalled: "more substeps do not lessen this error",
@@ -55,7 +55,8 @@ export class AccuracyPanel {
       over = islands.filter((island) => island.share > 1).length;
     this.sum.textContent = islands.length
       ? `${islands.length} ${islands.length === 1 ? "island" : "islands"}, ${work} substeps in all; ` +
-        `the worst errs by ${percent(islands[0].share)} of what was asked${over > 1 ? `, ${over} by more than all` : ""}`
+        `the worst errs by ${percent(islands[0].share)} ${islands[0].share > 10 ? "" : "of "}what was asked` +
+        (over > 1 ? `, ${over} by more than it` : "")
       : "";
   }
 
@@ -84,12 +85,7 @@ export class AccuracyPanel {
       ].join("; ");
       tr.insertCell().append(bodies[at] ? this.#button(at, island.bodies) : `${island.bodies}`);
       const note = island.flags.find((flag) => flag === "bound" || flag === "stalled");
-      for (const text of [
-        percent(island.share) + (note ? ` ${note}` : ""),
-        island.substeps,
-        island.order,
-        island.work,
-      ])
+      for (const text of [percent(island.share) + (note ? ` ${note}` : ""), island.substeps, island.order, island.work])
         Object.assign(tr.insertCell(), { textContent: text, className: "number" });
     }
   }
@@ -106,4 +102,4 @@ export class AccuracyPanel {
   }
 }
 
-const percent = (share) => (share > 10 ? `${number(share)} times` : `${(100 * share).toPrecision(2) * 1} %`);
+const percent = (share) => (share > 10 ? `${number(share)} times` : `${number(100 * share)} %`);

@@ -247,7 +247,7 @@ function choose(button) {
     other.setAttribute("aria-checked", String(other === button));
 }
 
-/** A shape that was dropped is there from now on: in this scene and in those to come, with a tool that drops bodies of it. */
+/** A shape that was dropped is there from now on, in this scene and in later ones, with a tool that drops bodies of it. */
 function bring(plugin, name) {
   const id = state.engine.useShape(plugin);
   state.shapes.push({ id, plugin });
@@ -367,13 +367,13 @@ async function start() {
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
   const first = (rows.find((row) => row.first) ?? rows.find((row) => row.name === "wall") ?? rows[0]).name;
   await open(wanted.scene ?? first, wanted.sides).catch(async (e) => (say(e.message), await open(first)));
-  $("accuracy-box").open = state.sims.some((sim) => sim.world.accuracy);
   if (location.search) {
     play(false);
     if (wanted.step)
       attempt(() => {
         while (state.sims[0].step < wanted.step) advance();
       });
+    $("accuracy-box").open = state.sims.some((sim) => sim.world.accuracy);
     redraw();
   }
   // For tests and the curious.
