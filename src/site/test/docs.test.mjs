@@ -92,7 +92,15 @@ test(
       const page = await context.newPage();
       page.on("console", (m) => m.type() === "error" && browser.errors.push(m.text()));
       page.on("pageerror", (e) => browser.errors.push(e.message));
-      for (const path of ["docs/", "docs/include/pages/body/", "docs/src/tools/accuracy/CHOOSING/", "docs/readme/"]) {
+      for (const path of [
+        "docs/",
+        "docs/include/pages/body/",
+        "docs/src/tools/accuracy/CHOOSING/",
+        "docs/readme/",
+        "docs/topics/accuracy/",
+        "docs/bindings/js/API/",
+        "docs/bindings/python/API/",
+      ]) {
         await page.goto(new URL(path, browser.base).href, { waitUntil: "domcontentloaded" });
         const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
         assert.ok(wide <= 0, `${path} at ${width} px is ${wide} px too wide`);
