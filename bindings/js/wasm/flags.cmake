@@ -5,7 +5,7 @@ option(CAROM_WASM_SIMD "Use WebAssembly's 128-bit registers: same bits, faster" 
 # `v = m * v` then reads what it has just written. Its vectorisers make such code of ours; core/wide.h hides its own
 # spreads.
 #
-# For size, but small functions are inlined and small loops unrolled as at -O2: steps take as long, NOTES.md has figures.
+# For size, but small functions are inlined and small loops unrolled as at -O2: steps take 2 % longer, NOTES.md has figures.
 # emscripten inlines nothing at -Os unless INLINING_LIMIT is 0. The boundary, which runs once a call, is inlined less.
 set(CAROM_WASM_OPTIMISE -Os CACHE STRING "How the module is optimised: -Os, or -O2; -Oz is slow")
 set(inlined $<IF:$<STREQUAL:$<TARGET_PROPERTY:NAME>,carom>,50,225>)
