@@ -2,7 +2,7 @@
 set(checked 0)
 file(GLOB_RECURSE pages ${SOURCE_DIR}/src/*.md ${SOURCE_DIR}/plugins/*.md ${SOURCE_DIR}/tests/*.md ${SOURCE_DIR}/bindings/*.md
   ${SOURCE_DIR}/include/*.md)
-list(FILTER pages EXCLUDE REGEX "/node_modules/")
+list(FILTER pages EXCLUDE REGEX "/(node_modules|dist)/")  # what npm and the build of the page put there
 foreach(page ${SOURCE_DIR}/README.md ${SOURCE_DIR}/ABI.md ${SOURCE_DIR}/CONTRIBUTING.md ${SOURCE_DIR}/SECURITY.md ${pages})
   if(NOT EXISTS ${page})
     message(SEND_ERROR "${page} is missing")

@@ -43,6 +43,11 @@ class Readme(unittest.TestCase):
         [program] = programs("README.md")
         self.assertRegex(output_of(program), r"y = (0\.49[5-9]|0\.50[0-5]) m")
 
+    def test_topic_of_accuracy(self):
+        """As its twins in C and JavaScript, and as the equation of motion: 0.78507 m."""
+        [program] = programs("src/site/docs/topics/accuracy.md")
+        self.assertRegex(output_of(program), r"at x = 0\.7851 m after 2 s; \d+ substeps, error 0\.")
+
     def test_that_is_all(self):
         self.assertEqual(len(PROGRAMS), 3)
 

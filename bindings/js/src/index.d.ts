@@ -186,6 +186,49 @@ export interface Hit {
   outcome: number;
 }
 
+/** An error tolerance, per second of motion. One of place and turn may be 0: it is not asked for. */
+export interface Accuracy {
+  /** m per second of motion; 1e-3 by default */
+  place: number;
+  /** rad per second of motion; 1e-3 by default */
+  turn: number;
+  /** Bound of work: that an island may take in a step, 2 to 4096; 256 by default. */
+  substeps: number;
+}
+
+/** Bodies that contacts, joints and springs connect. Errors are those of its step per second of motion, as estimated. */
+export interface Island {
+  /** That of its bodies which has the lowest slot; null if that was destroyed since. */
+  body: Body | null;
+  bodies: number;
+  substeps: number;
+  /** Of the error, as the estimate takes it. */
+  order: number;
+  /** "estimated": in this step. "bound": the bound of work was hit. "stalled": more substeps do not lessen its error. */
+  flags: ("estimated" | "bound" | "joints_alone" | "stalled")[];
+  /** Substeps of all runs of the step. */
+  work: number;
+  /** m/s */
+  place: number;
+  /** rad/s */
+  turn: number;
+  /** The larger of the two over what was asked. */
+  share: number;
+}
+
+/** How errors grow by themselves. */
+export interface Growth {
+  /** That were taken. */
+  steps: number;
+  /** Where the two motions are farthest apart. */
+  body: Body | null;
+  /** Errors grow e-fold, as in chaos. */
+  sensitive: boolean;
+  factor: number;
+  /** 1/s */
+  rate: number;
+}
+
 export class World {
   readonly engine: Engine;
   gravity: Vector;
@@ -215,6 +258,16 @@ export class World {
   setPreset(preset: number): void;
   setEffect(effect: number, mode: number): void;
   timeEffects(on?: boolean): void;
+  /** Set an error tolerance, from the next step on: islands take the substeps that their own error asks for. */
+  ask(about?: Partial<Accuracy>): void;
+  /** All islands take the substeps of the dial, as in a new world. */
+  askNothing(): void;
+  /** What was asked, or null. */
+  readonly accuracy: Accuracy | null;
+  /** Islands of the last step, worst first; none of a world that asks for nothing. */
+  islands(): Island[];
+  /** By two copies of the world that begin a little apart; the world itself stays as it is. */
+  measureGrowth(options: { steps: number; dt?: number }): Growth;
   report(): Record<string, number | bigint | number[]>;
   /** Keep an account of energy and momentum by cause from now on; no bit changes. */
   keepLedger(on?: boolean): void;

@@ -1,5 +1,6 @@
 // A world: bodies, joints and materials, and the step.
 import * as C from "./constants.js";
+import { accuracy } from "./accuracy.js";
 import { Body, Joint } from "./body.js";
 import { net, Owned } from "./owner.js";
 import { particlePositions } from "./particles.js";
@@ -61,7 +62,8 @@ export class World {
    *  shape, and of its collider density, friction, restitution */
   body({ shape, type = "dynamic", density, friction, restitution, material, fields = 0, ...desc } = {}) {
     const m = this.module;
-    if (desc.mass !== undefined) fields |= C.CAROM_BODY_FIELD_MASS;
+    for (const field of ["mass", "center", "inertia"])
+      if (desc[field] !== undefined) fields |= C[`CAROM_BODY_FIELD_${field.toUpperCase()}`];
     const handle = m.frame((room) => {
       const out = room(8);
       m.call(
@@ -383,4 +385,5 @@ export class World {
     });
   }
 }
+Object.defineProperties(World.prototype, Object.getOwnPropertyDescriptors(accuracy));
 if (Symbol.dispose) World.prototype[Symbol.dispose] = World.prototype.free;

@@ -31,6 +31,21 @@ test("a ball falls and lies", () => {
   s.free();
 });
 
+test("mass, centre and inertia that are given are the body's", () => {
+  const engine = carom.engine(),
+    world = engine.world({ gravity: [0, 0, 0] });
+  const desc = { mass: 2, inertia: [1, 0, 0, 0, 2, 0, 0, 0, 2.5] };
+  const body = world.body({ ...desc, center: [0.5, 0, 0] });
+  assert.equal(body.mass, 2);
+  assert.deepEqual(body.center, [0.5, 0, 0]);
+  // A torque of 1 N m for a second about y of inertia 2 kg m^2; without the inertia it would not turn at all.
+  const turned = world.body(desc);
+  for (let i = 0; i < 60; ++i) (turned.addForce([0, 0, 0], [0, 1, 0]), world.step(1 / 60));
+  assert.ok(Math.abs(turned.angularVelocity[1] - 0.5) < 1e-9, `${turned.angularVelocity}`);
+  assert.throws(() => world.body({ inertia: desc.inertia }), CaromError);
+  (world.free(), engine.free());
+});
+
 test("free fall is the closed form of the integrator", () => {
   const engine = carom.engine(),
     world = engine.world({ gravity: [0, -10, 0] });

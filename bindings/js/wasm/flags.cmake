@@ -4,8 +4,14 @@ option(CAROM_WASM_SIMD "Use WebAssembly's 128-bit registers: same bits, faster" 
 # same place:
 # `v = m * v` then reads what it has just written. Its vectorisers make such code of ours; core/wide.h hides its own
 # spreads.
-set(CAROM_WASM_OPTIMISE -O2 CACHE STRING "How the module is optimised: -O2, or -Os, -Oz for size")
-target_compile_options(carom_flags INTERFACE -fwasm-exceptions ${CAROM_WASM_OPTIMISE}
+#
+# For size, but small functions are inlined and small loops unrolled as at -O2: steps take 2 % longer, NOTES.md has figures.
+# emscripten inlines nothing at -Os unless INLINING_LIMIT is 0. The boundary, which runs once a call, is inlined less.
+set(CAROM_WASM_OPTIMISE -Os CACHE STRING "How the module is optimised: -Os, or -O2; -Oz is slow")
+set(inlined $<IF:$<STREQUAL:$<TARGET_PROPERTY:NAME>,carom>,50,225>)
+target_compile_options(carom_flags INTERFACE -fwasm-exceptions ${CAROM_WASM_OPTIMISE} -sINLINING_LIMIT=0
+  "SHELL:-mllvm -inline-threshold=${inlined}" "SHELL:-mllvm -unroll-threshold=150"
+  "SHELL:-mllvm -unroll-runtime=false" "SHELL:-mllvm -unroll-allow-partial=false"
   $<$<BOOL:${CAROM_WASM_SIMD}>:-msimd128> -fno-slp-vectorize -fno-vectorize)
 target_link_options(carom_flags INTERFACE -fwasm-exceptions)
 

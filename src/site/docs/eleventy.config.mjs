@@ -26,6 +26,7 @@ export default function (eleventy) {
           if (child.type === "image") change(child, "src");
         }
     });
+    md.core.ruler.push("tabs", ({ tokens, env }) => inTabs(tokens, env.page_));
     const { table_open, table_close } = md.renderer.rules;
     md.renderer.rules.table_open = (...a) =>
       `<div class="wide" tabindex="0" role="region" aria-label="Table">${table_open?.(...a) ?? "<table>"}`;
@@ -61,12 +62,31 @@ export default function (eleventy) {
   };
 }
 
+const TABS = { c: "C", python: "Python", js: "JavaScript" };
+
+/** Programs in several languages, one after the other, stand behind tabs; docs.js makes these. */
+function inTabs(tokens, page) {
+  if (!/\/docs\/(start|topics)\//.test(page.file)) return;
+  const program = (token) => token?.type === "fence" && TABS[token.info.trim()] !== undefined;
+  for (let i = 0; i < tokens.length; ++i) {
+    let end = i;
+    while (program(tokens[end])) ++end;
+    if (end - i < 2) continue;
+    const html = (content) => Object.assign(new tokens[i].constructor("html_block", "", 0), { content });
+    const made = tokens
+      .slice(i, end)
+      .flatMap((token) => [html(`<section aria-label="${TABS[token.info.trim()]}">`), token, html("</section>\n")]);
+    tokens.splice(i, end - i, html('<div class="tabs">\n'), ...made, html("</div>\n"));
+    i += made.length + 1;
+  }
+}
+
 /** llms.txt: what there is to read, with a line on each, as plain Markdown. */
 function listed(all) {
   const lines = [
     "# Carom",
     "",
-    "> A rigid-body physics engine with a C interface whose every approximation is a dial.",
+    `> A rigid-body physics engine with a C interface whose every approximation is a dial. Version ${version}.`,
     "",
   ];
   for (const group of all.groups()) {

@@ -1,15 +1,19 @@
-// The pages of the documentation: every Markdown file of the repository under its own path, and start pages of docs/start. Links
-// between them are made anew; what is linked and is no page is copied along. A link that leads nowhere is an error.
+// The pages of the documentation: every Markdown file of the repository under its own path, start pages and topics of
+// docs/, names of packages (api.mjs). Links between them are made anew; what is linked and is no page is copied along.
+// A link that leads nowhere is an error.
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { dirname, extname, join, normalize, posix, relative } from "node:path";
+import { apiPages } from "./api.mjs";
+import { SCENES } from "./curves/scenes.js";
 
 export const ROOT = new URL("../../../", import.meta.url).pathname;
-const START = "src/site/docs/start";
+const OWN = /^src\/site\/docs\/(start|topics)\/(.+)\.md$/; // pages that are in no folder of what they tell of
 const OUT = ["build", "out", "node_modules", "dist"];
-const PICTURES = [".svg", ".png", ".jpg", ".html"];
+const PICTURES = [".svg", ".png", ".webp", ".jpg", ".html"];
 
 const GROUPS = [
   ["Start", /^src\/site\/docs\/start\//],
+  ["Topics", /^src\/site\/docs\/topics\//],
   ["Overview", /^(README|ABI)\.md$/],
   ["Interface", /^include\//],
   ["Bindings", /^bindings\//],
@@ -29,10 +33,10 @@ function* markdown(folder = "") {
   }
 }
 
-/** Of a file: "src/tools/README.md" is at src/tools/, "ABI.md" at ABI/, start pages at start/, the first of them at the root. */
+/** Of a file: "src/tools/README.md" is at src/tools/, "ABI.md" at ABI/, start pages at start/, the first at the root. */
 function addressOf(file) {
-  if (file === `${START}/index.md`) return "";
-  if (file.startsWith(START)) return `start/${file.slice(START.length + 1, -3)}/`;
+  const [, folder, name] = OWN.exec(file) ?? [];
+  if (folder) return folder === "start" && name === "index" ? "" : `${folder}/${name}/`;
   if (file === "README.md") return "readme/";
   return file.endsWith("/README.md")
     ? file.slice(0, -9)
@@ -51,13 +55,26 @@ function included(line) {
   return block[0];
 }
 
+/** A line `@curve SCENE` stands for a curve of curves/scenes.js, measured where the page is read. */
+function curve(line) {
+  const scene = /^@curve (\w+)$/.exec(line)?.[1];
+  if (!SCENES[scene]) throw new Error(`${line}: there is no such curve`);
+  return [
+    `<div class="curve" data-scene="${scene}" data-wasm="../../../carom.wasm">`,
+    `<p>Error against cost: ${SCENES[scene].what}.</p>`,
+    '<p><button type="button">Measure it here</button> <span role="status"></span></p>',
+    '<div class="picture"></div>',
+    "</div>",
+  ].join("\n");
+}
+
 export class Pages {
   constructor() {
     this.files = new Map(); // that are copied: source path -> address
     this.wrong = []; // links
-    this.pages = [...markdown()].map((file) => {
-      let text = readFileSync(ROOT + file, "utf8");
-      if (file.startsWith(START)) text = text.replace(/^@include .*$/gm, included);
+    const read = [...markdown()].map((file) => ({ file, text: readFileSync(ROOT + file, "utf8") }));
+    this.pages = [...read, ...apiPages(ROOT)].map(({ file, text }) => {
+      if (OWN.test(file)) text = text.replace(/^@include .*$/gm, included).replace(/^@curve .*$/gm, curve);
       const heading = /^# (.+)$/m.exec(text);
       if (!heading) throw new Error(`${file} has no heading`);
       const title = heading[1].replace(/[`*]/g, "");
@@ -69,6 +86,7 @@ export class Pages {
       return {
         file,
         text,
+        curve: /class="curve"/.test(text),
         title: file === "README.md" ? "README" : title,
         about: prose
           .trim()
@@ -97,11 +115,10 @@ export class Pages {
     if (/^([a-z]+:|#|\/\/)/i.test(href)) return href;
     const [path, anchor] = href.split("#"),
       end = anchor === undefined ? "" : `#${anchor}`;
-    const from = page.file.startsWith(START) ? "" : dirname(page.file);
-    if (page.file.startsWith(START) && path.startsWith("live:")) return href;
+    const from = OWN.test(page.file) ? "" : dirname(page.file);
     let file = normalize(join(from, decodeURIComponent(path))).replace(/\/$/, "");
-    if (file.startsWith("..") || !existsSync(ROOT + file)) return this.#lost(page, href);
-    if (statSync(ROOT + file).isDirectory()) {
+    if (file.startsWith("..") || !(this.byFile.has(file) || existsSync(ROOT + file))) return this.#lost(page, href);
+    if (!this.byFile.has(file) && statSync(ROOT + file).isDirectory()) {
       // A folder is its page, or that of the nearest folder above that has one.
       while (file && file !== "." && !this.byFile.has(`${file}/README.md`)) file = dirname(file);
       file = file && file !== "." ? `${file}/README.md` : "README.md";

@@ -1,7 +1,9 @@
 // The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
 import { load, Recording } from "carom";
+import { AccuracyPanel } from "./accuracy.js";
 import { plot, plotCauses } from "./curves.js";
 import { readLink, writeLink } from "./link.js";
+import { made } from "./made.js";
 import { opened } from "./opened.js";
 import { Panel } from "./panel.js";
 import { Picture, SHOWN } from "./picture.js";
@@ -28,7 +30,7 @@ const state = {
   last: 0,
 };
 const shown = { ...SHOWN };
-let carom, rows, stage, panel, pointer, plan;
+let carom, rows, stage, panel, pointer, plan, accuracy;
 
 function say(text) {
   $("message").textContent = text;
@@ -155,6 +157,7 @@ function redraw() {
   sim.account($("causes-box").open);
   if ($("causes-box").open) plotCauses($("causes"), $("causes-table"), sim.causes, sim.step);
   if ($("plan-box").open) plan.update(sim.world.plan());
+  if ($("accuracy-box").open) accuracy.update();
 }
 
 function play(on) {
@@ -200,17 +203,9 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
   row.camera ? stage.look(row) : stage.paint();
 }
 
-/** The scene of other numbers, as `carom view` makes it. */
 async function make(name, values) {
-  const query = new URLSearchParams({ scene: name });
-  for (const [knob, value] of Object.entries(values)) query.append("set", `${knob}=${value}`);
-  const response = await fetch(`scenes/make?${query}`);
-  if (response.status === 404) throw new Error("scenes are made by the command: open this page by carom view");
-  if (!response.ok) throw new Error(await response.text());
-  const bytes = new Uint8Array(await response.arrayBuffer()),
-    n = new DataView(bytes.buffer).getUint32(0, true);
-  const row = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + n)));
-  begin({ ...row, made: values }, bytes.slice(4 + n), [{ settings: [], log: [] }]);
+  const { row, start } = await made(name, values);
+  begin(row, start, [{ settings: [], log: [] }]);
   stage.look(row);
   redraw();
 }
@@ -252,7 +247,7 @@ function choose(button) {
     other.setAttribute("aria-checked", String(other === button));
 }
 
-/** A shape that was dropped is there from now on: in this scene and in those to come, with a tool that drops bodies of it. */
+/** A shape that was dropped is there from now on, in this scene and in later ones, with a tool that drops bodies of it. */
 function bring(plugin, name) {
   const id = state.engine.useShape(plugin);
   state.shapes.push({ id, plugin });
@@ -331,7 +326,7 @@ function controls() {
     const key = { " ": "play", ArrowRight: "step", ArrowLeft: "back", r: "reset" }[e.key];
     if (key) (e.preventDefault(), $(key).click());
   });
-  $("plan-box").ontoggle = $("curves-box").ontoggle = $("causes-box").ontoggle = () => state.sims.length && redraw();
+  for (const box of document.querySelectorAll("details[id]")) box.ontoggle = () => state.sims.length && redraw();
   new ResizeObserver(() => state.sims.length && redraw()).observe($("stage"));
 }
 
@@ -343,6 +338,11 @@ async function start() {
   for (const row of rows) $("scene").add(new Option(row.name, row.name));
   stage = new Stage($("view"));
   plan = new PlanPanel($("stages"), $("plan"), (effect, mode) => act({ do: "effect", effect, mode }));
+  accuracy = new AccuracyPanel($("accuracy-box"), {
+    sims: () => state.sims,
+    act: (which, action) => (attempt(() => state.sims[which].do(action)), panel.refresh()),
+    follow: (body) => ((state.following = body), redraw()),
+  });
   panel = new Panel($("panel"), {
     carom,
     shown,
@@ -373,6 +373,7 @@ async function start() {
       attempt(() => {
         while (state.sims[0].step < wanted.step) advance();
       });
+    $("accuracy-box").open = state.sims.some((sim) => sim.world.accuracy);
     redraw();
   }
   // For tests and the curious.

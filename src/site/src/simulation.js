@@ -69,8 +69,11 @@ export class Simulation {
     }
     if (this.step < this.newest) this.#forgetFuture();
     act(this, action); // throws before it is written down
-    if (!this.actions.has(this.step)) this.actions.set(this.step, []);
-    this.actions.get(this.step).push(action);
+    const done = this.actions.get(this.step) ?? [];
+    // Of a slider that is drawn along, the last value counts.
+    const before = done.findIndex((a) => a.do === "dial" && action.do === "dial" && a.name === action.name);
+    if (before >= 0) done.splice(before, 1);
+    this.actions.set(this.step, [...done, action]);
     this.lastAction = Math.max(this.lastAction, this.step);
   }
 

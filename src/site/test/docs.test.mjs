@@ -92,7 +92,15 @@ test(
       const page = await context.newPage();
       page.on("console", (m) => m.type() === "error" && browser.errors.push(m.text()));
       page.on("pageerror", (e) => browser.errors.push(e.message));
-      for (const path of ["docs/", "docs/include/pages/body/", "docs/src/tools/accuracy/CHOOSING/", "docs/readme/"]) {
+      for (const path of [
+        "docs/",
+        "docs/include/pages/body/",
+        "docs/src/tools/accuracy/CHOOSING/",
+        "docs/readme/",
+        "docs/topics/accuracy/",
+        "docs/bindings/js/API/",
+        "docs/bindings/python/API/",
+      ]) {
         await page.goto(new URL(path, browser.base).href, { waitUntil: "domcontentloaded" });
         const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
         assert.ok(wide <= 0, `${path} at ${width} px is ${wide} px too wide`);
@@ -114,5 +122,83 @@ test(
     await context.close();
   },
 );
+
+const topics = unbuilt ? [] : readdirSync(join(DOCS, "topics"));
+
+test(
+  "topics measure error against cost, where they are read",
+  { skip: skip || unbuilt, timeout: 600000 },
+  async (t) => {
+    const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
+    const page = await context.newPage();
+    page.on("console", (m) => m.type() === "error" && browser.errors.push(m.text()));
+    page.on("pageerror", (e) => browser.errors.push(e.message));
+    // The scenes beside the curves are other tests' business: here they would share the processor.
+    await page.route(/\?scene=/, (route) => route.fulfill({ body: "", contentType: "text/html" }));
+    assert.ok(topics.length >= 6);
+    for (const topic of topics) {
+      await page.goto(new URL(`docs/topics/${topic}/`, browser.base).href, { waitUntil: "domcontentloaded" });
+      const box = page.locator(".curve");
+      await box.locator("button").click();
+      await page.waitForFunction(() => /done|failed/.test(document.querySelector(".curve").dataset.state), null, {
+        timeout: 120000,
+      });
+      assert.equal(await box.getAttribute("data-state"), "done", await box.locator("[role=status]").innerText());
+      const { errors, inside, series, rows } = await box.evaluate((e) => {
+        const points = [...e.querySelectorAll(".point")],
+          picture = e.querySelector(".picture > svg").getBoundingClientRect();
+        const within = (r) => r.left >= picture.left && r.right <= picture.right && r.bottom <= picture.bottom;
+        return {
+          errors: points.map((p) => Number(p.dataset.error)),
+          inside: points.every((p) => within(p.getBoundingClientRect())),
+          series: e.querySelectorAll(".legend li").length,
+          rows: e.querySelectorAll("tbody tr").length,
+        };
+      });
+      assert.ok(errors.every((x) => Number.isFinite(x) && x >= 0) && inside, `${topic}: ${errors}`);
+      assert.ok(series >= 3 && errors.length >= 15 && rows === errors.length, topic);
+      assert.ok(Math.min(...errors) < 1e-5 && Math.max(...errors) > 1e-4, `${topic}: ${errors}`);
+      t.diagnostic(`${topic}: ${errors.length} points in ${series} series`);
+    }
+    await context.close();
+  },
+);
+
+test("programs stand in three languages behind tabs", { skip: skip || unbuilt, timeout: 120000 }, async () => {
+  const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
+  const page = await context.newPage();
+  page.on("pageerror", (e) => browser.errors.push(e.message));
+  const seen = () => page.locator(".tabs section:visible").evaluateAll((all) => all.map((e) => e.ariaLabel));
+  for (const [path, first] of [
+    ["docs/start/games/", "C"],
+    ["docs/start/robotics/", "Python"],
+    ["docs/start/web/", "JavaScript"],
+  ]) {
+    await page.goto(new URL(path, browser.base).href, { waitUntil: "domcontentloaded" });
+    await page.waitForSelector("[role=tab]");
+    assert.deepEqual(await seen(), [first], path);
+  }
+  await page.locator("[role=tab]", { hasText: "Python" }).click();
+  assert.deepEqual(await seen(), ["Python"]);
+  await page.keyboard.press("ArrowRight");
+  assert.notDeepEqual(await seen(), ["Python"]);
+  await page.locator("[role=tab]", { hasText: "Python" }).click();
+  await page.goto(new URL("docs/topics/accuracy/", browser.base).href, { waitUntil: "domcontentloaded" });
+  await page.waitForSelector("[role=tab]");
+  assert.deepEqual(await seen(), ["Python"]); // it is remembered
+  await context.close();
+});
+
+test("names of the Python and JavaScript packages, and the version, are on their pages", { skip: unbuilt }, () => {
+  const text = (path) => readFileSync(join(DOCS, path, "index.html"), "utf8");
+  for (const [path, names] of [
+    ["bindings/js/API", ["measureGrowth", "islands", "CaromPhysics", "CaromError"]],
+    ["bindings/python/API", ["measure_growth", "islands", "contact_array", "StaleHandle"]],
+  ])
+    for (const name of names) assert.ok(text(path).includes(name), `${path}: ${name}`);
+  const version = /<span class="version">([\d.]+)</.exec(text("readme"))[1];
+  for (const page of files(DOCS, "index.html"))
+    assert.match(readFileSync(page, "utf8"), new RegExp(`Carom ${version} ·`));
+});
 
 test("no console error in all of this", { skip: skip || unbuilt }, () => assert.deepEqual(browser.complaints(), []));

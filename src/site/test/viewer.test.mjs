@@ -114,7 +114,11 @@ test("dials, presets, plan, drawings, comparison", { skip, timeout: 180000 }, as
   const preset = page.locator("#panel select").first();
   await preset.selectOption({ label: "accurate" });
   assert.notEqual(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 2);
-  await page.locator("#panel .lil-controller", { hasText: /^substeps/ }).first().locator("input").fill("3");
+  await page
+    .locator("#panel .lil-controller", { hasText: /^substeps/ })
+    .first()
+    .locator("input")
+    .fill("3");
   await page.keyboard.press("Enter");
   assert.equal(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 3);
   await page.click("#step");
@@ -146,6 +150,58 @@ test("dials, presets, plan, drawings, comparison", { skip, timeout: 180000 }, as
   assert.deepEqual(await other.evaluate(() => caromViewer.state.sims.map((s) => s.hash())), hashes);
   (await page.close(), await other.close());
 });
+
+test(
+  "an accuracy is asked for: it acts at once, islands tell, and a link has it",
+  { skip, timeout: 180000 },
+  async () => {
+    const page = await visit("?scene=ragdoll&step=5");
+    await page.locator("summary", { hasText: "Accuracy in, steps out" }).click();
+    assert.equal(await page.locator("#accuracy-islands tr").count(), 0);
+    const asked = () => page.evaluate(() => caromViewer.state.sims[0].world.accuracy);
+    assert.equal(await asked(), null);
+    await page.check("#accuracy-on");
+    assert.deepEqual(await asked(), { place: 1e-3, turn: 1e-3, substeps: 256 });
+    const work = {};
+    for (const power of [-1, -5]) {
+      await page.locator("#accuracy-slider").fill(String(power));
+      assert.equal((await asked()).place, Number(`1e${power}`));
+      await page.click("#step");
+      const islands = await page.evaluate(() =>
+        caromViewer.state.sims[0].world.islands().map(({ share, work }) => ({ share, work })),
+      );
+      assert.ok(islands.length > 0 && islands.every(({ share }, i) => i === 0 || share <= islands[i - 1].share));
+      work[power] = islands.reduce((sum, island) => sum + island.work, 0);
+      const rows = await page.locator("#accuracy-islands tbody tr").allInnerTexts();
+      assert.equal(rows.length, Math.min(12, islands.length));
+      for (const text of rows)
+        assert.match(text, /^\d+( \+\d+)?\s[\d.e-]+ (%|times)( bound| stalled)?\s+\d+\s+\d+\s+\d+$/);
+      assert.match(
+        await page.locator("#accuracy-sum").innerText(),
+        new RegExp(`^${islands.length} island.* ${work[power]} `),
+      );
+    }
+    assert.ok(work[-1] > 0 && work[-5] > 0, JSON.stringify(work)); // orders differ, so more need not cost more
+    await page.locator("#accuracy-islands button").first().click();
+    assert.notEqual(await page.evaluate(() => caromViewer.state.following), null);
+    for (let i = 0; i < 5; ++i) await page.click("#step");
+    const done = await now(page);
+    await page.click("#link");
+    const other = await visit(new URL(page.url()).search);
+    assert.deepEqual(await now(other), { ...done, message: "" });
+    assert.ok(await other.locator("#accuracy-on").isChecked());
+    assert.equal(await other.locator("#accuracy-slider").inputValue(), "-5");
+    await other.close();
+    // In a comparison each side has its own.
+    await page.locator("#panel .lil-controller", { hasText: "Compare" }).locator("input").check();
+    await page.selectOption("#accuracy-side", "1");
+    await page.uncheck("#accuracy-on");
+    const sides = await page.evaluate(() => caromViewer.state.sims.map((sim) => sim.world.accuracy?.place ?? null));
+    assert.deepEqual(sides, [1e-5, null]);
+    assert.equal(await page.locator("#accuracy-islands tr").count(), 0);
+    await page.close();
+  },
+);
 
 test(
   "files: saved ones open, hostile ones and wrong links are told of and change nothing",
