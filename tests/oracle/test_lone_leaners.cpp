@@ -112,7 +112,7 @@ Real ladder(Real half, Real radius, Real from, Real friction, Real until, Real d
   Real x = radius + a * std::cos(from), vx = 0, worst = 0;
   bool is_off = false;
   const int parts = 100;
-  for (Real at = 0; truth.th > until; at += dt) {
+  while (truth.th > until) {
     t.world.step(dt);
     for (int i = 0; i < parts; ++i) {
       const Real h = dt / parts;

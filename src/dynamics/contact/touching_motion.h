@@ -17,7 +17,7 @@
 
 namespace carom::dynamics {
 
-struct World;
+class World;
 
 inline constexpr Constant<Real> kRollStep{
     "roll_step", 0.1, "rad",
