@@ -37,11 +37,11 @@ void remake(A& array, std::size_t n) {
 
 /// Room for one more element at `slot`, so that the resize after it cannot fail.
 template <class... A>
-void make_room(std::size_t slot, A&... arrays) {
-  const auto room = [slot](auto& a) {
+void reserve_slot(std::size_t slot, A&... arrays) {
+  const auto grow = [slot](auto& a) {
     if (a.capacity() <= slot) a.reserve(with_slack(slot + 1));
   };
-  (room(arrays), ...);
+  (grow(arrays), ...);
 }
 
 /// Destroys what make_owned() made; remembers the size, since a base class does not know it.

@@ -18,7 +18,7 @@ class PairCounts {
   bool has(std::uint32_t a, std::uint32_t b) const { return size_ > 0 && entries_[find(key(a, b))].count > 0; }
 
   /// Room for so many pairs more, so that add() cannot fail.
-  void make_room(std::size_t more = 1) {
+  void reserve(std::size_t more = 1) {
     std::size_t size = std::max<std::size_t>(16, entries_.size());
     while (size < 2 * (size_ + more)) size *= 2;
     if (size == entries_.size()) return;

@@ -101,7 +101,7 @@ class BodyAttributes {
   std::uint64_t bytes_of(EffectId effect) const;
 
   /// A place for so many bodies. May run out of memory; then nothing has changed.
-  void make_room(AttributeId id, std::uint32_t bodies);
+  void reserve(AttributeId id, std::uint32_t bodies);
   /// There is room.
   void set(AttributeId id, std::uint32_t body, const AttributeValue& value);
   /// The usual values: of a body that goes, so that whoever gets its slot has them, and of all.

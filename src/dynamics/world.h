@@ -116,7 +116,7 @@ class World {
   void set_sensor(std::uint32_t collider, bool sensor);
   void set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& surface);
   void set_attribute(std::uint32_t body, AttributeId id, const AttributeValue& value);  // one that it may have
-  void make_room_for_another(AttributeId id);  // so that the next body may have any value of it without more memory
+  void reserve_another(AttributeId id);  // so that the next body may have any value of it without more memory
   void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
   void let_go(std::uint32_t body_a, std::uint32_t body_b);
   void set_transmission(std::uint32_t slot, const Transmission& transmission);

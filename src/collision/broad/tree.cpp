@@ -222,11 +222,11 @@ class Tree final : public BroadPhase {
   /// The lists change places, so what one has grown to the others get too; and what they are merged and sorted into.
   void level(Array<Pair>& pairs) {
     constexpr std::size_t kFew = 16;  // so that a small world has done so after its first step
-    const std::size_t room = std::max({kFew, known_.capacity(), spare_.capacity(), fresh_.capacity()});
-    for (Array<Pair>* list : {&known_, &spare_, &fresh_, &pairs}) list->reserve(room);
-    blocks_.reserve(room / kPairsAPart + 1), tests_.reserve(kind_.size());
-    if (found_.size() < room) found_.resize(room);
-    order_.reserve(room);
+    const std::size_t capacity = std::max({kFew, known_.capacity(), spare_.capacity(), fresh_.capacity()});
+    for (Array<Pair>* list : {&known_, &spare_, &fresh_, &pairs}) list->reserve(capacity);
+    blocks_.reserve(capacity / kPairsAPart + 1), tests_.reserve(kind_.size());
+    if (found_.size() < capacity) found_.resize(capacity);
+    order_.reserve(capacity);
   }
 
   /// Whether two may be a pair.

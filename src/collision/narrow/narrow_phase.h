@@ -167,12 +167,12 @@ class PairTable {
 };
 
 struct NarrowReport {
-  std::uint64_t gjk_calls = 0, epa_calls = 0, support_calls = 0, carried = 0;
+  std::uint64_t gjk_calls = 0, epa_calls = 0, support_calls = 0, reused = 0;
   std::uint64_t kept_patches = 0;  // pairs that moved too little to be asked again
 
   NarrowReport& operator+=(const NarrowReport& other) {
     gjk_calls += other.gjk_calls, epa_calls += other.epa_calls, support_calls += other.support_calls;
-    carried += other.carried, kept_patches += other.kept_patches;
+    reused += other.reused, kept_patches += other.kept_patches;
     return *this;
   }
 };

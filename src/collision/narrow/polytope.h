@@ -67,9 +67,9 @@ class Polytope {
   Face faces_[kFaces];
   Real offset_[kFaces + kLanes];  // of faces, side by side for the search; infinite where none is alive
   std::int32_t free_[kFaces + 1];
-  Link horizon_[kFaces];          // edges of faces that stay, in the order of the loop
-  std::int32_t rim_[kFaces + 1];  // vertices between them, the first again at the end
-  Rim<kFaces> rim_at_;            // where they lie
+  Link horizon_[kFaces];           // edges of faces that stay, in the order of the loop
+  std::int32_t loop_[kFaces + 1];  // vertices between them, the first again at the end
+  Horizon<kFaces> loop_at_;        // where they lie
 };
 
 }  // namespace carom::collision

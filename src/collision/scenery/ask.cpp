@@ -76,10 +76,10 @@ void first_along(const Scenery& scenery, const Vec3& from, const Heading& headin
   Sum sum;
   const auto one = [&](std::uint32_t index) {
     Triangle triangle;
-    CastResult answer;
-    if (scenery.triangle(index, triangle) && ask(triangle, answer)) {
-      sum.add(answer);
-      if (comes_before(answer, result)) result = answer;
+    CastResult found;
+    if (scenery.triangle(index, triangle) && ask(triangle, found)) {
+      sum.add(found);
+      if (comes_before(found, result)) result = found;
     }
     // Brackets are as wide as the tolerance times the size of a triangle; what is farther by more comes later.
     return result.outcome == CastOutcome::miss ? kInfinity : way(heading.speed, result.upper);

@@ -198,20 +198,20 @@ bool SceneryPairFinder::meet(const Terms& t, const Triangle& triangle) {
   if (sides.any && !(inset >= 0 && -height <= inset)) {
     QuerySettings query = t.settings.query;
     query.max_distance = t.reach, query.method = Method::gjk_epa;
-    QueryResult answer;
+    QueryResult found;
     const Frame convex_in_triangle = relative(frame, pair.convex_frame);
-    generic_distance(shape_.shape(), pair.convex, convex_in_triangle, query, nullptr, answer, t.fault);
-    t.report.gjk_calls += 1, t.report.epa_calls += answer.epa_iterations > 0;
-    t.report.support_calls += static_cast<std::uint64_t>(answer.support_calls);
-    if (answer.status == QueryStatus::fault) return false;
-    if (answer.farther || !(answer.separation <= t.reach)) return true;
-    const Vec3 place = answer.point_a + shape_.origin();
-    const Ruling verdict = judge(scenery, triangle, sides, place, answer.normal, 1e-7 * shape_.shape().bounding_radius);
+    generic_distance(shape_.shape(), pair.convex, convex_in_triangle, query, nullptr, found, t.fault);
+    t.report.gjk_calls += 1, t.report.epa_calls += found.epa_iterations > 0;
+    t.report.support_calls += static_cast<std::uint64_t>(found.support_calls);
+    if (found.status == QueryStatus::fault) return false;
+    if (found.farther || !(found.separation <= t.reach)) return true;
+    const Vec3 place = found.point_a + shape_.origin();
+    const Ruling verdict = judge(scenery, triangle, sides, place, found.normal, 1e-7 * shape_.shape().bounding_radius);
     if (verdict == Ruling::neighbours) return leave(), true;
     own = verdict == Ruling::own;
     if (!own) {
-      nearest.normal = answer.normal, nearest.separation = answer.separation;
-      nearest.on_a = answer.point_a, nearest.on_b = answer.point_b;
+      nearest.normal = found.normal, nearest.separation = found.separation;
+      nearest.on_a = found.point_a, nearest.on_b = found.point_b;
     }
   }
   nearest.normal = pair.frame.rotate(nearest.normal);

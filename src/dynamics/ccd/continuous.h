@@ -48,7 +48,7 @@
 namespace carom::dynamics {
 
 /// The dial's choices.
-enum SweepChoice : std::uint32_t { kSweepNobody, kSweepFlagged, kSweepFast };
+enum SweepChoice : std::uint32_t { kSweepNone, kSweepFlagged, kSweepFast };
 
 /// An impact that a sweep answered, as events tell of it.
 struct SweepHit {

@@ -119,7 +119,7 @@ SweptBody& know(const World& world, std::uint32_t body) {
 }
 
 void continuous::find(const Scene& scene, const State& state, Participants& participants) {
-  if (scene.dials.choice(Dial::continuous) == kSweepNobody) return;
+  if (scene.dials.choice(Dial::continuous) == kSweepNone) return;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
     if (scene.bodies.alive(i) && scene.def[i].continuous == SweepMode::always && scene.type[i] != BodyType::fixed &&
         !state.held_out[i])

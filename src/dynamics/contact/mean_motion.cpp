@@ -71,7 +71,7 @@ class Projection {
   /// @param row  an impulse: J c is its product with a velocity
   void take_out(Stacked row, Stacked& c) {
     if (held_ == 6 * row.bodies) return;
-    Stacked v = answer(row);
+    Stacked v = solve(row);
     const Real whole = row.dot(v);
     for (std::size_t k = 0; k < held_; ++k) {
       const Real shared = row.dot(velocity_[k]);
@@ -86,7 +86,7 @@ class Projection {
   }
 
  private:
-  Stacked answer(const Stacked& row) const {
+  Stacked solve(const Stacked& row) const {
     Stacked v(row.bodies);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const std::uint32_t slot = bodies_[i].slot;

@@ -87,17 +87,17 @@ template <bool kPush, class Sides>
 CAROM_LANES_INLINE void limit(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, double inv_h) {
   const Lanes u = sides.along(drive.row), p = drive.row.p;
   const Lanes above = drive.row.error - drive.lower, below = drive.upper - drive.row.error;
-  const auto wanted = [&](Lanes room, Lanes closing) __attribute__((always_inline)) {
-    const LaneMask open = room > 0;
+  const auto wanted = [&](Lanes distance, Lanes closing) __attribute__((always_inline)) {
+    const LaneMask open = distance > 0;
     if constexpr (kPush) {
-      const Lanes lack = closing - (open ? room * inv_h : joint.bias_rate * room);
+      const Lanes lack = closing - (open ? distance * inv_h : joint.bias_rate * distance);
       return (open ? all(1) : joint.mass_scale) * drive.m * lack;
     } else {
-      return drive.m * (closing - (open ? room * inv_h : all(0)));
+      return drive.m * (closing - (open ? distance * inv_h : all(0)));
     }
   };
-  const auto kept = [&](Lanes room) __attribute__((always_inline)) {
-    if constexpr (kPush) return room > 0 ? p : p - joint.impulse_scale * p;
+  const auto kept = [&](Lanes distance) __attribute__((always_inline)) {
+    if constexpr (kPush) return distance > 0 ? p : p - joint.impulse_scale * p;
     return p;
   };
   const Lanes next = larger(kept(above) + wanted(above, -u), all(0)) + smaller(kept(below) - wanted(below, u), all(0));

@@ -287,8 +287,8 @@ void account_stage(const World& world, LedgerAccount account, const StepTime& ti
       return;
     case LedgerAccount::opens:
       return open_accounts(world);
-    case LedgerAccount::makes_room:
-      return make_room_for_shares(world);
+    case LedgerAccount::reserves:
+      return reserve_shares(world);
     case LedgerAccount::forces:
       return account_kicks(world, time);
     case LedgerAccount::impacts:

@@ -155,11 +155,11 @@ inline bool keeps_ledger(const World& world) {
 
 /// How the ledger books what a stage did, @see stages.cpp, which says so of each.
 enum class LedgerAccount : std::uint8_t {
-  none,        // it changes nothing that is booked
-  with_host,   // before the books of a step open: its changes count among the host's
-  by_itself,   // it books on the way
-  opens,       // the books of a step, with what the host did since the last one
-  makes_room,  // for what solvers give
+  none,       // it changes nothing that is booked
+  with_host,  // before the books of a step open: its changes count among the host's
+  by_itself,  // it books on the way
+  opens,      // the books of a step, with what the host did since the last one
+  reserves,   // for what solvers give
   forces,
   impacts,
   moments,
@@ -207,7 +207,7 @@ void account_turns(const World& world);
 
 // ---- shares.cpp: of a solver's impulses ----
 /// Room for what the next two keep. Allocates.
-void make_room_for_shares(const World& world);
+void reserve_shares(const World& world);
 /// Impulses as the phase after the move begins with them.
 void save_impulses(const World& world);
 /// Friction of a pair in lanes counts from nothing again.

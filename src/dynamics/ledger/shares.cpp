@@ -213,7 +213,7 @@ bool solves_directly(const World& world) { return world.plan->solver->calls_dire
 
 }  // namespace
 
-void make_room_for_shares(const World& world) {
+void reserve_shares(const World& world) {
   Ledger& l = *world.ledger;
   with_lanes(*world.wide, [&](const auto& lanes, const auto&) {
     l.old_points.resize(lanes.points.size() * kLanes);

@@ -217,7 +217,7 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   return motion.is_under_impact ? GroupReason::impact : GroupReason::sink;
 }
 
-Contacts::Choice answer_to(GroupReason reason) {
+Contacts::Choice choice_for(GroupReason reason) {
   switch (reason) {
     case GroupReason::mass_ratio:
     case GroupReason::sink:
@@ -286,7 +286,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
   in_parallel(world.jobs, c.groups(), kGroupsAPart, [&](std::uint32_t g) {
     GroupView& view = views[g];
     view = view_of(world, memory, g, w2, h);
-    c.direct[g] = answer_to(view.reason);
+    c.direct[g] = choice_for(view.reason);
     view.direct = c.solved_directly(g);
   });
   count_down_in_large_groups(world, memory);

@@ -197,7 +197,7 @@ void renew(const World& world, WideContacts& wide, Real h) {
         for (int lane = 0; lane < kLanes; ++lane) {
           const std::uint32_t of = wide.occupant[std::size_t(i) * kLanes + static_cast<std::size_t>(lane)];
           const auto k = static_cast<std::size_t>(lane);
-          if (of == kNobodysLane || !(wide.far_turn[pair.a[k]].marked || wide.far_turn[pair.b[k]].marked)) continue;
+          if (of == kEmptyLane || !(wide.far_turn[pair.a[k]].marked || wide.far_turn[pair.b[k]].marked)) continue;
           renewal(pair, lanes.points.data() + pair.first, lane, wide.manifolds[of]);
           any = true;
         }

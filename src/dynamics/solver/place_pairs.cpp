@@ -322,7 +322,7 @@ void place_all(const World& world, WideContacts& wide) {
     std::swap(part.pair, next.pair), std::swap(part.point, next.point);
     next.pair += part.pair, next.point += part.point;
   }
-  wide.occupant.assign(std::size_t{wide.parts.back().pair} * kLanes, kNobodysLane);
+  wide.occupant.assign(std::size_t{wide.parts.back().pair} * kLanes, kEmptyLane);
   wide.first_point.resize(wide.parts.back().pair);
   in_parallel(world.jobs, regions, 1, [&](std::uint32_t i) { settle(wide, 1 + i); });
 }

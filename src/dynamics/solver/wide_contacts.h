@@ -129,7 +129,7 @@ struct WideContacts {
   /// colour's stand alone. Empty: there are none
   Array<std::array<std::uint32_t, kPairKinds>> colours;
   std::uint32_t first_of(std::uint32_t colour) const { return colour == 0 ? 0 : colours[colour - 1].back(); }
-  Array<std::uint32_t> occupant;     // [4 pairs] manifold, or kNobodysLane
+  Array<std::uint32_t> occupant;     // [4 pairs] manifold, or kEmptyLane
   Array<std::uint32_t> first_point;  // [pairs]
 
   Owned<Placing> placing;  // null until a step has rows
@@ -137,7 +137,7 @@ struct WideContacts {
 
 inline bool has_one_normal(const WideContacts::Manifold& m) { return m.kind < kPairPoints; }
 
-inline constexpr std::uint32_t kNobodysLane = 0xFFFFFFFFu;
+inline constexpr std::uint32_t kEmptyLane = 0xFFFFFFFFu;
 
 /// f(lanes, sweeps): those that have the rows of this step.
 template <class Wide, class F>

@@ -26,7 +26,7 @@ struct Push {
 };
 
 /// What a run is compared by where the truth is a finer run: one number, or many.
-using Answer = std::vector<double>;
+using Solution = std::vector<double>;
 
 /// Watches a run and knows the truth. fill() of an accuracy scene returns one of these.
 class Trial : public Observer {
@@ -39,8 +39,8 @@ class Trial : public Observer {
   virtual std::vector<Push> pushes() const { return {}; }
   /// For scenes whose truth is their own run at a much finer step: the quantities that are compared, and the truth for
   /// them.
-  virtual Answer answer() const { return {}; }
-  virtual void compare_with(const Answer& /*truth*/) {}
+  virtual Solution solution() const { return {}; }
+  virtual void compare_with(const Solution& /*truth*/) {}
 
   bool fell() const { return fell_at_ >= 0; }
   double fell_at() const { return fell_at_; }  ///< s, or -1

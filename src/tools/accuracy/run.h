@@ -49,10 +49,10 @@ struct Result {
 bool within_bounds(const Challenge& challenge, const Result& result);
 
 /// The scene's own answer at challenge.reference_dt; nothing where the truth is a closed form.   @throws Error
-std::optional<Answer> own_truth(Engine& engine, const Challenge& challenge, const Request& request);
+std::optional<Solution> own_truth(Engine& engine, const Challenge& challenge, const Request& request);
 
 /// @param truth  from own_truth()   @throws Error (knob, dial or plugin missing; a step failed)
-Result run(Engine& engine, const Challenge& challenge, const Request& request, const std::optional<Answer>& truth);
+Result run(Engine& engine, const Challenge& challenge, const Request& request, const std::optional<Solution>& truth);
 
 /// Runs at dt, dt/2, ... dt/2^halvings.
 std::vector<Result> run_halved(Engine& engine, const Challenge& challenge, Request request, int halvings);

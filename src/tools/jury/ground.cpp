@@ -79,8 +79,8 @@ void add_heights(Drawing& d) {
     for (std::size_t column = 0; column < field.columns; ++column) {
       const double u = std::fabs(static_cast<double>(column) / 10 - 1),
                    v = std::fabs(static_cast<double>(row) / 10 - 1);
-      const double edge = std::max(u, v), square = edge * edge, rim = square * square * square;
-      field.values.push_back((2 * at(row, column) + at(row + 1, column) + at(row, column + 1)) / 4 + rim);
+      const double edge = std::max(u, v), square = edge * edge, border = square * square * square;
+      field.values.push_back((2 * at(row, column) + at(row + 1, column) + at(row, column + 1)) / 4 + border);
     }
   Actor hills;
   hills.name = "hills", hills.kind = "ground";

@@ -194,11 +194,11 @@ Filmstrip filmstrip_of(tools::Stage& stage, const tools::Recording& recording, i
       }
   }
   if (!(strip.right > strip.left)) strip.left = strip.bottom = 0, strip.right = strip.top = 1;
-  const double rim = 0.03 * (strip.right - strip.left);
-  strip.left -= rim;
-  strip.right += rim;
-  strip.bottom -= rim;
-  strip.top += rim;
+  const double margin = 0.03 * (strip.right - strip.left);
+  strip.left -= margin;
+  strip.right += margin;
+  strip.bottom -= margin;
+  strip.top += margin;
   return strip;
 }
 

@@ -19,10 +19,10 @@ Standing standing(const Stage& stage, const std::vector<Vec>& positions) {
       continue;
     }
     const std::vector<double>& half = block.parts.at(0).params;
-    const double room = *std::min_element(half.begin(), half.end()) + 0.01 * block.position.y();
+    const double allowed = *std::min_element(half.begin(), half.end()) + 0.01 * block.position.y();
     const Vec moved = positions[i] - block.position;
     const double drift = std::hypot(moved.x(), moved.z());
-    s.fallen += -moved.y() > room || drift > room;
+    s.fallen += -moved.y() > allowed || drift > allowed;
     s.drop = std::max(s.drop, -moved.y());
     s.drift = std::max(s.drift, drift);
   }

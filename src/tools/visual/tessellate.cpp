@@ -56,12 +56,12 @@ Mesh tessellate(Engine& engine, const Part& part) {
       directions.insert(directions.end(),
                         {std::sin(polar) * std::cos(turn), std::cos(polar), std::sin(polar) * std::sin(turn)});
     }
-  std::vector<double> answers(directions.size());
+  std::vector<double> support(directions.size());
   Call call;
-  call.done(carom_shape_support(engine.get(), shape, directions.data(), directions.size() / 3, answers.data(), call),
+  call.done(carom_shape_support(engine.get(), shape, directions.data(), directions.size() / 3, support.data(), call),
             "drawing a shape of plugin " + part.shape);
   std::vector<Vec> points;
-  for (std::size_t i = 0; i < answers.size(); i += 3) points.emplace_back(answers[i], answers[i + 1], answers[i + 2]);
+  for (std::size_t i = 0; i < support.size(); i += 3) points.emplace_back(support[i], support[i + 1], support[i + 2]);
   return convex_hull(points);
 }
 

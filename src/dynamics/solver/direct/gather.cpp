@@ -11,7 +11,7 @@ namespace {
 
 /// Room for some groups before there are any: a small world that settles goes on without allocating when one of its
 /// bodies comes to rest late, and that group is the first to be answered here.
-void make_room(DirectGroups& d) {
+void reserve_groups(DirectGroups& d) {
   constexpr std::size_t kSome = 64;
   if (d.contacts.capacity() >= kSome) return;
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
@@ -26,7 +26,7 @@ void make_room(DirectGroups& d) {
 /// Bodies, contacts and edges of each group.
 void gather(const World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
-  make_room(d);
+  reserve_groups(d);
   d.links.clear(), d.link_row.clear();
   d.rest.clear(), d.row.clear(), d.begin.clear();
   d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
