@@ -16,8 +16,8 @@ class Budget {
   const double seconds;
   const std::uint32_t fewest, most;
 
-  /// How many substeps the next step takes. One more only where there is clearly room, so that a scene at the edge does
-  /// not change its mind in every step; as many fewer as needed at once.
+  /// How many substeps the next step takes. One more only where there is clearly time to spare, so that a scene at the
+  /// edge does not change its mind in every step; as many fewer as needed at once.
   std::uint32_t choose(std::uint32_t now) const {
     constexpr double kSpare = 0.85, kFull = 0.95;
     const std::uint32_t within = std::clamp(now, fewest, most);

@@ -65,7 +65,7 @@ carom_world_hit cast_one(const World& world, const RayColumns& rays, std::uint64
       want == CAROM_WANT_FIRST ? cast_ray(world, ray, options) : WorldHit{kInvalid, any_on_ray(world, ray, options)});
 }
 
-/// Where one answer to each ray goes.
+/// Where the one result of each ray goes.
 struct HitColumns {
   std::uint32_t scalar = 0;
   Column records, outcomes, colliders, times, normals, points;
@@ -96,7 +96,7 @@ struct HitColumns {
   }
 };
 
-/// Where all answers go: as many as fit are written, all are counted.
+/// Where all results go: as many as fit are written, all are counted.
 class HitList {
  public:
   HitList(carom_world_hit* dst, std::uint64_t stride, std::uint64_t capacity)
@@ -118,7 +118,7 @@ class HitList {
   std::uint64_t stride_, capacity_, count_ = 0;
 };
 
-/// One answer each into an array of records. A stride of 0 becomes a record's size.
+/// One result each into an array of records. A stride of 0 becomes a record's size.
 bool check_records(Call& call, int argument, std::uint64_t n, const carom_world_hit* dst, std::uint64_t& stride) {
   if (n && !present(call, argument, "dst", dst)) return false;
   if (!stride) stride = sizeof(carom_world_hit);
@@ -215,8 +215,8 @@ class QueryShapes {
   Array<Vec3> motions_;
 };
 
-/// Questions with any number of answers each: ask(i, hits) for all i. Whatever memory that takes is taken before the
-/// first answer is written.
+/// Questions with any number of results each: ask(i, hits) for all i. Whatever memory that takes is taken before the
+/// first result is written.
 template <class Ask>
 void list_all(const Reading& world, std::uint64_t n, HitList& list, Ask&& ask) {
   Array<WorldHit> hits(&world.engine().memory);
@@ -252,7 +252,7 @@ std::int32_t list_of_shapes(carom_world* world, const carom_query_shapes* shapes
   });
 }
 
-/// Questions of shapes with one answer each: ask(i).
+/// Questions of shapes with one result each: ask(i).
 template <class Ask>
 void query_each(const Reading& world, std::uint64_t n, carom_world_hit* dst, std::uint64_t stride, Ask&& ask) {
   world->queries->bring_up_to_date(*world);

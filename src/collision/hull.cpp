@@ -89,7 +89,7 @@ std::size_t HullMesh::look(std::uint32_t seed, const Vec3& p, Real tolerance) {
   return horizon_.size();
 }
 
-/// One loop, in which every vertex starts one edge, and no new facet that faces the inner point. Exact answers give
+/// One loop, in which every vertex starts one edge, and no new facet that faces the inner point. Exact calls give
 /// nothing else. (A point coplanar with a facet that stays makes a neighbour in its plane; never one without area, for
 /// it would have to lie on an edge of a facet that sees it.)
 bool HullMesh::horizon_is_sound(const Vec3& p) const {

@@ -11,7 +11,7 @@
 namespace carom::collision {
 
 /// A closed, convex triangle mesh whose vertices lie on a grid, so that "does this facet see that point?" has an exact
-/// answer. With rounded answers, a cluster of nearly equal points makes facets that tilt anywhere, and then points far
+/// result. With rounded results, a cluster of nearly equal points makes facets that tilt anywhere, and then points far
 /// away are lost.
 class HullMesh {
  public:

@@ -302,7 +302,7 @@ void World::set_pose(std::uint32_t body, const Pose& pose) {
   const Quat q = normalized(pose.q);
   const Vec3 x = pose.p + q * scene.center[body];
   const bool same = q == state.q[body] && x == state.x[body] && !state.is_lost(body);
-  if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes nobody
+  if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes none
   contact_views();
   mark_touched_by_host(*this, body);
   state.q[body] = state.held_q[body] = q;

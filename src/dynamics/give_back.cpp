@@ -9,9 +9,9 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr std::size_t kFew = 4;  // of so many that there is room for, one is in use
+constexpr std::size_t kFew = 4;  // of so many that are reserved, one is in use
 
-/// Whether the last step had few contacts beside what there is room for, and no joints: those know who is where in
+/// Whether the last step had few contacts beside what is reserved, and no joints: those know who is where in
 /// lanes.
 bool has_spare_capacity(const World& world) {
   const Contacts& c = *world.contacts;

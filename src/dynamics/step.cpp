@@ -25,7 +25,7 @@ struct Undo {
   }
 };
 
-/// Runs a stage if it has participants, and books what it did and its time.
+/// Runs a stage if it has participants, and records what it did and its time.
 class Runner {
  public:
   Runner(World& world, Real dt) : world_(world), dt_(dt) {}

@@ -8,7 +8,7 @@
 namespace carom::collision {
 namespace {
 
-/// A contact point as the answer of a query.
+/// A contact point as the result of a query.
 /// @param swapped  it was found with B first, in B's frame
 /// @param slack    m: half the bracket
 /// @param asked    m: width of the bracket that is narrow enough

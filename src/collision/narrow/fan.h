@@ -21,8 +21,8 @@ struct Horizon {
   }
 };
 
-/// Six triangles (horizon[i], horizon[i + 1], apex), side by side so that a compiler takes them lanes at a time: each number
-/// comes from the same operations in the same order, whatever the width.
+/// Six triangles (horizon[i], horizon[i + 1], apex), side by side so that a compiler takes them lanes at a time: each
+/// number comes from the same operations in the same order, whatever the width.
 struct Fan {
   static constexpr int kFaces = 6;
 

@@ -72,7 +72,7 @@ inline void Polytope::join(Link one, Link other) {
   faces_[face_of(other)].across[edge_of(other)] = one;
 }
 
-/// Every slot is looked at. A heap, which would look at a few only, asks at each of its levels what nobody can predict:
+/// Every slot is looked at. A heap, which would look at a few only, branches unpredictably at each of its levels:
 /// with one EPA took a fifth longer on curved pairs, at 16 iterations as at 54. Its four lanes keep their best each, as
 /// in FarthestVertex::scan.
 int Polytope::nearest() const {

@@ -37,7 +37,7 @@ class Polytope {
   /// Where the next point is to be written.
   DifferencePoint& next() { return points_[points_used_]; }
   /// Add the next point, which lies beyond a face: replace the faces it sees by a fan to it.
-  /// @return false if the horizon is not one loop (rounding), or room is out: the mesh is as it was, but stop
+  /// @return false if the horizon is not one loop (rounding), or capacity is out: the mesh is as it was, but stop
   bool add(int face);
 
   /// The face nearest to the origin among those that the last add() made; -1 before the first.

@@ -42,7 +42,7 @@ constexpr Real kAzimuth[kWays][2] = {
 /// What lies beyond the sides of a triangle, as seen along its normal.
 struct Sides {
   std::array<Vec3, 3> out;      // unit, in the triangle's plane, away from it
-  std::array<Vec3, 3> down;     // unit, the way the surface goes on there, square to the side; zero at a rim
+  std::array<Vec3, 3> down;     // unit, the way the surface goes on there, square to the side; zero at a boundary
   std::array<bool, 3> edge;     // it turns down there, or ends
   std::array<bool, 3> concave;  // it turns up there, towards the shape
   std::array<bool, 3> wall;     // it turns up there, and the shape is behind what does
@@ -191,7 +191,7 @@ bool SceneryPairFinder::meet(const Terms& t, const Triangle& triangle) {
     left_->on_a = foot - height * triangle.normal, left_->on_b = deepest;
     left_->normal = pair.frame.rotate(triangle.normal), left_->separation = height;
   };
-  bool own = true;  // the triangle's own normal is the answer
+  bool own = true;  // the triangle's own normal is the result
   const Real inset = sides.inset(triangle.corner, foot);
   // Along another direction, at an angle t to the normal, the triangle reaches farther by inset sin(t) and the shape's
   // depth shrinks by (1 - cos(t)) at most: shallower only if tan(t/2) > inset / depth, and never while that is 1.

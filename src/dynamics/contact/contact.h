@@ -254,7 +254,7 @@ struct Contacts {
   std::uint32_t steps_with_spare = 0;  // @see give_back()
   enum Choice : std::uint8_t { kSoftly, kDirectly, kStill };
   Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver
-                               // answers; else empty
+                               // solves; else empty
 
   /// What is summed up over rows, by blocks of kRowsAPart: the same sums whoever does which block.
   struct Block {
@@ -298,12 +298,13 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 
 /// Stage group: rows of this step from the pair table, with last step's impulses matched to them. Allocates.
 void make_rows(const World& world, StepReport& report, const StepTime& time);
-/// Stage group: who is moved by rows or joints, and room for all that the rest of the step needs of them. Allocates.
+/// Stage group: who is moved by rows or joints, and capacity for all that the rest of the step needs of them.
+/// Allocates.
 void list_moved_bodies(const World& world, Impulses& impulses, const StepTime& time);
 /// By what the impulses of the last step are multiplied, to start from: substep now over substep then; 0: start cold.
 Real start_scale(const World& world, Real h);
-/// For who goes from the most severe row to those of its bodies: where those of each will stand in `half`, and room for
-/// keys and ranks. Allocates.
+/// For who goes from the most severe row to those of its bodies: where those of each will stand in `half`, and capacity
+/// for keys and ranks. Allocates.
 void reserve_search(const World& world);
 /// Velocity of B's point relative to A's, from the present state.
 /// @param r_a, r_b  m, world axes, from the centres of mass   @return m/s, world

@@ -258,8 +258,8 @@ void list_contact_pairs(const World& world) {
   count_participants(world, EffectId::response, c.contact_pairs.size());
 }
 
-/// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that nobody else costs
-/// anything.
+/// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that no other body
+/// costs anything.
 void list_bodies(const World& world) {
   Contacts& c = *world.contacts;
   const Plan& plan = *world.plan;

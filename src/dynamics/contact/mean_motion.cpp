@@ -262,7 +262,7 @@ void find_small_groups(const World& world, Owned<MeanMotion>& mean_motion) {
   if (c.rows.empty() || !ends_at_end || world.plan->solver->row_by_row) return;
   if (!mean_motion) mean_motion = make_owned<MeanMotion>(world.memory, world.memory);
   MeanMotion& m = *mean_motion;
-  constexpr std::size_t kSome = 16;  // room before there are any: a small world that settles goes on without allocating
+  constexpr std::size_t kSome = 16;  // capacity before there are any: a small world settles without allocating
   m.bodies.reserve(std::max(c.bodies.size(), kSome));
   m.points.reserve(std::max(c.rows.size(), 4 * kSome));
   m.groups.reserve(std::max(c.groups(), kSome) + 1);

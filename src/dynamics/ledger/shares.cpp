@@ -81,7 +81,7 @@ class Shares {
  private:
   const World& world_;
   const Cause from_;
-  std::array<Amount, kFixedCauses> by_cause_;  // as many roundings as rows: books close all the same
+  std::array<Amount, kFixedCauses> by_cause_;  // as many roundings as rows: accounts close all the same
 };
 
 Link link_of(const Row& row) { return {row.a, row.b, row.moves_a, row.moves_b}; }

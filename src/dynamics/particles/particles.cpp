@@ -11,7 +11,7 @@ void each_array(ParticleSet& set, F&& f) {
   for (int axis = 0; axis < 3; ++axis) f(set.x[axis]), f(set.v[axis]);
 }
 
-/// Room for `size` elements, and more if there was none.
+/// Capacity for `size` elements, and more if there was none.
 template <class T>
 void reserve_more(Array<T>& a, std::size_t size) {
   if (size > a.capacity()) a.reserve(std::max(size, a.size() + a.size() / 2));

@@ -234,7 +234,7 @@ class PairTableImage {
     if constexpr (Io::checks) {
       std::size_t wanted = 0;
       for (const PairTable::Inactive& link : links) wanted += (link.holders & 1u) + (link.holders >> 1);
-      io.demand(linked == wanted);  // so no list runs in a circle, and nobody is left out
+      io.demand(linked == wanted);  // so no list runs in a circle, and none is left out
     }
   }
 

@@ -1,4 +1,4 @@
-// Restoring: look at all, make room, then change.
+// Restoring: look at all, reserve memory, then change.
 #include "dynamics/snapshot/snapshot.h"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ void clear_last_step(World& world) {
   c.driven.clear(), c.surface.clear(), c.group_begin.clear(), c.group_rows.clear(), c.direct.clear();
 }
 
-/// Look at the state that is in the bytes, and make room for it.
+/// Look at the state that is in the bytes, and reserve memory for it.
 bool check_state(World& world, Found& found, SnapshotFault& fault) {
   std::size_t count = 0;
   const Section* const* const all = sections(count);

@@ -30,7 +30,7 @@ auto pools_of(W& w) {
                     &w.particles.slots, &s.fields.slots,   &s.springs.slots};
 }
 
-/// Room in every array for the slots that there are now; whoever is alive is filled in later.
+/// Space in every array for the slots that there are now; whoever is alive is filled in later.
 void reserve_all_slots(World& w) {
   Scene& s = w.scene;
   State& t = w.state;

@@ -126,7 +126,7 @@ struct GroupMotion {
   bool is_under_impact = false, still = true, rolls = false, turns_far = false;
 };
 
-/// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
+/// What there is to know of a group before it is solved; bodies that bear too much are marked as heavy.
 GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;

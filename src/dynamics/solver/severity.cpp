@@ -19,7 +19,7 @@ Real velocity_severity_squared(const Row& row) {
   const Vec3 slip = row.u - v_n * row.n;
   Real slip2 = slip.squared_norm();
   if (row.at_limit) {
-    // On the rim of the disc, slipping against the friction impulse is what the law wants.
+    // On the circle of the disc, slipping against the friction impulse is what the law wants.
     const Real along = slip.dot(row.friction_p);
     if (along < 0) slip2 = std::max(Real(0), slip2 - along * along / row.friction_p2);
   }

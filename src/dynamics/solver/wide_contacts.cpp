@@ -236,7 +236,7 @@ void load_shifts(const World& world, WideContacts& wide) {
 void heed_impacts(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const bool any = std::ranges::any_of(c.impacts, &Impact::concerns_solver);
-  // What rolls is measured to other digits than it was led on by: always, so that nobody's bounce is felt elsewhere.
+  // What rolls is measured to other digits than it was led on by: always, so that no body's bounce is felt elsewhere.
   if (any || c.any_rolls) measure_lanes(world);
   if (!any) return;
   for (const Impact& at : c.impacts) {

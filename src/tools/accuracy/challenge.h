@@ -1,4 +1,4 @@
-// An accuracy scene: a small room with its numbers, a truth to compare with, what is measured, and how small the error
+// An accuracy scene: a small world with its numbers, a truth to compare with, what is measured, and how small the error
 // should be. Written as any host would: through the C ABI.
 #pragma once
 
@@ -70,7 +70,7 @@ struct Challenge {
   std::string reference;        ///< the truth, in a few words
   std::vector<Metric> metrics;  ///< the first is the one that peers are compared by
   Peer at_60_hz, at_any_step;
-  double reference_dt = 0;  ///< s; > 0: the truth is the scene's own answer at this step, same dials
+  double reference_dt = 0;  ///< s; > 0: the truth is the scene's own solution at this step, same dials
 };
 
 /// Every challenge, in the order of the suite.

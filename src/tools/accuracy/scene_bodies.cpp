@@ -1,4 +1,4 @@
-// What rooms of accuracy scenes are furnished with.
+// What accuracy scenes are built of.
 #include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {

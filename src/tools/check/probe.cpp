@@ -21,7 +21,7 @@ namespace {
 
 using Params = std::vector<double>;
 
-// Relative to the farthest answer. Valid closed forms err by 1e-15, the engine's contacts resolve 1e-6: in between.
+// Relative to the farthest point. Valid closed forms err by 1e-15, the engine's contacts resolve 1e-6: in between.
 constexpr double kTolerance = 1e-9;
 constexpr std::size_t kDirections = 2000;
 
@@ -221,7 +221,7 @@ class Trial {
     }
   }
 
-  /// A direction's length says nothing: the answer must reach as far along it.
+  /// A direction's length says nothing: the point must reach as far along it.
   void judge_lengths(const Params& params, const std::vector<Direction>& asked, const std::vector<Direction>& points,
                      double tolerance) {
     auto compare = [&](const Direction& dir, const Direction& unit, const Direction& expected) {
@@ -252,7 +252,7 @@ class Trial {
       }
   }
 
-  /// d_i . (p_j - p_i) <= 0 for all i, j: no answer lies beyond another's supporting plane.
+  /// d_i . (p_j - p_i) <= 0 for all i, j: no point lies beyond another's supporting plane.
   void judge_convexity(const std::vector<Direction>& asked, const std::vector<Direction>& points, double tolerance) {
     double worst = tolerance;
     std::size_t invalid_plugin = asked.size(), better = 0;

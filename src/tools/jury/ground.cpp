@@ -63,7 +63,7 @@ void add_ramps(Drawing& d) {
   }
 }
 
-/// Hills with a rim around them, of random heights smoothed once.
+/// Hills with a border around them, of random heights smoothed once.
 void add_heights(Drawing& d) {
   Heights field;
   field.columns = field.rows = 21;
@@ -103,7 +103,7 @@ std::string draw_ground(Drawing& d) {
   if (kind == 3) {
     add_heights(d);
     d.scene.floor = -3;
-    add_plane(d, d.scene.floor, 0.5);  // for what leaves over the rim
+    add_plane(d, d.scene.floor, 0.5);  // for what leaves over the border
     return "hills";
   }
   add_plane(d, 0, d.random.between(0.1, 0.9));

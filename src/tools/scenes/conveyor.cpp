@@ -32,7 +32,7 @@ Actor still(const std::string& name, const Vec& at, Part part) {
   return actor;
 }
 
-/// Counts who was carried from belt to belt.
+/// Counts what came from belt to belt.
 class ConveyorStory : public Observer {
  public:
   ConveyorStory(std::size_t first, std::size_t count, double end) : first_(first), across_(count), end_(end) {}

@@ -114,7 +114,7 @@ std::unique_ptr<Observer> fill_sleepers(Stage& stage, const std::vector<double>&
   stage.add_half_space("ground", {0, 1, 0}, {0, 0, 0});
   for (int i = 0; i < count; ++i)
     stage.add(block(static_cast<std::size_t>(i) + 1, Vec(pitch * (i % side), half, pitch * (i / side)), half));
-  for (int i = 0; i < movers; ++i) {  // in lanes beside the boxes: nobody is woken
+  for (int i = 0; i < movers; ++i) {  // in lanes beside the boxes: none is woken
     Actor ball;
     ball.kind = "ball";
     ball.name = "ball " + std::to_string(i + 1);

@@ -75,7 +75,7 @@ void respond(const Site& site, const httplib::Request& request, httplib::Respons
   }
 }
 
-/// SIGINT and SIGTERM are waited for: by nobody else while this lives.
+/// SIGINT and SIGTERM are waited for: by no other thread while this lives.
 class Ending {
  public:
   Ending() {

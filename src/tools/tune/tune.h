@@ -51,7 +51,7 @@ struct Participants {
 };
 
 /// The settings that are tried first, the library's own before all others, and those beside one that is worth a closer
-/// look: none differs from another in what nobody takes part in.   @param few  for scenes that leave little time
+/// look: none differs from another in what no body takes part in.   @param few  for scenes that leave little time
 std::vector<Setting> first_candidates(const Participants& who, bool few = false);
 std::vector<Setting> neighbours(const Setting& setting, const Participants& who);
 /// Finer than any candidate; and the same with half as many steps. Of scenes that leave little time, rougher ones.

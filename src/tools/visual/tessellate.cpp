@@ -51,7 +51,7 @@ Mesh tessellate(Engine& engine, const Part& part) {
   std::vector<double> directions = {0, 1, 0, 0, -1, 0};
   for (int band = 1; band < kBands; ++band)
     for (int m = 0; m < kMeridians; ++m) {
-      // Half a step off the axes: a box's corners answer, and no direction ties along a face.
+      // Half a step off the axes: a box's corners support, and no direction ties along a face.
       const double polar = kPi * band / kBands, turn = 2 * kPi * (m + 0.5) / kMeridians;
       directions.insert(directions.end(),
                         {std::sin(polar) * std::cos(turn), std::cos(polar), std::sin(polar) * std::sin(turn)});

@@ -9,8 +9,8 @@
 namespace carom::dynamics {
 namespace {
 
-/// Room for some groups before there are any: a small world that settles goes on without allocating when one of its
-/// bodies comes to rest late, and that group is the first to be answered here.
+/// Capacity for some groups before there are any: a small world that settles goes on without allocating when one of its
+/// bodies comes to rest late, and that group is the first to be solved here.
 void reserve_groups(DirectGroups& d) {
   constexpr std::size_t kSome = 64;
   if (d.contacts.capacity() >= kSome) return;
@@ -79,7 +79,7 @@ void order(DirectGroups& d, std::uint64_t most_factor) {
 }
 
 /// Where in the factor each contact and each row of a joint couples its bodies. (Of a group that is too large to be
-/// factored that is nowhere, and nobody looks.)
+/// factored that is nowhere, and nothing reads it.)
 void place_contacts(DirectGroups& d) {
   const auto place = [&](auto& c) {
     c.below = kInvalid;

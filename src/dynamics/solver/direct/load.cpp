@@ -11,7 +11,7 @@
 namespace carom::dynamics {
 namespace {
 
-/// What a body's point does that impulses do not change: all of it where they move nobody, its spin where they don't
+/// What a body's point does that impulses do not change: all of it where they move no body, its spin where they don't
 /// turn the body.
 struct GivenMotion {
   bool turns;

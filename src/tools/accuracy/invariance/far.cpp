@@ -11,7 +11,7 @@ constexpr double kFriction = 0.5, kSpeed = 5;  // m/s, of the block that slides
 const Vec kSlides(0.5, 0.1, 0.5);              // m, its half extents
 const Vec kFloor(6, 0.5, 6);                   // m, those of what all stands on
 
-/// How far bodies have gone from home, against those of the first room.
+/// How far bodies have gone from home, against those of the first copy.
 class FarTrial : public Trial {
  public:
   FarTrial(const Stage& stage, std::size_t copies) : crowd_(stage), copies_(copies), worst_(copies, 0) {}
