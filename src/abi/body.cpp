@@ -204,7 +204,7 @@ int32_t carom_body_create(carom_world* world, const carom_body_desc* desc, carom
     const FloatScope scope;
     const auto said = attributes_in(d);
     for (const SaidAttribute& a : said)
-      if (a.value != row_of(a.id).usual) changing->make_room_for_another(a.id);
+      if (a.value != row_of(a.id).usual) changing->reserve_another(a.id);
     const Handle handle = changing->add_body(def);
     if (!handle) {
       call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u bodies", kMaxSlots);

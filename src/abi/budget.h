@@ -16,13 +16,13 @@ class Budget {
   const double seconds;
   const std::uint32_t fewest, most;
 
-  /// How many substeps the next step takes. One more only where there is clearly room, so that a scene at the edge does
-  /// not change its mind in every step; as many fewer as needed at once.
+  /// How many substeps the next step takes. One more only where there is clearly time to spare, so that a scene at the
+  /// edge does not change its mind in every step; as many fewer as needed at once.
   std::uint32_t choose(std::uint32_t now) const {
-    constexpr double kRoom = 0.85, kFull = 0.95;
+    constexpr double kSpare = 0.85, kFull = 0.95;
     const std::uint32_t within = std::clamp(now, fewest, most);
     if (!(each_ > 0)) return within;
-    if (fixed_ + each_ * (within + 1) <= kRoom * seconds) return std::min(within + 1, most);
+    if (fixed_ + each_ * (within + 1) <= kSpare * seconds) return std::min(within + 1, most);
     if (fixed_ + each_ * within <= seconds) return within;
     const double fits = (kFull * seconds - fixed_) / each_;
     return fits < fewest ? fewest : std::min(within, static_cast<std::uint32_t>(fits));

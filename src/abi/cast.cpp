@@ -57,7 +57,7 @@ Frame frame_of(const double position[3], const double orientation[4]) {
   return Frame(Pose{to_quat(orientation), to_vec3(position)});
 }
 
-void write_answer(const CastResult& r, carom_cast* result) {
+void write_cast(const CastResult& r, carom_cast* result) {
   carom_cast out{};
   out.outcome = static_cast<std::uint32_t>(r.outcome);
   out.status = static_cast<std::uint32_t>(r.status);
@@ -216,7 +216,7 @@ int32_t carom_ray_cast(carom_engine* engine, carom_shape shape, const double pos
     SupportFault fault;
     any_shape::cast_ray(Ray{to_vec3(origin), to_vec3(direction), max}, *pin, frame_of(position, orientation), settings,
                         found, fault);
-    write_answer(found, result);
+    write_cast(found, result);
   });
 }
 
@@ -238,7 +238,7 @@ int32_t carom_shape_cast(carom_engine* engine, carom_shape shape_a, const double
     SupportFault fault;
     any_shape::cast_shape(*a, frame_of(position_a, orientation_a), to_vec3(motion), *b,
                           frame_of(position_b, orientation_b), settings, found, fault);
-    write_answer(found, result);
+    write_cast(found, result);
   });
 }
 
@@ -259,7 +259,7 @@ int32_t carom_shape_time_of_impact(carom_engine* engine, carom_shape shape_a, co
     CastResult found;
     SupportFault fault;
     any_shape::time_of_impact(*a, of_a, *b, of_b, duration, settings, found, fault);
-    write_answer(found, result);
+    write_cast(found, result);
   });
 }
 

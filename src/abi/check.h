@@ -40,7 +40,7 @@ constexpr bool is_struct_size(std::uint32_t size, std::size_t alignment) {
 }
 /// struct_size is one that some version of a struct may have.
 bool struct_size(Call& call, int argument, const char* name, std::uint32_t size, std::size_t alignment);
-/// All bytes of [from, to) are zero: nobody asks for what this library does not know.
+/// All bytes of [from, to) are zero: no caller asks for what this library does not know.
 bool zero_tail(Call& call, int argument, const char* name, const void* structure, std::size_t from, std::size_t to);
 
 /// Take in a descriptor: what the caller's version lacks keeps its default, what it has beyond ours must be zero.

@@ -52,13 +52,13 @@ int32_t carom_world_draw(carom_world* world, const carom_draw_desc* desc, carom_
         !known(call, 2, "desc->colouring", d.colouring, CAROM_DRAW_BY_ISLAND + 1) ||
         !in_range(call, 2, "desc->scale", d.scale, 1e-9, kLongestLine) || !present(call, 6, "count", count))
       return;
-    const std::uint64_t step = stride ? stride : sizeof(carom_draw_line), room = dst ? capacity : 0;
-    if (room && !element_stride<carom_draw_line>(call, 4, step)) return;
+    const std::uint64_t step = stride ? stride : sizeof(carom_draw_line), space = dst ? capacity : 0;
+    if (space && !element_stride<carom_draw_line>(call, 4, step)) return;
     const FloatScope scope;
     Array<DrawLine> lines(reading->memory);
     draw(*reading, {d.what, d.colouring == CAROM_DRAW_BY_ISLAND, d.scale}, lines);
     *count = lines.size();
-    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(room, lines.size()); ++i)
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(space, lines.size()); ++i)
       write_element(element(*reading, lines[i]), dst, i, step);
   });
 }

@@ -57,7 +57,7 @@ struct carom_engine {
   carom::SlotPool plugin_slots, shape_slots;
   carom::Array<carom::abi::PluginRecord*> plugins;  // by slot; null: free
   carom::Array<carom::abi::ShapeRecord> shapes;     // by slot; shape null: free
-  carom::Owned<carom::Jobs> jobs;  // null: steps share their loops with nobody; stays while there are worlds
+  carom::Owned<carom::Jobs> jobs;  // null: steps share their loops with no threads; stays while there are worlds
 };
 
 namespace carom::abi {

@@ -13,7 +13,7 @@ namespace {
 // Not state of the library but of the thread's call stack: whether a carom_* call is under way on it.
 constinit thread_local bool inside_library = false;
 
-// Room for struct_size and code: less is not a carom_error.
+// Bytes of struct_size and code: less is not a carom_error.
 constexpr std::uint32_t kSmallestError = 8;
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace carom::abi {
 
-/// What a checked descriptor asks for; null: nobody.
+/// What a checked descriptor asks for; null: none.
 /// @return false if the system has no more threads, noted in the call
 bool make_jobs(Call& call, const carom_jobs_desc& desc, Memory* memory, Owned<Jobs>& jobs);
 

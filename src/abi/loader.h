@@ -14,7 +14,7 @@ namespace carom::abi {
 /// What a plugin's author exports, where it lies in memory.
 struct EntrySymbol {
   const carom_shape_plugin* description = nullptr;  // null: the call has failed
-  std::size_t room = 0;                             // bytes of the symbol; 0: unknown
+  std::size_t bytes = 0;                            // size of the symbol; 0: unknown
 };
 
 /// Bring a shared object into the process, for good, and find CAROM_SHAPE_PLUGIN_SYMBOL in it. The host's

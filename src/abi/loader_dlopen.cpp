@@ -105,7 +105,7 @@ EntrySymbol load_entry_symbol(Call& call, const char* path, std::size_t smallest
                 is_data ? "data" : "no data but something else", static_cast<unsigned long long>(found->st_size));
       return entry;
     }
-    entry.room = found->st_size;
+    entry.bytes = found->st_size;
   }
   entry.description = static_cast<const carom_shape_plugin*>(symbol);
   return entry;

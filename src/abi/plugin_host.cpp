@@ -18,11 +18,11 @@ constexpr std::size_t kSmallestPlugin = offsetof(carom_shape_plugin, param_tail_
 constexpr std::size_t kSmallestGeometry = offsetof(carom_geometry, mass_form);           // form and core radius
 
 /// A struct of a plugin: some version's size, nothing set that this library does not know. Unlike a host's struct it
-/// may be in memory that the plugin's linker laid out, so `room` (0: unknown) bounds what is read.
+/// may be in memory that the plugin's linker laid out, so `available` (0: unknown) bounds what is read.
 template <class T>
-bool take_in(Call& call, const char* name, const T* given, std::size_t smallest, std::size_t room, T& copy) {
+bool take_in(Call& call, const char* name, const T* given, std::size_t smallest, std::size_t available, T& copy) {
   const std::uint32_t size = given->struct_size;
-  if (size < smallest || size > kLargestStruct || size % alignof(T) || (room && size > room))
+  if (size < smallest || size > kLargestStruct || size % alignof(T) || (available && size > available))
     return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: struct_size is %u, this library's is %zu", name, size, sizeof(T));
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
   for (std::size_t i = sizeof(T); i < size; ++i)
@@ -83,9 +83,9 @@ bool check_geometry(Call& call, const carom_shape_plugin& d, carom_geometry& g) 
 }
 
 /// Everything about the struct that can be known without calling it.
-bool check_description(Call& call, const carom_shape_plugin* given, std::size_t room, PluginRecord& record) {
+bool check_description(Call& call, const carom_shape_plugin* given, std::size_t available, PluginRecord& record) {
   carom_shape_plugin& d = record.description;
-  if (!take_in(call, "plugin", given, kSmallestPlugin, room, d)) return false;
+  if (!take_in(call, "plugin", given, kSmallestPlugin, available, d)) return false;
   if (d.abi_major != CAROM_PLUGIN_ABI_MAJOR)
     return call.fail(CAROM_E_PLUGIN_ABI, 2, "the plugin has abi_major %u, this library has %u", d.abi_major,
                      CAROM_PLUGIN_ABI_MAJOR);
@@ -167,12 +167,12 @@ std::string_view stem_of(std::string_view path) {
 }
 
 /// @param path  of the file, or empty
-void take_plugin(Call& call, carom_engine& engine, const carom_shape_plugin* given, std::size_t room,
+void take_plugin(Call& call, carom_engine& engine, const carom_shape_plugin* given, std::size_t available,
                  std::string_view path, carom_plugin* plugin) {
   auto* record = make_on<PluginRecord>(&engine.memory, &engine.memory);
   try {
     record->file = stem_of(path);
-    if (check_description(call, given, room, *record) && check_valid(call, *record, &engine.memory))
+    if (check_description(call, given, available, *record) && check_valid(call, *record, &engine.memory))
       add(call, engine, record, plugin);
   } catch (...) {
     destroy_on(&engine.memory, record);
@@ -208,7 +208,7 @@ int32_t carom_plugin_load(carom_engine* engine, const char* path, carom_plugin* 
     if (!present(call, 1, "engine", engine) || !present(call, 2, "path", path) || !present(call, 3, "plugin", plugin))
       return;
     const EntrySymbol entry = load_entry_symbol(call, path, kSmallestPlugin);
-    if (entry.description) take_plugin(call, *engine, entry.description, entry.room, path, plugin);
+    if (entry.description) take_plugin(call, *engine, entry.description, entry.bytes, path, plugin);
   });
 }
 

@@ -62,7 +62,7 @@ void widen_by_pose(const Shape& a, const Shape& b, const Frame& b_in_a, Real tol
 }
 
 /// From the frames of the two shapes to the world's.
-carom_distance answer(const QueryResult& r, const Frame& a, const Frame& b) {
+carom_distance distance_of(const QueryResult& r, const Frame& a, const Frame& b) {
   carom_distance out{};
   out.status = static_cast<std::uint32_t>(r.status);
   out.separation = r.separation;
@@ -125,7 +125,7 @@ int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const do
     const Frame b_in_a = relative(frame_a, frame_b);
     any_shape::distance(*a, *b, b_in_a, settings(known_desc), nullptr, found, fault);
     widen_by_pose(*a, *b, b_in_a, known_desc.tolerance, found);
-    write_struct(answer(found, frame_a, frame_b), result);
+    write_struct(distance_of(found, frame_a, frame_b), result);
   });
 }
 

@@ -87,14 +87,14 @@ const Scenery* scenery_of(Call& call, ShapePin& pin, carom_shape shape) {
   return pin->scenery.get();
 }
 
-std::uint64_t rims_of(const Scenery& s) {
+std::uint64_t boundary_edges_of(const Scenery& s) {
   if (!s.is_field()) return static_cast<std::uint64_t>(std::count(s.beyond.begin(), s.beyond.end(), kInvalid));
-  std::uint64_t rims = 0;
+  std::uint64_t edges = 0;
   Triangle triangle;
   for (std::uint32_t i = 0; i < s.triangles(); ++i)
     if (s.triangle(i, triangle))
-      rims += static_cast<std::uint64_t>(triangle.boundary[0]) + triangle.boundary[1] + triangle.boundary[2];
-  return rims;
+      edges += static_cast<std::uint64_t>(triangle.boundary[0]) + triangle.boundary[1] + triangle.boundary[2];
+  return edges;
 }
 
 }  // namespace
@@ -158,7 +158,7 @@ int32_t carom_shape_get_scenery_info(carom_engine* engine, carom_shape shape, ca
     full.pieces = s->triangles();
     full.vertices = s->is_field() ? s->heights.size() : s->vertex.size();
     full.dropped = s->dropped;
-    full.rims = rims_of(*s);
+    full.rims = boundary_edges_of(*s);
     full.bytes = s->bytes();
     write_struct(full, info);
   });
@@ -177,11 +177,11 @@ int32_t carom_shape_get_triangles(carom_engine* engine, carom_shape shape, uint6
                 s->triangles());
       return;
     }
-    const std::uint64_t room = corners ? *count : s->triangles();
+    const std::uint64_t space = corners ? *count : s->triangles();
     std::uint64_t written = 0;
     auto at = static_cast<std::uint32_t>(first);
     Triangle triangle;
-    for (; at < s->triangles() && written < room; ++at) {
+    for (; at < s->triangles() && written < space; ++at) {
       if (!s->triangle(at, triangle)) continue;
       for (int k = 0; corners && k < 3; ++k)
         from_vec3(triangle.corner[static_cast<std::size_t>(k)], corners + 9 * written + 3 * k);

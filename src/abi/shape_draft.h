@@ -47,7 +47,7 @@ bool draft_height_field(Call& call, const carom_height_field_desc& desc, ShapeDr
 bool add_shape(Call& call, carom_engine& engine, ShapeDraft& draft, carom_shape* handle, PluginRecord* plugin = nullptr,
                carom_plugin plugin_handle = CAROM_NULL_HANDLE);
 
-/// Take a shape that nobody uses out of the engine, whose mutex is held.
+/// Take a shape that nothing uses out of the engine, whose mutex is held.
 void remove_shape(carom_engine& engine, std::uint32_t slot);
 
 }  // namespace carom::abi

@@ -24,8 +24,8 @@ class Gate {
   }
   void leave_shared() { users_.fetch_sub(1, std::memory_order_release); }
   bool enter_alone() {
-    std::int32_t nobody = 0;
-    return users_.compare_exchange_strong(nobody, kAlone, std::memory_order_acquire, std::memory_order_relaxed);
+    std::int32_t unused = 0;
+    return users_.compare_exchange_strong(unused, kAlone, std::memory_order_acquire, std::memory_order_relaxed);
   }
   void leave_alone() { users_.store(0, std::memory_order_release); }
 
@@ -48,7 +48,7 @@ struct carom_world {
   const std::uint32_t tag;
   carom::abi::Gate gate;
   carom::Owned<carom::World> inner;             // never null; a snapshot may put another in its place
-  carom::Owned<carom::abi::Recorder> recorder;  // null: nobody records it
+  carom::Owned<carom::abi::Recorder> recorder;  // null: it is not recorded
   carom::Owned<carom::abi::Budget> budget;      // null: off
 };
 
@@ -144,7 +144,7 @@ inline bool is_step(Call& call, int argument, double dt) {
 carom_world* make_world(Call& call, carom_engine& engine, const Vec3& gravity, std::size_t body_capacity);
 /// Make a world of the same engine that goes on as this one does, bit for bit. @return null: noted
 carom_world* fork_world(Call& call, const Reading& world);
-/// The end of a world that nobody uses any more.
+/// The end of a world that no call uses any more.
 void destroy_world(carom_world* world);
 
 }  // namespace carom::abi

@@ -28,7 +28,7 @@ bool read_desc(Call& call, int argument, const World& world, const carom_query_d
   return true;
 }
 
-carom_world_hit answer(const World& world, std::uint64_t question, const WorldHit& hit) {
+carom_world_hit hit_of(const World& world, std::uint64_t question, const WorldHit& hit) {
   const CastResult& r = hit.cast;
   carom_world_hit out{};
   out.outcome = static_cast<std::uint32_t>(r.outcome);
@@ -60,12 +60,12 @@ carom_world_hit cast_one(const World& world, const RayColumns& rays, std::uint64
                          const QueryOptions& options) {
   Ray ray;
   if (!rays.get(i, ray)) return bad_ray(i);
-  return answer(
+  return hit_of(
       world, i,
       want == CAROM_WANT_FIRST ? cast_ray(world, ray, options) : WorldHit{kInvalid, any_on_ray(world, ray, options)});
 }
 
-/// Where one answer to each ray goes.
+/// Where the one result of each ray goes.
 struct HitColumns {
   std::uint32_t scalar = 0;
   Column records, outcomes, colliders, times, normals, points;
@@ -96,7 +96,7 @@ struct HitColumns {
   }
 };
 
-/// Where all answers go: as many as fit are written, all are counted.
+/// Where all results go: as many as fit are written, all are counted.
 class HitList {
  public:
   HitList(carom_world_hit* dst, std::uint64_t stride, std::uint64_t capacity)
@@ -118,7 +118,7 @@ class HitList {
   std::uint64_t stride_, capacity_, count_ = 0;
 };
 
-/// One answer each into an array of records. A stride of 0 becomes a record's size.
+/// One result each into an array of records. A stride of 0 becomes a record's size.
 bool check_records(Call& call, int argument, std::uint64_t n, const carom_world_hit* dst, std::uint64_t& stride) {
   if (n && !present(call, argument, "dst", dst)) return false;
   if (!stride) stride = sizeof(carom_world_hit);
@@ -215,8 +215,8 @@ class QueryShapes {
   Array<Vec3> motions_;
 };
 
-/// Questions with any number of answers each: ask(i, hits) for all i. Whatever memory that takes is taken before the
-/// first answer is written.
+/// Questions with any number of results each: ask(i, hits) for all i. Whatever memory that takes is taken before the
+/// first result is written.
 template <class Ask>
 void list_all(const Reading& world, std::uint64_t n, HitList& list, Ask&& ask) {
   Array<WorldHit> hits(&world.engine().memory);
@@ -225,7 +225,7 @@ void list_all(const Reading& world, std::uint64_t n, HitList& list, Ask&& ask) {
   for (std::uint64_t i = 0; i < n; ++i) {
     hits.clear();
     if (!ask(i, hits)) list.add(bad_ray(i));
-    for (const WorldHit& hit : hits) list.add(answer(*world, i, hit));
+    for (const WorldHit& hit : hits) list.add(hit_of(*world, i, hit));
   }
 }
 
@@ -252,11 +252,11 @@ std::int32_t list_of_shapes(carom_world* world, const carom_query_shapes* shapes
   });
 }
 
-/// Questions of shapes with one answer each: ask(i).
+/// Questions of shapes with one result each: ask(i).
 template <class Ask>
-void answer_each(const Reading& world, std::uint64_t n, carom_world_hit* dst, std::uint64_t stride, Ask&& ask) {
+void query_each(const Reading& world, std::uint64_t n, carom_world_hit* dst, std::uint64_t stride, Ask&& ask) {
   world->queries->bring_up_to_date(*world);
-  for (std::uint64_t i = 0; i < n; ++i) write_element(answer(*world, i, ask(i)), dst, i, stride);
+  for (std::uint64_t i = 0; i < n; ++i) write_element(hit_of(*world, i, ask(i)), dst, i, stride);
 }
 
 }  // namespace
@@ -286,7 +286,7 @@ int32_t carom_world_cast_ray(carom_world* world, const double origin[3], const d
       return;
     const FloatScope scope;
     const WorldHit found = cast_ray(*reading, Ray{to_vec3(origin), to_vec3(direction), max}, options);
-    write_element(answer(*reading, 0, found), hit, 0, size);
+    write_element(hit_of(*reading, 0, found), hit, 0, size);
   });
 }
 
@@ -340,7 +340,7 @@ int32_t carom_world_cast_shapes(carom_world* world, const carom_query_shapes* sh
     if (!query_shapes.take(call, shapes, true) || !known(call, 3, "want", want, CAROM_WANT_ANY + 1) ||
         !read_desc(call, 4, *reading, desc, options) || !check_records(call, 5, query_shapes.size(), dst, stride))
       return;
-    answer_each(reading, query_shapes.size(), dst, stride, [&](std::uint64_t i) {
+    query_each(reading, query_shapes.size(), dst, stride, [&](std::uint64_t i) {
       return want == CAROM_WANT_FIRST
                  ? cast_shape(*reading, query_shapes[i], query_shapes.motion(i), options)
                  : WorldHit{kInvalid, any_on_way(*reading, query_shapes[i], query_shapes.motion(i), options)};
@@ -378,8 +378,8 @@ int32_t carom_world_find_nearest(carom_world* world, const carom_query_shapes* s
     if (!query_shapes.take(call, shapes, false) || !not_negative(call, 3, "reach", reach) ||
         !read_desc(call, 4, *reading, desc, options) || !check_records(call, 5, query_shapes.size(), dst, stride))
       return;
-    answer_each(reading, query_shapes.size(), dst, stride,
-                [&](std::uint64_t i) { return find_nearest(*reading, query_shapes[i], reach, options); });
+    query_each(reading, query_shapes.size(), dst, stride,
+               [&](std::uint64_t i) { return find_nearest(*reading, query_shapes[i], reach, options); });
   });
 }
 

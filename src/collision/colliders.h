@@ -58,7 +58,7 @@ struct Colliders {
       next;              // the body's next collider, ascending by slot, or kInvalid (the first: Scene::first_collider)
   Array<Filter> filter;  // empty until a collider has one of its own
 
-  Array<std::uint8_t> sensor;  // 1: tells of overlap and is never answered; empty until there is one
+  Array<std::uint8_t> sensor;  // 1: tells of overlap and is never solved; empty until there is one
 
   static constexpr std::uint8_t kPushed = 1, kDriven = 2;
 

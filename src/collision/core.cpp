@@ -1,4 +1,4 @@
-// Asking a plugin's function for a support point, and telling what is wrong with its answer.
+// Asking a plugin's function for a support point, and telling what is wrong with its result.
 #include "collision/core.h"
 
 #include <algorithm>

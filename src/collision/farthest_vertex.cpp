@@ -185,7 +185,7 @@ std::uint32_t FarthestVertex::climb_from(std::uint32_t at, const Vec3& n) const 
 }
 
 /// Two pairs of lanes, each keeping its best: the same comparisons at any SIMD width. Nothing branches on data that
-/// nobody could predict.
+/// no branch predictor could know.
 std::uint32_t FarthestVertex::scan(const Vec3& n) const {
   typedef double Lanes __attribute__((vector_size(16)));
   typedef std::int64_t Which __attribute__((vector_size(16)));

@@ -12,7 +12,7 @@ namespace carom::collision {
 ///
 /// Many vertices are climbed: from a table's guess for the direction, along the edges of the hull, to a vertex without
 /// a better neighbour. On a convex polytope that is the best of all, but only if "better" is judged without error:
-/// where a face is flat but for rounding, or vertices crowd, rounded answers stop the climb anywhere. So the climb
+/// where a face is flat but for rounding, or vertices crowd, rounded results stop the climb anywhere. So the climb
 /// lives on a grid of its own, in whole numbers: its edges are those of the hull of the grid points, which is exact
 /// (hull.h), and so is every comparison. What is left is the way from a vertex to its grid point.
 class FarthestVertex {

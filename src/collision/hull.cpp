@@ -1,4 +1,4 @@
-// Growing a convex mesh: which facets see a point, the rim around them, and the fan that replaces them.
+// Growing a convex mesh: which facets see a point, the horizon around them, and the fan that replaces them.
 #include "collision/hull.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void HullMesh::start(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   for (Vec3* p : {&a, &b, &c, &d}) *p = snap(*p);
   if (orientation(a, b, c, d) < 0) std::swap(a, b);
   points_.assign({a, b, c, d});
-  rim_at_.assign(4, 0);
+  horizon_at_.assign(4, 0);
   seen_at_.assign(4, 0);
   facets_.assign({make(0, 2, 1), make(0, 1, 3), make(1, 2, 3), make(2, 0, 3)});
   constexpr std::uint32_t kAcross[4][3] = {{3, 2, 1}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
@@ -62,7 +62,7 @@ std::size_t HullMesh::look(std::uint32_t seed, const Vec3& p, Real tolerance) {
   for (const std::uint32_t s : seen_)  // slots of the last removal may be used again from now on
     if (!facets_[s].alive) free_.push_back(s);
   seen_.clear();
-  rim_.clear();
+  horizon_.clear();
   next_point_ = snap(p);
   const auto known = [&](std::uint32_t f) { return seen_at_[f] < seen_.size() && seen_[seen_at_[f]] == f; };
   const auto add = [&](std::uint32_t f) {
@@ -79,27 +79,29 @@ std::size_t HullMesh::look(std::uint32_t seed, const Vec3& p, Real tolerance) {
       if (!known(g) && in_sight(g)) add(g);
   for (const std::uint32_t s : seen_)
     for (int i = 0; i < 3; ++i)
-      if (!known(facets_[s].next[i])) rim_.push_back({facets_[s].v[i], facets_[s].v[(i + 1) % 3], facets_[s].next[i]});
-  for (std::uint32_t i = 0; i < rim_.size(); ++i) rim_at_[rim_[i].from] = i;
-  if (tolerance > 0 && !rim_is_sound(next_point_)) {
+      if (!known(facets_[s].next[i]))
+        horizon_.push_back({facets_[s].v[i], facets_[s].v[(i + 1) % 3], facets_[s].next[i]});
+  for (std::uint32_t i = 0; i < horizon_.size(); ++i) horizon_at_[horizon_[i].from] = i;
+  if (tolerance > 0 && !horizon_is_sound(next_point_)) {
     seen_.clear();
-    rim_.clear();
+    horizon_.clear();
   }
-  return rim_.size();
+  return horizon_.size();
 }
 
-/// One loop, in which every vertex starts one edge, and no new facet that faces the inner point. Exact answers give
+/// One loop, in which every vertex starts one edge, and no new facet that faces the inner point. Exact calls give
 /// nothing else. (A point coplanar with a facet that stays makes a neighbour in its plane; never one without area, for
 /// it would have to lie on an edge of a facet that sees it.)
-bool HullMesh::rim_is_sound(const Vec3& p) const {
-  const auto n = static_cast<std::uint32_t>(rim_.size());
+bool HullMesh::horizon_is_sound(const Vec3& p) const {
+  const auto n = static_cast<std::uint32_t>(horizon_.size());
   for (std::uint32_t i = 0; i < n; ++i)
-    if (rim_at_[rim_[i].from] != i || orientation(points_[rim_[i].from], points_[rim_[i].to], p, inner_) >= 0)
+    if (horizon_at_[horizon_[i].from] != i ||
+        orientation(points_[horizon_[i].from], points_[horizon_[i].to], p, inner_) >= 0)
       return false;
   std::uint32_t walked = 0, i = 0;
   do {
-    const std::uint32_t on = rim_at_[rim_[i].to];
-    if (on >= n || rim_[on].from != rim_[i].to) return false;
+    const std::uint32_t on = horizon_at_[horizon_[i].to];
+    if (on >= n || horizon_[on].from != horizon_[i].to) return false;
     i = on;
     ++walked;
   } while (i != 0 && walked < n);
@@ -109,9 +111,9 @@ bool HullMesh::rim_is_sound(const Vec3& p) const {
 std::uint32_t HullMesh::grow() {
   const auto vertex = static_cast<std::uint32_t>(points_.size());
   points_.push_back(next_point_);
-  rim_at_.push_back(0);
+  horizon_at_.push_back(0);
   created_.clear();
-  for (const Edge& e : rim_) {
+  for (const Edge& e : horizon_) {
     std::uint32_t slot;
     if (free_.empty()) {
       slot = static_cast<std::uint32_t>(facets_.size());
@@ -128,8 +130,8 @@ std::uint32_t HullMesh::grow() {
       if (outside.v[i] == e.to && outside.v[(i + 1) % 3] == e.from) outside.next[i] = slot;
     created_.push_back(slot);
   }
-  for (std::size_t i = 0; i < rim_.size(); ++i) {
-    const std::uint32_t after = rim_at_[rim_[i].to];
+  for (std::size_t i = 0; i < horizon_.size(); ++i) {
+    const std::uint32_t after = horizon_at_[horizon_[i].to];
     facets_[created_[i]].next[1] = created_[after];
     facets_[created_[after]].next[2] = created_[i];
   }

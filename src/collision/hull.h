@@ -11,7 +11,7 @@
 namespace carom::collision {
 
 /// A closed, convex triangle mesh whose vertices lie on a grid, so that "does this facet see that point?" has an exact
-/// answer. With rounded answers, a cluster of nearly equal points makes facets that tilt anywhere, and then points far
+/// result. With rounded results, a cluster of nearly equal points makes facets that tilt anywhere, and then points far
 /// away are lost.
 class HullMesh {
  public:
@@ -39,9 +39,9 @@ class HullMesh {
       : points_(memory),
         facets_(memory),
         free_(memory),
-        rim_(memory),
+        horizon_(memory),
         seen_(memory),
-        rim_at_(memory),
+        horizon_at_(memory),
         seen_at_(memory),
         created_(memory) {}
 
@@ -51,16 +51,16 @@ class HullMesh {
   /// Whether p lies strictly on the outer side of a facet's plane; exact for the snapped p.
   bool sees(std::uint32_t facet, const Vec3& p) const;
 
-  /// The facets that see p, found from one of them, and the rim around them. Nothing changes yet.
+  /// The facets that see p, found from one of them, and the horizon around them. Nothing changes yet.
   /// @param p          in range, seen by facet `seed`
   /// @param tolerance  0: exact. More: facets closer to p than this do not see it, so that a face that is flat but for
   /// rounding is
   ///                   left in peace when a vertex joins it; the mesh is then convex to that tolerance only
-  /// @return           number of edges on the rim, which is how many facets grow() will make; 0 (never if all calls
+  /// @return           number of edges on the horizon, which is how many facets grow() will make; 0 (never if all calls
   /// were exact): the
-  ///                   rim is no simple loop, or a new facet would face the inner point
+  ///                   horizon is no simple loop, or a new facet would face the inner point
   std::size_t look(std::uint32_t seed, const Vec3& p, Real tolerance = 0);
-  /// Replace the facets that the last look() found by a fan over its rim. @return the new vertex
+  /// Replace the facets that the last look() found by a fan over its horizon. @return the new vertex
   std::uint32_t grow();
   const Array<std::uint32_t>& removed() const { return seen_; }     // by the last grow(); still readable until the next
   const Array<std::uint32_t>& created() const { return created_; }  // by the last grow()
@@ -79,16 +79,16 @@ class HullMesh {
   struct Edge {
     std::uint32_t from, to, outside;  // vertices; the facet that stays
   };
-  bool rim_is_sound(const Vec3& p) const;
+  bool horizon_is_sound(const Vec3& p) const;
   Facet make(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
   Array<Vec3> points_;
   Array<Facet> facets_;
   Array<std::uint32_t> free_;
-  Array<Edge> rim_;
+  Array<Edge> horizon_;
   Array<std::uint32_t> seen_;
-  Array<std::uint32_t> rim_at_;   // by vertex: its edge on the rim, valid where it points back
-  Array<std::uint32_t> seen_at_;  // by facet: its place in seen_, valid where it points back
+  Array<std::uint32_t> horizon_at_;  // by vertex: its edge on the horizon, valid where it points back
+  Array<std::uint32_t> seen_at_;     // by facet: its place in seen_, valid where it points back
   Array<std::uint32_t> created_;
   Vec3 next_point_ = Vec3::zero();
   Vec3 inner_ = Vec3::zero();

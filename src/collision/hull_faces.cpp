@@ -103,7 +103,8 @@ class Gatherer {
     faces_.begin.push_back(static_cast<std::uint32_t>(faces_.loop.size()));
   }
 
-  /// The rim of the triangles in stack_, appended to the loops. @return false, and nothing appended, if it is no loop
+  /// The boundary of the triangles in stack_, appended to the loops. @return false, and nothing appended, if it is no
+  /// loop
   bool outline(std::uint32_t id) {
     std::uint32_t first = kInvalid;
     std::size_t sides = 0;
@@ -142,7 +143,7 @@ class Gatherer {
   HullFaces& faces_;
   Array<std::uint32_t> across_;  // by edge
   Array<std::uint32_t> face_;    // by triangle
-  Array<std::uint32_t> next_;    // by vertex: the next one along the rim
+  Array<std::uint32_t> next_;    // by vertex: the next one along the boundary
   Array<std::uint32_t> stack_;
   Real tolerance_ = 0;
 };

@@ -76,7 +76,7 @@ struct Shape {
 
   HullFaces faces;  // polytope, box: for exact clipping; may be empty
 
-  std::shared_ptr<const Scenery> scenery;  // Form::scenery: its pieces. It has no support function and no volume
+  std::shared_ptr<const Scenery> scenery;  // Form::scenery: its triangles. It has no support function and no volume
 
   std::uint64_t handle = 0;  // the ABI's name for it, for reports
 };

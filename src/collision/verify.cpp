@@ -1,4 +1,4 @@
-// Questions that a support function cannot answer falsely without being caught, and their tolerances.
+// Questions that a support function cannot fail without being caught, and their tolerances.
 #include "collision/verify.h"
 
 #include <Eigen/Eigenvalues>
@@ -83,13 +83,13 @@ Verdict verify_support(const Shape& shape) {
     lo = lo.min(points[i]);
     hi = hi.max(points[i]);
   }
-  // Backwards: the second answer must not depend on what was asked before it either.
+  // Backwards: the second result must not depend on what was asked before it either.
   for (int i = kDirections - 1; i >= 0; --i) {
     Vec3 again;
     if (!core_support(shape, dirs[i], again, fault)) return lie(fault);
     if (!same_bits(points[i], again)) return lie("not bitwise repeatable", dirs[i], again);
   }
-  // From here on one number decides: by how much a point of the set is farther along d than the answer for d.
+  // From here on one number decides: by how much a point of the set is farther along d than the result for d.
   const Real tolerance = tolerance_of(lo, hi);
   for (int i = 0; i < kDirections; ++i) {
     // 2^-996 and 2^996 are about 1e-300 and 1e300; with 3 the mantissa changes too.

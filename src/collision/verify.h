@@ -5,7 +5,7 @@
 
 namespace carom::collision {
 
-/// The answer, with evidence: the direction that shows the lie and what came back for it.
+/// The verdict, with evidence: the direction that shows the lie and what came back for it.
 struct Verdict {
   bool valid = true;
   const char* reason = "";  // static text: "not bitwise repeatable", "depends on the length of the direction", ...

@@ -79,7 +79,7 @@ Aabb half_space_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   return b;
 }
 
-/// The box about the turned box, which no piece leaves.
+/// The box about the turned box, which no part leaves.
 Aabb scenery_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   const Vec3 middle = r * ((s.bounds.lo + s.bounds.hi) / 2) + p, half = r.abs() * ((s.bounds.hi - s.bounds.lo) / 2);
   const Vec3 more =

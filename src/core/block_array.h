@@ -30,7 +30,7 @@ class BlockArray {
 
   void reserve(std::size_t n) {
     while (capacity() < n) {
-      make_room(blocks_.size(), blocks_);
+      reserve_slot(blocks_.size(), blocks_);
       blocks_.push_back(static_cast<T*>(memory()->allocate(kBlock * sizeof(T), alignof(T))));
     }
   }

@@ -22,7 +22,7 @@ class FloatGuard {
   FloatGuard() : mode_(_mm_getcsr()) {}
   ~FloatGuard() { put_back(); }
   void put_back() const {
-    constexpr std::uint32_t kFlags = 0x3F;  // what happened, not what is to be done: nobody reads them
+    constexpr std::uint32_t kFlags = 0x3F;  // what happened, not what is to be done: nothing reads them
     if ((_mm_getcsr() ^ mode_) & ~kFlags) _mm_setcsr(mode_);
   }
 

@@ -1,9 +1,9 @@
 // The threads of an engine whose host has none to lend.
 //
-// A loop is a word that all threads agree on by compare-and-swap: which loop it is, and the parts that nobody has taken
-// yet. The caller takes from the front and the others from the back: with two threads each sees the same half of every
-// loop over the same bodies, and finds them in its cache. A thread that comes late finds nothing to take; nobody waits
-// for it. Between loops threads spin for as long as a step's loops are usually apart, then sleep.
+// A loop is a word that all threads agree on by compare-and-swap: which loop it is, and the parts that no thread has
+// taken yet. The caller takes from the front and the others from the back: with two threads each sees the same half of
+// every loop over the same bodies, and finds them in its cache. A thread that comes late finds nothing to take; none
+// waits for it. Between loops threads spin for as long as a step's loops are usually apart, then sleep.
 #pragma once
 
 #include <algorithm>

@@ -13,7 +13,7 @@ namespace carom::core {
 
 using Memory = std::pmr::memory_resource;
 
-/// A growing array that draws from an engine's memory. Rooms that live in a world take a Memory* and build theirs on
+/// A growing array that draws from an engine's memory. Modules that live in a world take a Memory* and build theirs on
 /// it.
 template <class T>
 using Array = std::pmr::vector<T>;
@@ -35,13 +35,13 @@ void remake(A& array, std::size_t n) {
   array.resize(n);
 }
 
-/// Room for one more element at `slot`, so that the resize after it cannot fail.
+/// Reserve one more element at `slot`, so that the resize after it cannot fail.
 template <class... A>
-void make_room(std::size_t slot, A&... arrays) {
-  const auto room = [slot](auto& a) {
+void reserve_slot(std::size_t slot, A&... arrays) {
+  const auto grow = [slot](auto& a) {
     if (a.capacity() <= slot) a.reserve(with_slack(slot + 1));
   };
-  (room(arrays), ...);
+  (grow(arrays), ...);
 }
 
 /// Destroys what make_owned() made; remembers the size, since a base class does not know it.

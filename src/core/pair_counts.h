@@ -8,7 +8,7 @@
 
 namespace carom::core {
 
-/// Open addressing over a power of two, at most half full. An empty one owns no memory and answers with one comparison.
+/// Open addressing over a power of two, at most half full. An empty one owns no memory and decides with one comparison.
 class PairCounts {
  public:
   explicit PairCounts(Memory* m) : entries_(m) {}
@@ -17,8 +17,8 @@ class PairCounts {
   std::size_t size() const { return size_; }
   bool has(std::uint32_t a, std::uint32_t b) const { return size_ > 0 && entries_[find(key(a, b))].count > 0; }
 
-  /// Room for so many pairs more, so that add() cannot fail.
-  void make_room(std::size_t more = 1) {
+  /// Reserve so many pairs more, so that add() cannot fail.
+  void reserve(std::size_t more = 1) {
     std::size_t size = std::max<std::size_t>(16, entries_.size());
     while (size < 2 * (size_ + more)) size *= 2;
     if (size == entries_.size()) return;
@@ -58,7 +58,7 @@ class PairCounts {
     while (entries_[at].count == 0) ++at;
     return entries_[at++];
   }
-  /// There is room. @param key  of an entry
+  /// There is capacity. @param key  of an entry
   void put(std::uint64_t key, std::uint32_t count) {
     Entry& e = entries_[find(key)];
     size_ += e.count == 0;

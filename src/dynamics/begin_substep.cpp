@@ -19,7 +19,7 @@ void each_asked(const World& world, F&& f) {
 
 }  // namespace
 
-void make_room_for_begun(const World& world, const StepTime&) {
+void reserve_begun(const World& world, const StepTime&) {
   bool any = false;
   each_asked(world, [&](std::uint32_t) { any = true; });
   if (any) world.plan->begun.resize(world.scene.bodies.slots());

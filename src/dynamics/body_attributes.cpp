@@ -46,7 +46,7 @@ std::uint64_t BodyAttributes::bytes_of(EffectId effect) const {
   return sum;
 }
 
-void BodyAttributes::make_room(AttributeId id, std::uint32_t bodies) {
+void BodyAttributes::reserve(AttributeId id, std::uint32_t bodies) {
   Array<Real>& all = column_[+id];
   const AttributeRow& row = row_of(id);
   const std::size_t wanted = row.numbers * std::size_t(bodies);

@@ -1,5 +1,5 @@
-// What a host may say of a body beside its descriptor, one row each: a name, numbers, bounds, what bodies have that nobody
-// spoke of. CONTRIBUTING.md tells how to add one.
+// What a host may say of a body beside its descriptor, one row each: a name, numbers, bounds, what bodies have that no
+// host spoke of. CONTRIBUTING.md tells how to add one.
 //
 // The row is all there is to write. A column grows when the first body gets something else; bodies that come have the usual
 // value; whoever gets another wakes; snapshots hold it, and with them forks and recordings; the plan counts its memory to its
@@ -101,8 +101,8 @@ class BodyAttributes {
   std::uint64_t bytes_of(EffectId effect) const;
 
   /// A place for so many bodies. May run out of memory; then nothing has changed.
-  void make_room(AttributeId id, std::uint32_t bodies);
-  /// There is room.
+  void reserve(AttributeId id, std::uint32_t bodies);
+  /// There is capacity.
   void set(AttributeId id, std::uint32_t body, const AttributeValue& value);
   /// The usual values: of a body that goes, so that whoever gets its slot has them, and of all.
   void reset(std::uint32_t body);

@@ -28,10 +28,10 @@ void count_resistance(Scene& s) {
 }
 
 /// The slot that take() will hand out can be at most the number of slots there are.
-void make_room_for_body(Scene& s, State& t) {
-  make_room(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia, s.first_collider,
-            t.x, t.q, t.held_q, t.placed_x, t.placed_q, t.v, t.omega, t.momentum, t.force, t.torque, t.held_out,
-            t.loaded_steps, t.cooldown_steps, t.accuracy, t.written, t.is_written);
+void reserve_body(Scene& s, State& t) {
+  reserve_slot(s.bodies.slots(), s.def, s.type, s.inv_mass, s.mass, s.center, s.inertia, s.inv_inertia,
+               s.first_collider, t.x, t.q, t.held_q, t.placed_x, t.placed_q, t.v, t.omega, t.momentum, t.force,
+               t.torque, t.held_out, t.loaded_steps, t.cooldown_steps, t.accuracy, t.written, t.is_written);
 }
 
 /// New mass properties; the body's frame stays where it is and its centre's velocity what it was.
@@ -52,7 +52,7 @@ std::uint32_t& link_to(Scene& s, std::uint32_t body, std::uint32_t collider) {
 }  // namespace
 
 Handle World::add_body(const BodyDef& def) {
-  make_room_for_body(scene, state);
+  reserve_body(scene, state);
   const Handle handle = scene.bodies.take();
   if (handle == 0) return 0;
   fill_body(handle_slot(handle), def);
@@ -119,9 +119,9 @@ Handle World::add_collider(std::uint32_t body, const Shape* shape, const Pose& l
   grow(settings.filter != Filter(), c.filter);
   grow(settings.sensor, c.sensor);
   grow(settings.surface.any(), scene.surface);
-  make_room(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds, c.reach,
-            c.movable, c.disabled, c.next, c.travel);
-  make_room(c.live.size(), c.live);
+  reserve_slot(scene.collider_slots.slots(), c.shape, c.local, c.body, c.material, c.density, c.frame, c.bounds,
+               c.reach, c.movable, c.disabled, c.next, c.travel);
+  reserve_slot(c.live.size(), c.live);
   mark_touched_by_host(*this, body);
   const Handle handle = scene.collider_slots.take();
   if (handle == 0) return 0;
@@ -192,7 +192,7 @@ void World::remove_collider(std::uint32_t collider) {
 }
 
 Handle World::add_material(const Material& m) {
-  make_room(scene.material_slots.slots(), scene.material);
+  reserve_slot(scene.material_slots.slots(), scene.material);
   const Handle handle = scene.material_slots.take();
   if (handle == 0) return 0;
   put(scene.material, handle_slot(handle), m);
@@ -250,17 +250,17 @@ void World::set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& 
   ++scene.revision;
 }
 
-void World::make_room_for_another(AttributeId id) {
+void World::reserve_another(AttributeId id) {
   const std::uint32_t slots = scene.bodies.slots() + 1;
   if (id == AttributeId::locks && scene.locks.size() < slots) scene.locks.resize(slots, 0);
-  scene.attributes.make_room(id, slots);
+  scene.attributes.reserve(id, slots);
 }
 
 void World::set_attribute(std::uint32_t body, AttributeId id, const AttributeValue& value) {
   if (scene.attributes.of(id, body) == value) return;
   const std::uint32_t slots = scene.bodies.slots();
   if (id == AttributeId::locks && scene.locks.size() < slots) scene.locks.resize(slots, 0);
-  scene.attributes.make_room(id, slots);
+  scene.attributes.reserve(id, slots);
   wake(*this, body);
   scene.attributes.set(id, body, value);
   if (id == AttributeId::locks) {
@@ -272,7 +272,7 @@ void World::set_attribute(std::uint32_t body, AttributeId id, const AttributeVal
 }
 
 void World::hold_apart(std::uint32_t a, std::uint32_t b) {
-  scene.apart.make_room();
+  scene.apart.reserve();
   mark_touched_by_host(*this, a), mark_touched_by_host(*this, b);
   scene.apart.add(a, b);
   ++scene.revision;
@@ -302,7 +302,7 @@ void World::set_pose(std::uint32_t body, const Pose& pose) {
   const Quat q = normalized(pose.q);
   const Vec3 x = pose.p + q * scene.center[body];
   const bool same = q == state.q[body] && x == state.x[body] && !state.is_lost(body);
-  if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes nobody
+  if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes none
   contact_views();
   mark_touched_by_host(*this, body);
   state.q[body] = state.held_q[body] = q;

@@ -55,7 +55,7 @@ struct Effect {
   FlowFn flow = nullptr;                        // null: there is no closed form
   Real (*rate)(const Scene&, const State&, std::uint32_t body) = nullptr;  // 1/s, of decay; null: none decays
   bool reads_velocities = false;  // of a force without a flow: it is given those that no force has changed yet
-  void (*everyone)(const Scene&, const State&, Participants&) = nullptr;  // whom it can be forced on; null: on nobody
+  void (*everyone)(const Scene&, const State&, Participants&) = nullptr;  // whom it can be forced on; null: on none
   const char* called_by = nullptr;                                        // what participants are: "bodies with ..."
   const char* missing = nullptr;                                          // what a scene without any lacks
 };
@@ -84,7 +84,7 @@ struct PlannedEffect {
   Served served = Served::stage;
   std::uint64_t wanted = 0;       // candidates of the scene, whatever a host forbids or forces
   std::uint64_t evaluations = 0;  // participants served since the world was made
-  double seconds = 0;             // of this step, as far as it has a room of its own, @see World::times_effects
+  double seconds = 0;             // of this step, as far as it has a stage of its own, @see World::times_effects
 };
 
 struct StepTime {
@@ -121,7 +121,7 @@ struct Plan {
   std::array<bool, kStageCount> runs{};  // stages that have participants
   int substeps = 1;                      // of the world, whoever is in it
   bool in_pass = false;                  // they go by island: the plan has some of them, @see accuracy/passes.h
-  bool idle = false;                     // nobody needs them in this step: they are left out
+  bool idle = false;                     // nothing needs them in this step: they are left out
   bool reads_velocities = false;         // some force does: it is given a copy, which forces before it have not changed
   bool watches_speed = false;            // what moves far for its size is swept
   bool host_wrote = false;               // to the state, before this step
@@ -132,7 +132,7 @@ struct Plan {
   const Solver* solver = nullptr;
   PredictedPose predicted;
   std::array<Owned<Decays>, 3> decays;  // of the rows that decay: linear and angular damping, drag
-  Owned<FreeFlight> flight;             // null: nobody has flown beside others yet
+  Owned<FreeFlight> flight;             // null: no body has flown beside others yet
   struct Begun {
     Vec3 v, omega;  // m/s, rad/s, world: before the forces of the substep
   };

@@ -1,5 +1,5 @@
-// Who may touch whom, as far as a host says so: filters of colliders and pairs of bodies that are excepted. Rooms
-// without participants are not entered: a world in which nobody set a filter pays nothing.
+// Who may touch whom, as far as a host says so: filters of colliders and pairs of bodies that are excepted. Stages
+// without participants are not entered: a world in which no filter is set pays nothing.
 #pragma once
 
 #include "dynamics/effects.h"

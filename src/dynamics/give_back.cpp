@@ -9,11 +9,11 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr std::size_t kFew = 4;  // of so many that there is room for, one is in use
+constexpr std::size_t kFew = 4;  // of so many that are reserved, one is in use
 
-/// Whether the last step had few contacts beside what there is room for, and no joints: those know who is where in
+/// Whether the last step had few contacts beside what is reserved, and no joints: those know who is where in
 /// lanes.
-bool has_room_to_spare(const World& world) {
+bool has_spare_capacity(const World& world) {
   const Contacts& c = *world.contacts;
   if (world.plan->runs[static_cast<std::size_t>(Stage::group)] && !c.links.empty()) return false;
   const std::size_t rows = world.plan->runs[static_cast<std::size_t>(Stage::group)] ? c.rows.size() : 0;
@@ -24,8 +24,8 @@ bool has_room_to_spare(const World& world) {
 
 void give_back(const World& world, Impulses& impulses, PairTable& pairs, Owned<MeanMotion>& means) {
   Contacts& c = *world.contacts;
-  c.steps_with_room = has_room_to_spare(world) ? c.steps_with_room + 1 : 0;
-  if (c.steps_with_room < kStepsBeforeGivingBack) return;
+  c.steps_with_spare = has_spare_capacity(world) ? c.steps_with_spare + 1 : 0;
+  if (c.steps_with_spare < kStepsBeforeGivingBack) return;
   for (const std::uint32_t body : c.bodies) world.plan->touched[body] = 0;
   *world.contacts = Contacts(world.memory);
   *world.direct = DirectGroups(world.memory);

@@ -52,7 +52,7 @@ void measure_energy(const World& world, StepReport& report) {
   report.dynamic_bodies = plan.linear.count + plan.rotating.count + world.sleep->count;
 }
 
-/// What effects without a room of their own did: they are served within the loops of their stages.
+/// What effects without a stage of their own did: they are served within the loops of their stages.
 void account_served(const World& world) {
   Plan& plan = *world.plan;
   const auto account = [&](std::size_t row, Stage stage, std::uint64_t times) {

@@ -1,8 +1,8 @@
-// The parts of a world that stages write, as types: who is to write one is given it, and nobody is given the World.
+// The parts of a world that stages write, as types: what is to write one is given it, and none is given the World.
 //
 // A stage reads by `const World&`, and no part of it changes through that: parts stand in the World by value, or as
 // Kept. What is made anew in each step (the plan, rows, lanes) hangs on an Owned, and may be written through a const
-// World; so may the ledger, which books and changes nothing.
+// World; so may the ledger, which reads and changes nothing.
 #pragma once
 
 #include <type_traits>

@@ -51,7 +51,7 @@ struct Participants {
   static constexpr std::size_t kSlotsAPart = 128;  // some microseconds of a loop
 };
 
-/// Call f(slot) for who is in either of two lists that share nobody, ascending.
+/// Call f(slot) for who is in either of two lists that share none, ascending.
 template <class F>
 void each_of_both(const Participants& one, const Participants& other, F&& f) {
   const Participants::Run *a = one.runs.data(), *b = other.runs.data();

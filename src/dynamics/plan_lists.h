@@ -17,7 +17,7 @@ void list_others(const World& world, const Participants& those, PlanLists& other
 /// @param scratch  any
 void list_part(const World& world, const Participants& those, Participants& scratch, PlanLists& part);
 /// Springs that hang on those bodies, and the others. Both ends of a spring are among the bodies, or none of them.
-/// @param others  null: nobody asks
+/// @param others  null: not asked for
 void part_springs(const World& world, const Participants& those, PlanLists& part, PlanLists* others);
 /// The plan's are these, and these the plan's.
 void exchange_lists(Plan& plan, PlanLists& lists);

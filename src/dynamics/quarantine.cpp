@@ -1,4 +1,4 @@
-// Quarantine: bodies whose state left the finite world are stopped and held, and nobody else notices.
+// Quarantine: bodies whose state left the finite world are stopped and held, and no other body notices.
 #include "dynamics/quarantine.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void admit(const World& world, Poses& poses, Quarantining to, const StepTime&) {
   FaultViews& views = to;
   views.clear();
   views.reserve(world.scene.bodies.slots() + world.scene.colliders.slots() +
-                world.particles.slots.slots());  // no room is made while bodies move
+                world.particles.slots.slots());  // nothing is reserved while bodies move
   HostForces& host = to;
   Velocities& motion = to;
   const State& s = world.state;

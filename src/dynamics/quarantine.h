@@ -6,9 +6,9 @@
 namespace carom::dynamics {
 
 // Beyond these a state is not a scene but an accident. Squares and products of a few of them stay far from overflow
-// (1e308), which is what lets every other room compute without checks. Larger bounds would admit overflow in the narrow
-// phase; smaller ones would refuse valid astronomy: light travels 3e8 m/s, and 1e15 m is 0.1 light years, where a
-// double resolves 0.1 m.
+// (1e308), which is what lets every other stage compute without checks. Larger bounds would admit overflow in the
+// narrow phase; smaller ones would refuse valid astronomy: light travels 3e8 m/s, and 1e15 m is 0.1 light years, where
+// a double resolves 0.1 m.
 inline constexpr Real kMaxPosition = 1e15;  // m
 inline constexpr Real kMaxSpeed = 1e9;      // m/s
 inline constexpr Real kMaxSpin = 1e9;       // rad/s

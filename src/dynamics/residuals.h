@@ -16,7 +16,7 @@ struct Residuals {
 
 /// Impulses p and velocities u of a pair's points obey Coulomb's law where each p is the projection of p - u / k on
 /// what p may be, k the velocity that an impulse makes; an offence is k times how far p is from there. Normal impulses
-/// point by point (what they may be: >= 0), friction as the one force of a pair that solvers answer it by (a disc of
+/// point by point (what they may be: >= 0), friction as the one force of a pair by which solvers apply it (a disc of
 /// radius mu times the load), at the mean of its points' slips.
 /// @oracle tests/oracle/test_residuals
 Residuals residuals_of(const World& world);

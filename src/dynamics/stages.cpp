@@ -80,7 +80,7 @@ constexpr StageEntry kStageTable[] = {
     stage<begin_contacts>({.name = "begin contacts",
      .what = "what the solver lays out for a step",
      .stage = Stage::solve, .reads = kMotion | Part::joints,
-     .account = LedgerAccount::makes_room, .by_island = ByIsland::alone}),
+     .account = LedgerAccount::reserves, .by_island = ByIsland::alone}),
     stage<begin_sweeps>({.name = "begin sweeps",
      .what = "which bodies are swept, and what stands in their way",
      .stage = Stage::solve, .effect = +EffectId::continuous,
@@ -92,7 +92,7 @@ constexpr StageEntry kStageTable[] = {
      .what = "how fast bodies approach, if a host wants to know",
      .stage = Stage::observe, .effect = +EffectId::events,
      .reads = kContactsRead}),
-    stage<make_room_for_begun>({.name = "make room",
+    stage<reserve_begun>({.name = "reserve",
      .what = "for what substeps save",
      .stage = Stage::solve, .by_island = ByIsland::alone}),
     stage<defer_free_bodies>({.name = "defer free bodies",
@@ -185,7 +185,7 @@ constexpr StageEntry kStageTable[] = {
 };
 // clang-format on
 
-/// What the ledger accounts for: whoever changes it says how that is booked.
+/// What the ledger accounts for: what changes it says which account that enters.
 constexpr bool all_writers_have_accounts() {
   for (const StageEntry& entry : kStageTable)
     if (entry.writes.meets(kMotion | Part::particles) && entry.account == LedgerAccount::none) return false;

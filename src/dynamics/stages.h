@@ -1,4 +1,4 @@
-// The stages of a step as one table: what runs, whose it is, what it reads and writes, how the ledger books it.
+// The stages of a step as one table: what runs, whose it is, what it reads and writes, how the ledger accounts for it.
 //
 // step.cpp loops over it; the picture in ../README.md is made from it (tests/unit/dynamics/test_stages). A stage is a
 // function of a const World, the time, and the parts that it writes; what it writes is read off its parameters. One

@@ -35,11 +35,11 @@ struct HostForces {
   Array<Vec3> torque;  // N m, world, about the centre of mass
 
   /// Bodies that a host wrote to since the last step, each once, in any order until a step begins: it checks them, and
-  /// looks among them for pending forces. What nobody wrote it need not read.
+  /// looks among them for pending forces. What no host wrote it need not read.
   Array<std::uint32_t> written;
   Array<std::uint8_t> is_written;
 
-  /// To be called by whoever writes to a body between steps (World's editing functions do). There is room.
+  /// To be called by whoever writes to a body between steps (World's editing functions do). There is capacity.
   void mark_written(std::uint32_t body) {
     if (is_written[body]) return;
     is_written[body] = 1;

@@ -25,7 +25,7 @@ struct Undo {
   }
 };
 
-/// Runs a stage if it has participants, and books what it did and its time.
+/// Runs a stage if it has participants, and records what it did and its time.
 class Runner {
  public:
   Runner(World& world, Real dt) : world_(world), dt_(dt) {}
@@ -46,7 +46,7 @@ class Runner {
     const double seconds = seconds_since(start);
     world_.report.stage_seconds[s] += seconds;
     if (entry.effect < kEffectCount) world_.plan->effects[entry.effect].seconds += seconds;
-    if (keeps_ledger(world_)) book(entry);
+    if (keeps_ledger(world_)) account(entry);
   }
 
   /// Substeps by island: as many passes as islands ask for, each with its own.
@@ -64,7 +64,7 @@ class Runner {
                      static_cast<int>(entry.name.size()), entry.name.data(), part_name(static_cast<Part>(i)));
     if (undeclared.bits) std::abort();
   }
-  void book(const StageEntry& entry) const {
+  void account(const StageEntry& entry) const {
     const auto start = Clock::now();
     account_stage(world_, entry.account, {dt_, dt_ / substeps()});
     world_.report.stage_seconds[static_cast<std::size_t>(Stage::observe)] += seconds_since(start);

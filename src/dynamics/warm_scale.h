@@ -1,4 +1,4 @@
-// How the impulses of one substep are carried to the next.
+// How the impulses of one substep are reused in the next.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 
 namespace carom::dynamics {
 
-/// Impulses are carried as forces, so by the ratio of the substeps. But what a substep leaves is not force alone:
+/// Impulses are reused as forces, so by the ratio of the substeps. But what a substep leaves is not force alone:
 /// rounding, and what undid a gap, do not shrink with it. After one of 1e-20 s the ratio made 1e5 m/s of them, and
-/// quarantine of whom they moved. Substeps that differ by more than this are carried in part; the solver finds the
+/// quarantine of whom they moved. Substeps that differ by more than this are reused in part; the solver finds the
 /// rest, as it does from nothing.
 inline constexpr Real kMostSurfaceSpeed = 1e3;
 

@@ -51,7 +51,7 @@ struct FaultView {
   std::uint32_t particle = 0;          // the first of it that was put in quarantine in this step
 };
 
-/// Why a solver that chooses answers a contact group as it does; as CAROM_REASON_*.
+/// Why a solver that chooses solves a contact group as it does; as CAROM_REASON_*.
 enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much, bounce, impact, still, joined, rolls };
 
 /// A contact group of a step as a host reads it.
@@ -116,7 +116,7 @@ class World {
   void set_sensor(std::uint32_t collider, bool sensor);
   void set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& surface);
   void set_attribute(std::uint32_t body, AttributeId id, const AttributeValue& value);  // one that it may have
-  void make_room_for_another(AttributeId id);  // so that the next body may have any value of it without more memory
+  void reserve_another(AttributeId id);  // so that the next body may have any value of it without more memory
   void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
   void let_go(std::uint32_t body_a, std::uint32_t body_b);
   void set_transmission(std::uint32_t slot, const Transmission& transmission);
@@ -139,7 +139,7 @@ class World {
   void set_dial(Dial dial, Real value);
   void set_gravity(const Vec3& g);
 
-  // ---- what the above do to a slot that is taken, with room in every array: for snapshots, which bring slots along ----
+  // ---- what the above do to a slot that is taken, its arrays large enough: for snapshots, which bring slots along ----
   void fill_body(std::uint32_t slot, const BodyDef& def);
   void fill_collider(std::uint32_t slot, std::uint32_t body, const Shape* shape, const Pose& local, Real density,
                      std::uint32_t material);  // the body's mass is not yet that
@@ -194,7 +194,7 @@ class World {
   Kept<Sleep> sleep;
   Kept<Events> events;
   Owned<Continuous> continuous;
-  Owned<Ledger> ledger;       // null: nobody asked for it
+  Owned<Ledger> ledger;       // null: no host asked for it
   StructureCache structure;   // likewise by readers
   Owned<QueryIndex> queries;  // brought up to date by readers, who see to it that one does so at a time
   Memory* memory;
@@ -204,7 +204,7 @@ class World {
 #else
   bool watches_stages = true;
 #endif
-  Jobs* jobs = nullptr;  // who shares a step's loops; null: nobody
+  Jobs* jobs = nullptr;  // who shares a step's loops; null: none
 };
 
 }  // namespace carom::dynamics

@@ -1,6 +1,9 @@
 """The glossary, src/GLOSSARY.md, is kept: one definition a term, and none of the words that it replaces in a README or
 in a comment of a header. Code between backticks, fenced blocks, file names and identifiers do not count.
 
+In C++ files of src the words of its last table stand nowhere: not in an identifier, a comment or a file's name. Texts
+between quotes are for users, and do not count.
+
 usage: check_glossary.py ROOT
 """
 
@@ -10,6 +13,19 @@ from pathlib import Path
 
 PAGES = ("README.md", "ABI.md", "CONTRIBUTING.md")
 FOLDERS = ("include", "src", "plugins", "bindings", "tests")
+
+# Where a word of the last table may stand in src: (words, file, line, why). One that is not in use is a problem.
+RIM = "the field's word for the edge circle of a disc, cylinder, cone or wheel"
+KEPT = (
+    ("rim", r"collision/(core\.h|volume\.cpp)", r"", RIM),
+    ("rim", r"collision/manifold/(cache|facet|manifold|patch)\.", r"", RIM),
+    ("rim rims", r"collision/narrow/(coaxial|pair|pair_half_space|narrow_phase)\.", r"", RIM),
+    ("rim", r"dynamics/contact/(mean_motion|rolling|slide)\.", r"", RIM),
+    ("rim", r"tools/(accuracy/(friction/coin|reference)|check/sets)\.", r"", RIM),
+    ("rims", r"tools/scenefile/geometry\.", r"", RIM),
+    ("nobody", r"", r"\bCAROM_SWEEP_NOBODY\b", "a name of the public API"),
+    ("pieces rims", r"abi/", r"\bfull\.(pieces|rims)\b", "fields of the public carom_scenery_info"),
+)
 
 
 def rows(page):
@@ -41,6 +57,57 @@ def prose_of_header(text):
         out.append(re.sub(r"`[^`\n]*`", blank, comment.group()))
         end = comment.end()
     return "".join(out)
+
+
+def code_words(page):
+    """{word: what to say instead}, of the page's table of two columns"""
+    table = {}
+    for line in page.read_text(encoding="utf-8").split("\n"):
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if line.startswith("|") and len(cells) == 2 and cells[0] != "not in src" and not set(cells[0]) <= {"-"}:
+            table.update({word.strip(): cells[1] for word in cells[0].split(",")})
+    return table
+
+
+def without_texts(text):
+    """C++ with blanks between quotes; names of included files stay."""
+    quoted = re.compile(
+        r'//[^\n]*|/\*.*?\*/|#include[^\n]*|R"([^()\s]*)\(.*?\)\1"|"(?:[^"\\\n]|\\.)*"|(?<!\w)\'(?:[^\'\\\n]|\\.)+\'',
+        flags=re.S,
+    )
+    return quoted.sub(lambda m: m.group() if m.group()[0] in "/#" else blank(m), text)
+
+
+def words_of(line):
+    """Its words, small: Kept_by_kRim has kept, by, k and rim."""
+    return [word.lower() for word in re.findall(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+", line)]
+
+
+def check_code(root, table, problems):
+    kept_in_use = set()
+    files = sorted(file for file in (root / "src").rglob("*") if file.suffix in (".h", ".cpp"))
+    for file in files:
+        name = str(file.relative_to(root / "src"))
+        text = file.read_text(encoding="utf-8")
+        lines = [(0, name)] + list(enumerate(without_texts(text).split("\n"), 1))
+        for at, line in lines:
+            for word in words_of(line):
+                if word not in table:
+                    continue
+                kept = [
+                    i
+                    for i, (words, where, how, _) in enumerate(KEPT)
+                    if word in words.split() and re.search(where, name) and re.search(how, line)
+                ]
+                kept_in_use.update(kept)
+                if not kept:
+                    problems.append(f"src/{name}:{at}: {word}: {table[word]}")
+    for i, (words, where, how, why) in enumerate(KEPT):
+        if i not in kept_in_use:
+            problems.append(f"KEPT: no {words} in {where or 'any file'} ({why})")
+    if len(files) < 500 or len(table) < 15:
+        sys.exit(f"only {len(files)} files and {len(table)} words of code: this check no longer reads src")
+    return len(files)
 
 
 def main():
@@ -82,9 +149,12 @@ def main():
             for found in pattern.findall(line):
                 word = found[0].lower() + found[1:]
                 problems.append(f"{file.relative_to(root)}:{at}: {found}: {replaced[word]}")
+    table = code_words(glossary)
+    sources = check_code(root, table, problems)
     if problems:
         sys.exit("\n".join(problems) + f"\n{len(problems)} places; src/GLOSSARY.md has the words")
     print(f"{len(seen)} terms, {len(replaced)} words to avoid, {len(files)} files")
+    print(f"{len(table)} words that code does not have, {sources} files of src")
 
 
 main()

@@ -127,10 +127,10 @@ static void the_truth_of_a_wave_is_its_own_finer_run(void**) {
   Challenge domino = find_challenge("domino");
   assert_true(domino.reference_dt > 0 && domino.reference_dt <= 1.0 / 7680);
   domino.reference_dt = 1.0 / 240;  // an easier truth, so that the test is quick
-  const std::optional<Answer> truth = own_truth(engine, domino, at(kStep, kMethod));
+  const std::optional<Solution> truth = own_truth(engine, domino, at(kStep, kMethod));
   assert_true(truth && truth->size() == 1 && truth->front() > 1 && truth->front() < 4);
   assert_true(run(engine, domino, at(1.0 / 240, kMethod), truth).errors[0] == 0);  // the same run
-  const Result off = run(engine, domino, at(1.0 / 240, kMethod), Answer{1.25 * truth->front()});
+  const Result off = run(engine, domino, at(1.0 / 240, kMethod), Solution{1.25 * truth->front()});
   assert_true(std::fabs(off.errors[0] - 0.2) < 1e-12);
   assert_false(own_truth(engine, find_challenge("slide"), {}).has_value());
 }
@@ -291,15 +291,15 @@ static void a_heap_is_compared_with_its_own_finer_run(void**) {
     heap.reference_dt = 1.0 / 480;  // an easier truth, so that the test is quick
     Request request;
     request.seconds = 0.5;
-    const Answer truth = own_truth(engine, heap, request).value();
+    const Solution truth = own_truth(engine, heap, request).value();
     assert_true(!truth.empty() && truth.size() % 15 == 0);  // five samples
     request.dt = heap.reference_dt;
     assert_true(run(engine, heap, request, truth).errors[0] == 0);  // the same run
-    Answer off = truth;
+    Solution off = truth;
     for (std::size_t k = 2; k < off.size(); k += 3) off[k] += 0.02;  // all of it 2 cm aside
     const Result wrong = run(engine, heap, request, off);
     assert_true(std::fabs(wrong.errors[0] - 0.02) < 1e-12 && !within_bounds(heap, wrong));
-    assert_true(std::isinf(run(engine, heap, request, Answer{1}).errors[0]));
+    assert_true(std::isinf(run(engine, heap, request, Solution{1}).errors[0]));
   }
 }
 
@@ -317,7 +317,7 @@ static void the_list_is_the_suites(void**) {
     Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
     Request brief;
     brief.seconds = kStep;
-    const Result result = run(engine, challenge, brief, Answer{1});
+    const Result result = run(engine, challenge, brief, Solution{1});
     assert_int_equal(result.errors.size(), challenge.metrics.size());
     for (double error : result.errors) assert_true(error >= 0);
   }

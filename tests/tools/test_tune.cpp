@@ -21,10 +21,10 @@ Question question(const char* name, double seconds, ErrorKind kind) {
   return q;
 }
 
-Answer ask(const Question& q) {
+Result ask(const Question& q) {
   Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
   int calls = 0, last = 0;
-  const Answer a = search(engine, q, [&](int done, int total, const std::string& what) {
+  const Result a = search(engine, q, [&](int done, int total, const std::string& what) {
     assert_true(done == last + 1 && done <= total && !what.empty());
     last = done, ++calls;
   });
@@ -32,7 +32,7 @@ Answer ask(const Question& q) {
   return a;
 }
 
-void is_a_front(const Answer& a) {
+void is_a_front(const Result& a) {
   assert_true(!a.front.empty() && a.all.size() > 15);
   for (std::size_t i = 1; i < a.front.size(); ++i)
     assert_true(a.front[i].ms >= a.front[i - 1].ms && a.front[i].error < a.front[i - 1].error);
@@ -46,7 +46,7 @@ void is_a_front(const Answer& a) {
 [[maybe_unused]] static void a_stack_is_held_best_by_the_direct_solver(void**) {
   Question q = question("stack20", 2, ErrorKind::pose);
   q.kind_chosen = true;
-  const Answer a = ask(q);
+  const Result a = ask(q);
   is_a_front(a);
   assert_false(a.chaotic);
   assert_true(a.pick >= 0);
@@ -63,7 +63,7 @@ void is_a_front(const Answer& a) {
 }
 
 static void a_bounce_is_judged_by_its_closed_form(void**) {
-  const Answer a = ask(question("bounce05", 1.5, ErrorKind::truth));
+  const Result a = ask(question("bounce05", 1.5, ErrorKind::truth));
   is_a_front(a);
   assert_true(a.kind == ErrorKind::truth && a.floor == 0 && a.pick >= 0);
   assert_true(a.front.back().error < 1e-5);
@@ -75,7 +75,7 @@ static void a_bounce_is_judged_by_its_closed_form(void**) {
 [[maybe_unused]] static void chaos_is_told_and_laws_are_compared(void**) {
   Question q = question("falling", 3, ErrorKind::pose);  // a few boxes and balls tumble over each other
   q.settings.values = {{"n", 6}};
-  const Answer a = ask(q);
+  const Result a = ask(q);
   is_a_front(a);
   assert_true(a.chaotic);
   assert_true(a.kind == ErrorKind::laws && a.spread > 1e-3);
@@ -89,7 +89,7 @@ static void what_is_far_too_dear_is_given_up_at_once(void**) {
   Question q = question("stack20", 1, ErrorKind::pose);
   q.budget_ms = 1e-6;
   Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
-  const Answer a = search(engine, q, {});
+  const Result a = search(engine, q, {});
   assert_true(a.front.empty() && a.pick < 0 && a.too_dear == a.tried && a.tried == 1);
   assert_true(a.all.size() == 1 && a.all[0].ms > 1e-4);  // what the library's own takes is told
 }
@@ -98,7 +98,7 @@ static void what_is_far_too_dear_is_given_up_at_once(void**) {
   // A tonne on a kilogram on springs and a few sweeps: solvers other than the direct one drop it.
   Question q = question("massratio1e4", 4, ErrorKind::pose);
   q.kind_chosen = true;
-  const Answer a = ask(q);
+  const Result a = ask(q);
   assert_true(a.let_fall > 0 && a.pick >= 0);
   bool fell = false;
   for (const Measured& m : a.all) {
@@ -160,7 +160,7 @@ static void dials_without_participants_are_not_tried(void**) {
   assert_true(tries(turns, "rotation"));
   // And a scene tells: nothing touches, bounces or is joined in it, and its boxes are alike about all axes.
   assert_false(ask(question("freefall", 1, ErrorKind::truth)).who.contacts);
-  const Answer joined = ask(question("pendulum", 1, ErrorKind::truth));
+  const Result joined = ask(question("pendulum", 1, ErrorKind::truth));
   assert_true(joined.who.joints && !joined.who.contacts && !joined.who.bounces);
 }
 
@@ -169,7 +169,7 @@ static void dials_without_participants_are_not_tried(void**) {
   q.settings.values = {{"n", 200}};
   q.patience = 3;
   const double begun = cpu_time();
-  const Answer a = ask(q);
+  const Result a = ask(q);
   assert_true(cpu_time() - begun < 2 * q.patience);  // what runs when time is over is finished
   assert_true(a.seconds < q.seconds && a.pick >= 0);
 }

@@ -140,7 +140,7 @@ bool prediction_holds(const Kind& kind, double seed) {
   q.budget_ms = 0.25;
   q.patience = 6;
   Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
-  const Answer a = search(engine, q, {});
+  const Result a = search(engine, q, {});
   if (a.pick < 0) return false;
   const Measured& said = a.front[static_cast<std::size_t>(a.pick)];
 

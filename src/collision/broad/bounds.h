@@ -1,4 +1,4 @@
-// Overlap of boxes, as every strategy of the broad phase must judge it to give the same answer.
+// Overlap of boxes, as every strategy of the broad phase must judge it to give the same result.
 #pragma once
 
 #include "collision/colliders.h"
@@ -18,7 +18,7 @@ inline bool overlap(const Real* a, const Real* b) {
   return (a[0] <= b[3]) & (b[0] <= a[3]) & (a[1] <= b[4]) & (b[1] <= a[4]) & (a[2] <= b[5]) & (b[2] <= a[5]);
 }
 
-/// A box held for many comparisons with others: the same answer, two coordinates at a time.
+/// A box held for many comparisons with others: the same result, two coordinates at a time.
 class HeldBox {
  public:
   explicit HeldBox(const Aabb& box)

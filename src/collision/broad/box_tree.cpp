@@ -77,7 +77,7 @@ std::uint32_t BoxTree::take_node(std::uint32_t height) {
 }
 
 /// For queries: at most all nodes of a level are reached, and a child more is written than is taken.
-void BoxTree::make_room() {
+void BoxTree::reserve() {
   if (reached_[1].size() >= size_ + kWidth) return;
   for (Array<std::uint32_t>& list : reached_) list.resize(2 * size_ + kWidth);
 }
@@ -102,18 +102,18 @@ void BoxTree::build(const Array<std::uint32_t>& leaves, const Array<Aabb>& boxes
     items_.push_back({{c.x(), c.y(), c.z()}, leaf});
   }
   size_ = leaves.size();
-  make_room();
+  reserve();
   nodes_.reserve(size_ + 1);
   std::uint32_t height = 0;
-  for (std::size_t room = kWidth; room < size_; room *= kWidth) ++height;
+  for (std::size_t capacity = kWidth; capacity < size_; capacity *= kWidth) ++height;
   root_ = take_node(height);
   fill(root_, items_.data(), items_.size(), boxes);
 }
 
 /// As few children as hold all, each with about as many leaves: lowest nodes are nearly full.
 void BoxTree::fill(std::uint32_t node, Item* first, std::size_t count, const Array<Aabb>& boxes) {
-  const std::size_t room = std::size_t(1) << 2 * nodes_[node].height;  // of a child
-  part(node, first, count, (count + room - 1) / room, boxes);
+  const std::size_t capacity = std::size_t(1) << 2 * nodes_[node].height;  // of a child
+  part(node, first, count, (count + capacity - 1) / capacity, boxes);
 }
 
 /// Part by a quantile along the axis on which centres spread most: a box far from all others, or much larger, costs
@@ -147,7 +147,7 @@ void BoxTree::part(std::uint32_t node, Item* first, std::size_t count, std::size
 
 std::size_t BoxTree::insert(std::uint32_t leaf, const Aabb& box) {
   ++size_;
-  make_room();
+  reserve();
   if (root_ == kInvalid) root_ = take_node(0);
   std::uint32_t node = root_;
   while (nodes_[node].height > 0) {

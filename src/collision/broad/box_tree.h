@@ -117,7 +117,7 @@ class BoxTree {
   };
 
   std::uint32_t take_node(std::uint32_t height);
-  void make_room();
+  void reserve();
   void free_node(std::uint32_t node);
   void adopt(std::uint32_t node, std::uint32_t lane);
   void add(std::uint32_t node, const Aabb& box, std::uint32_t child);

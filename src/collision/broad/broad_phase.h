@@ -23,7 +23,7 @@ struct BroadWork {
   std::uint64_t asked = 0;     // boxes whose partners were looked for (tree)
 };
 
-/// A strategy keeps what it likes from step to step; its answer depends on the table alone.
+/// A strategy keeps what it likes from step to step; its result depends on the table alone.
 class BroadPhase {
  public:
   virtual ~BroadPhase() = default;

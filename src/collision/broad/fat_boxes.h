@@ -49,7 +49,7 @@ class FatBoxes {
     const auto sides = [](const Aabb& x) { return (x.hi - x.lo).sum(); };
     return sides(of[slot]) - sides(box) > kBloated * (sides(wanted) - sides(box));
   }
-  /// Whom its fat box holds on to is known, so that nobody needs to be asked.
+  /// What its fat box holds on to is known, so that no box needs a test.
   void shrink(const Aabb& box, std::uint32_t slot) {
     const Aabb old = of[slot];
     share_[slot] = calmer(share_[slot]);

@@ -215,7 +215,7 @@ void QueryTree::remove(std::uint32_t leaf) {
 void QueryTree::mark(std::uint32_t node) {
   if (nodes_[node].dirty) return;
   nodes_[node].dirty = 1;
-  dirty_.push_back(node);  // there is room for all nodes
+  dirty_.push_back(node);  // reserved for all nodes
 }
 
 void QueryTree::refit() {

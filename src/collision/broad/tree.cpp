@@ -3,9 +3,9 @@
 // A body's fat box is larger than its bounds by a share of its size, and reaches ahead the way it moves. Pairs of fat
 // boxes that overlap are candidates, kept from step to step in order; a step looks whose bounds have left their fat
 // box, moves those in the tree, asks the tree for their candidates anew, and filters all candidates by the bounds
-// themselves. So the answer never depends on a fat box, nor on what the trees look like.
+// themselves. So the result never depends on a fat box, nor on what the trees look like.
 //
-// What can move has one tree, what cannot another, and nobody of the second is asked about unless it changes. Unbounded
+// What can move has one tree, what cannot another, and nothing of the second is searched unless it changes. Unbounded
 // boxes (half-spaces) are in no tree, whose boxes they would make far too large; they are few, and compared with who moved.
 // Where more than a share of a tree's leaves changed, it is built afresh rather than edited leaf by leaf; so it is
 // when a leaf ended too deep, or queries cost more than those after the last time by what building costs. A step costs
@@ -222,11 +222,11 @@ class Tree final : public BroadPhase {
   /// The lists change places, so what one has grown to the others get too; and what they are merged and sorted into.
   void level(Array<Pair>& pairs) {
     constexpr std::size_t kFew = 16;  // so that a small world has done so after its first step
-    const std::size_t room = std::max({kFew, known_.capacity(), spare_.capacity(), fresh_.capacity()});
-    for (Array<Pair>* list : {&known_, &spare_, &fresh_, &pairs}) list->reserve(room);
-    blocks_.reserve(room / kPairsAPart + 1), tests_.reserve(kind_.size());
-    if (found_.size() < room) found_.resize(room);
-    order_.reserve(room);
+    const std::size_t capacity = std::max({kFew, known_.capacity(), spare_.capacity(), fresh_.capacity()});
+    for (Array<Pair>* list : {&known_, &spare_, &fresh_, &pairs}) list->reserve(capacity);
+    blocks_.reserve(capacity / kPairsAPart + 1), tests_.reserve(kind_.size());
+    if (found_.size() < capacity) found_.resize(capacity);
+    order_.reserve(capacity);
   }
 
   /// Whether two may be a pair.
@@ -291,7 +291,7 @@ class Tree final : public BroadPhase {
         }
       });
       if (count.load(std::memory_order_relaxed) <= found_.size()) break;
-      core::grow_to(found_, count.load(std::memory_order_relaxed));  // and once more: all there is room for now
+      core::grow_to(found_, count.load(std::memory_order_relaxed));  // and once more: all that capacity holds now
     }
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       moving_.count(tests_[i].moving);

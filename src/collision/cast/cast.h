@@ -1,4 +1,4 @@
-// Questions about motion: where a ray, a moving shape or a turning one first touches another. Every answer is a bracket
+// Questions about motion: where a ray, a moving shape or a turning one first touches another. Every result is a bracket
 // of the time of contact.
 #pragma once
 

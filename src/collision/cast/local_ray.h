@@ -34,7 +34,7 @@ inline void miss(const Ray& ray, CastResult& result) {
   result.upper = kInfinity;
 }
 
-/// Cast a ray against a sphere, capsule, box, cylinder, cone or ellipsoid in closed form: the same answer as by support
+/// Cast a ray against a sphere, capsule, box, cylinder, cone or ellipsoid in closed form: the same result as by support
 /// functions, within both brackets.
 /// @param r       speed, reach finite
 /// @return        false where there is no routine (other forms, what a target swells to no form, what is as thin as

@@ -22,7 +22,7 @@ struct OverlapResult {
 OverlapResult overlap(const Shape& a, const Shape& b, const Frame& b_in_a, Real target, Real rounding, int cap,
                       SupportFault& fault);
 
-/// Is a point (shape's frame) in a shape? The answer is in that frame.
+/// Is a point (shape's frame) in a shape? The result is in that frame.
 OverlapResult overlap_with_point(const Shape& shape, const Vec3& point, Real target, Real rounding, int cap,
                                  SupportFault& fault);
 

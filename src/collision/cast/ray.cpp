@@ -122,7 +122,7 @@ void ask_point(const Ray& ray, const Shape& shape, const Frame& frame, const Cas
 
 using RayEntry = line::Entry<RaySet::Point>;
 
-/// The answer of a walk that found where the line enters, in the ray's own terms.
+/// The result of a walk that found where the line enters, in the ray's own terms.
 void write_hit(const Ray& ray, const Frame& frame, const LocalRay& r, const Mat3& basis, const RayEntry& e, Real scale,
                Real target, CastResult& result) {
   const auto time = [&](Real s) { return std::clamp((s / scale - r.start) / r.speed, Real(0), ray.max); };

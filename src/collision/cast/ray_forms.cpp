@@ -283,8 +283,8 @@ class Ellipsoid {
 };
 
 template <class Form>
-bool answer(const Ray& ray, const Shape& shape, const Frame& frame, const LocalRay& r, const CastSettings& settings,
-            CastResult& result) {
+bool cast_form(const Ray& ray, const Shape& shape, const Frame& frame, const LocalRay& r, const CastSettings& settings,
+               CastResult& result) {
   const Form form(shape, r, settings.target);
   if (!form.usable(r)) return false;
   const Real length = r.speed * ray.max;
@@ -328,17 +328,17 @@ bool cast_at_form(const Ray& ray, const Shape& shape, const Frame& frame, const 
   if (!(r.speed * ray.max > 0)) return false;
   switch (shape.form) {
     case Form::sphere:
-      return answer<Sphere>(ray, shape, frame, r, settings, result);
+      return cast_form<Sphere>(ray, shape, frame, r, settings, result);
     case Form::capsule:
-      return answer<Capsule>(ray, shape, frame, r, settings, result);
+      return cast_form<Capsule>(ray, shape, frame, r, settings, result);
     case Form::box:
-      return settings.target == 0 && answer<Box>(ray, shape, frame, r, settings, result);
+      return settings.target == 0 && cast_form<Box>(ray, shape, frame, r, settings, result);
     case Form::cylinder:
-      return settings.target == 0 && answer<Cylinder>(ray, shape, frame, r, settings, result);
+      return settings.target == 0 && cast_form<Cylinder>(ray, shape, frame, r, settings, result);
     case Form::cone:
-      return settings.target == 0 && answer<Cone>(ray, shape, frame, r, settings, result);
+      return settings.target == 0 && cast_form<Cone>(ray, shape, frame, r, settings, result);
     case Form::ellipsoid:
-      return settings.target == 0 && answer<Ellipsoid>(ray, shape, frame, r, settings, result);
+      return settings.target == 0 && cast_form<Ellipsoid>(ray, shape, frame, r, settings, result);
     default:
       return false;
   }

@@ -12,7 +12,7 @@ constexpr Real kSameNormal = 0.94;
 
 /// Kept points at the new poses, with the newest normal; those that opened, slid away or lie on another face are left
 /// out.
-/// @param fresh  room for them, which the pool then points into
+/// @param fresh  space for them, which the pool then points into
 void refresh(const Frame& a, const Frame& b, const Vec3& normal, const ManifoldSettings& settings,
              const Manifold& manifold, ContactPoint (&fresh)[Manifold::kMaxPoints], Pool& pool) {
   for (int i = 0; i < manifold.count; ++i) {

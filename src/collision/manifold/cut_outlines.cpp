@@ -1,4 +1,4 @@
-// Sides of one outline clipped to the other, one by one; then the other's corners inside. No list of corners is carried
+// Sides of one outline clipped to the other, one by one; then the other's corners inside. No list of corners is handed
 // along, so their number has no bound.
 #include "collision/manifold/cut_outlines.h"
 

@@ -33,7 +33,7 @@ class ClippedVertices {
   int count = 0;
   ClippedVertex at[kMax];
 
-  /// Add a corner unless it is there already (within 2 `same`); when the room is full, corners that no direction of
+  /// Add a corner unless it is there already (within 2 `same`); when the array is full, corners that no direction of
   /// eight singles out, nor the least separation, make place.
   /// @param separation  m
   void add(const ClippedVertex& m, Real separation, Real same);

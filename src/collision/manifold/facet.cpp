@@ -12,7 +12,7 @@ namespace {
 constexpr int kRings = 3;
 // Tilts of the rings, rad. The first must exceed the error of the query's normal and stay below the angle to the next
 // face: at 0.03 a box's face is found whole with a normal 0.02 off, and neighbours that enclose less are taken for one
-// curved piece. Each ring leaves the normal off by about the square of its tilt, so the next may be that much finer and
+// curved part. Each ring leaves the normal off by about the square of its tilt, so the next may be that much finer and
 // still see both ends of what is flat; the last leaves a round edge's height off by tilt^2/2 = 5e-9 of its radius.
 constexpr Real kFacetTilt[kRings] = {kFirstTilt, 2e-3, 1e-4};
 // The most that a face may lean, rad, to be looked for at all. Beyond, its far side carries nothing before the next
@@ -34,7 +34,7 @@ constexpr Real kLastRing[6][2] = {
 constexpr Real kNoise = 1e-8;
 // Of a chord: corners within this of the fitted plane lie in it. Ten times the noise of a function in single precision.
 constexpr Real kFlat = 1e-6;
-// A chord shorter than this share of its predecessor shrank with the tilt (by 15 or 20), so it spans a curved piece.
+// A chord shorter than this share of its predecessor shrank with the tilt (by 15 or 20), so it spans a curved part.
 constexpr Real kShrank = 0.3;
 
 struct Ring {

@@ -1,4 +1,4 @@
-// The piece of a shape's core that faces a direction: a flat face, an edge or a point, found by support calls alone.
+// The part of a shape's core that faces a direction: a flat face, an edge or a point, found by support calls alone.
 #pragma once
 
 #include "collision/shape.h"

@@ -5,7 +5,7 @@
 
 namespace carom::collision {
 
-/// Remember an answer; one without a bracket of the distance (a fault, or "farther") makes the certificate unknown.
+/// Remember a result; one without a bracket of the distance (a fault, or "farther") makes the certificate unknown.
 void certify(const QueryResult& result, const Frame& b_in_a, Real shell, Certificate& certificate);
 
 /// The signed distance at a new pose, if the certificate still says enough.
@@ -14,7 +14,7 @@ void certify(const QueryResult& result, const Frame& b_in_a, Real shell, Certifi
 /// by theta. So does every support value h(n) of the difference, for every n, and with them their maximum, the signed
 /// distance: it lies within D of the old bracket. The motion of A in B's frame serves as well; that of the smaller
 /// shape is taken. From below the old normal, fixed to A or to B, gives a fresh bound with one look each, and it is
-/// that bound which is the answer's separation; apart, the old witness points give one from above. The points of
+/// that bound which is the result's separation; apart, the old witness points give one from above. The points of
 /// contact move with the bodies.
 /// @param width  m: upper - lower may be as wide
 /// @param result a true bracket, normal and points fit for a contact; support_calls is 1 or 2. Meaningless if false

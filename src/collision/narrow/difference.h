@@ -41,7 +41,7 @@ class Difference {
     if (!core_b_.support(n_b, out.b)) return core_b_.blame(n_b, out.b, fault);
     out.w = scale_ * (rotation_ * out.b + offset_ - out.a);
     value = n.dot(out.w);
-    // Written down beside the best look, which is then the one or the other: nobody can predict which.
+    // Written down beside the best look, which is then the one or the other: which is unpredictable.
     looks_[1 - best_] = n;
     best_ ^= value > lower;
     lower = value > lower ? value : lower;

@@ -8,11 +8,12 @@
 namespace carom::collision {
 namespace {
 
-/// A contact point as the answer of a query.
+/// A contact point as the result of a query.
 /// @param swapped  it was found with B first, in B's frame
 /// @param slack    m: half the bracket
 /// @param asked    m: width of the bracket that is narrow enough
-void answer(const ContactPoint& p, bool swapped, const Frame& b_in_a, Real slack, Real asked, QueryResult& result) {
+void write_result(const ContactPoint& p, bool swapped, const Frame& b_in_a, Real slack, Real asked,
+                  QueryResult& result) {
   result.separation = p.separation;
   result.lower = p.separation - slack;
   result.upper = p.separation + slack;
@@ -65,7 +66,7 @@ void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySe
   if (specific && entry.accuracy > 0 && 2 * slack > asked && !flat_a && !flat_b) return ask_gjk();  // not exact enough
   result.support_calls = static_cast<int>(calls);
   if (!nearest) return unknown(QueryStatus::rounding, result);  // poses that are no numbers
-  answer(*nearest, swapped, b_in_a, slack, asked, result);
+  write_result(*nearest, swapped, b_in_a, slack, asked, result);
 }
 
 }  // namespace carom::collision

@@ -52,7 +52,7 @@ void drop_to_feature(Difference& difference, DifferenceSimplex& simplex) {
 
 /// Add points to whatever GJK left until there is a tetrahedron: each the farthest to be found from the point, line or
 /// plane of those before it. If the farthest is within rounding the difference is flat, and looking along its normal
-/// both ways has already given the bracket its answer.
+/// both ways has already closed the bracket.
 Build build_tetrahedron(Difference& difference, DifferenceSimplex& simplex) {
   DifferencePoint* p = simplex.point;
   const Real flat = difference.rounding();

@@ -5,7 +5,7 @@
 
 namespace carom::collision {
 
-/// Iterations that the arenas on the stack have room for; what the dial epa_iterations may ask at most.
+/// Iterations for which the arenas on the stack have capacity; what the dial epa_iterations may ask at most.
 inline constexpr int kMaxEpaIterations = 512;
 
 /// narrow: upper - lower <= gap. apart: the cores do not overlap after all (lower > 0, direction in difference.normal).

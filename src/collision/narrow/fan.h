@@ -10,9 +10,9 @@ namespace carom::collision {
 /// Vertices around a hole, side by side.
 /// @tparam kMost  how many there may be; a few more places are for the lanes that have nothing to do
 template <int kMost>
-struct Rim {
-  static constexpr int kRoom = kMost + 6;
-  Real x[kRoom], y[kRoom], z[kRoom];  // scaled lengths
+struct Horizon {
+  static constexpr int kSlots = kMost + 6;
+  Real x[kSlots], y[kSlots], z[kSlots];  // scaled lengths
 
   void set(int i, const Vec3& w) {
     x[i] = w.x();
@@ -21,16 +21,16 @@ struct Rim {
   }
 };
 
-/// Six triangles (rim[i], rim[i + 1], apex), side by side so that a compiler takes them lanes at a time: each number
-/// comes from the same operations in the same order, whatever the width.
+/// Six triangles (horizon[i], horizon[i + 1], apex), side by side so that a compiler takes them lanes at a time: each
+/// number comes from the same operations in the same order, whatever the width.
 struct Fan {
   static constexpr int kFaces = 6;
 
-  Real nx[kFaces], ny[kFaces], nz[kFaces];  // [6] (rim[i] - apex) x (rim[i + 1] - apex), shortened to 1
+  Real nx[kFaces], ny[kFaces], nz[kFaces];  // [6] (horizon[i] - apex) x (horizon[i + 1] - apex), shortened to 1
   Real offset[kFaces];                      // [6] smallest of normal . vertex
   Real clear[kFaces];                       // [6] > 0: the angle at the apex is wide, the triangle no line
 
-  /// @param x, y, z   [7] the rim, scaled lengths
+  /// @param x, y, z   [7] the horizon, scaled lengths
   /// @param wide2     square of the sine of a wide angle
   /// @param rounding  scaled length: below this, a height is none
   /// @accuracy        normals of clear triangles err by u / sine; offsets are proofs whatever the normal (Polytope)

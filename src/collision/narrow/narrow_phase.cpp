@@ -35,7 +35,7 @@ void collide_generic(const Shape& a, const Frame& frame_a, const Shape& b, const
   QueryResult result;
   const Real shell = shells(query), width = certificate ? settings.carry_over * size_of_pair(a, b, b_in_a) : 0;
   if (width > 0 && carry_over(a, b, b_in_a, width, shell, *certificate, result)) {
-    report.carried += 1;
+    report.reused += 1;
   } else {
     generic_distance(a, b, b_in_a, query, settings.warm_separation ? &memory : nullptr, result, fault);
     if (width > 0) certify(result, b_in_a, shell, *certificate);

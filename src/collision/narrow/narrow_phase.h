@@ -19,7 +19,7 @@ struct NarrowSettings {
   QuerySettings query;
   ManifoldSettings manifold;
   bool warm_separation = true;  // start a query from the pair's last separating direction
-  Real carry_over = 0;  // bracket width, relative to the pair's size, up to which an earlier answer is carried over
+  Real carry_over = 0;          // bracket width, relative to the pair's size, up to which an earlier result is reused
 };
 
 /// All that is kept of a pair whose bounds overlap, but for certificates. What a pair at rest is asked for stands
@@ -30,7 +30,7 @@ struct alignas(64) PairRecord {
   PatchMemory patch;
   Manifold manifold;
 
-  /// As of a pair that nothing is known of. What says so is all that is written: nobody reads the rest.
+  /// As of a pair that nothing is known of. What says so is all that is written: the rest is not read.
   void clear() { memory = {}, patch.firm = false, manifold.count = 0, manifold.has_more_corners = false; }
 };
 static_assert(sizeof(PairRecord) == 512, "eight cache lines");
@@ -156,7 +156,7 @@ class PairTable {
 
   Array<Place> order_, next_;  // by ascending pair
   core::BlockArray<PairRecord, 4> records_;
-  Array<Certificate> certificates_;  // by record; empty until answers are carried over
+  Array<Certificate> certificates_;  // by record; empty until results are reused
   Array<std::uint32_t> free_;
   Array<Block> blocks_;
   Array<std::uint32_t> dropped_;  // records, by block from its first old place on: scratch
@@ -167,12 +167,12 @@ class PairTable {
 };
 
 struct NarrowReport {
-  std::uint64_t gjk_calls = 0, epa_calls = 0, support_calls = 0, carried = 0;
+  std::uint64_t gjk_calls = 0, epa_calls = 0, support_calls = 0, reused = 0;
   std::uint64_t kept_patches = 0;  // pairs that moved too little to be asked again
 
   NarrowReport& operator+=(const NarrowReport& other) {
     gjk_calls += other.gjk_calls, epa_calls += other.epa_calls, support_calls += other.support_calls;
-    carried += other.carried, kept_patches += other.kept_patches;
+    reused += other.reused, kept_patches += other.kept_patches;
     return *this;
   }
 };
@@ -188,7 +188,7 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
                   Array<SupportFault>& faults, Jobs* jobs = nullptr);
 
 /// Candidates of one pair: double dispatch over the two forms, the generic path where no specific routine fits.
-/// @param certificate  null: no answer is carried over
+/// @param certificate  null: no result is reused
 void collide(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b, const NarrowSettings& settings,
              QueryMemory& memory, Certificate* certificate, Candidates& found, NarrowReport& report,
              SupportFault& fault);

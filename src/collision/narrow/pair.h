@@ -56,7 +56,7 @@ void contact_half_space_cone(const Shape&, const Shape&, const Frame&, Real, Can
 void contact_half_space_ellipsoid(const Shape&, const Shape&, const Frame&, Real, Candidates&);
 void contact_half_space_polytope(const Shape&, const Shape&, const Frame&, Real, Candidates&);
 
-/// Append a point, if it is near enough (a separation that is not a number never is) and there is room.
+/// Append a point, if it is near enough (a separation that is not a number never is) and there is space.
 inline void add_contact(Candidates& found, Real reach, const Vec3& on_a, const Vec3& on_b, const Vec3& normal,
                         Real separation, std::uint32_t feature) {
   if (!(separation <= reach) || found.count == Candidates::kMax) return;

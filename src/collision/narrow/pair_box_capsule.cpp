@@ -10,7 +10,7 @@ namespace {
 // Cosine above which a normal counts as a face's own (2.5 degrees): the capsule may lie on that face.
 constexpr Real kOnFace = 0.999;
 // A core nearer to the box than this share of the pair's size has lost the direction of its gap to rounding (16 u /
-// 1e-8 = 2e-7 rad); six axes answer instead, whose value differs by no more than the gap.
+// 1e-8 = 2e-7 rad); six axes decide instead, whose value differs by no more than the gap.
 constexpr Real kCoreTouches = 1e-8;
 // Sine of the angle below which an edge runs along the segment, and their cross product is left out as noise. In the
 // limit faces alone decide, so leaving it out costs 1e-8 of the size.

@@ -72,7 +72,7 @@ inline void Polytope::join(Link one, Link other) {
   faces_[face_of(other)].across[edge_of(other)] = one;
 }
 
-/// Every slot is looked at. A heap, which would look at a few only, asks at each of its levels what nobody can predict:
+/// Every slot is looked at. A heap, which would look at a few only, branches unpredictably at each of its levels:
 /// with one EPA took a fifth longer on curved pairs, at 16 iterations as at 54. Its four lanes keep their best each, as
 /// in FarthestVertex::scan.
 int Polytope::nearest() const {
@@ -157,14 +157,14 @@ bool Polytope::open(int face, const Vec3& w) {
     if (used == kFaces) return false;
     // Every edge must start where the one before it ends (seen from the removed side).
     const int start = f.vertex[kNext[edge_of(link)]];
-    if (used > 0 && rim_[used] != start) return false;
-    rim_[used] = start;
-    rim_at_.set(used, points_[start].w);
+    if (used > 0 && loop_[used] != start) return false;
+    loop_[used] = start;
+    loop_at_.set(used, points_[start].w);
     horizon_[used++] = link;
-    rim_[used] = f.vertex[edge_of(link)];
+    loop_[used] = f.vertex[edge_of(link)];
   }
   horizon_used_ = used;
-  return used >= 3 && used <= free_used_ + (kFaces - faces_used_) && rim_[used] == rim_[0];
+  return used >= 3 && used <= free_used_ + (kFaces - faces_used_) && loop_[used] == loop_[0];
 }
 
 bool Polytope::add(int face) {
@@ -180,9 +180,9 @@ bool Polytope::add(int face) {
     return false;
   }
   const int apex = points_used_++, count = horizon_used_;
-  const Vec3& closing = points_[rim_[0]].w;
+  const Vec3& closing = points_[loop_[0]].w;
   for (int i = 0; i < Fan::kFaces; ++i)
-    rim_at_.set(count + i, closing);  // more than once, for lanes with nothing to do
+    loop_at_.set(count + i, closing);  // more than once, for lanes with nothing to do
   while (free_used_ < count) free_[free_used_++] = faces_used_++;
   for (int i = 0; i < kLanes - 1; ++i) offset_[faces_used_ + i] = kInfinity;
   free_[free_used_] = free_[free_used_ - count];  // around the fan, the first is the next of the last
@@ -191,13 +191,13 @@ bool Polytope::add(int face) {
   int before = slot[count - 1];
   for (int from = 0; from < count; from += Fan::kFaces) {
     Fan fan;
-    fan.unfold(rim_at_.x + from, rim_at_.y + from, rim_at_.z + from, w, kWideAngle2, rounding_);
+    fan.unfold(loop_at_.x + from, loop_at_.y + from, loop_at_.z + from, w, kWideAngle2, rounding_);
     const int end = std::min(from + Fan::kFaces, count);
     for (int i = from; i < end; ++i) {
       const int here = slot[i], at = i - from;
       const Link link = horizon_[i];
       Face& f = faces_[here];
-      set(here, rim_[i], rim_[i + 1], apex);
+      set(here, loop_[i], loop_[i + 1], apex);
       f.across[0] = link;
       f.across[1] = link_to(slot[i + 1], 2);
       f.across[2] = link_to(before, 1);

@@ -37,7 +37,7 @@ class Polytope {
   /// Where the next point is to be written.
   DifferencePoint& next() { return points_[points_used_]; }
   /// Add the next point, which lies beyond a face: replace the faces it sees by a fan to it.
-  /// @return false if the horizon is not one loop (rounding), or room is out: the mesh is as it was, but stop
+  /// @return false if the horizon is not one loop (rounding), or capacity is out: the mesh is as it was, but stop
   bool add(int face);
 
   /// The face nearest to the origin among those that the last add() made; -1 before the first.
@@ -67,9 +67,9 @@ class Polytope {
   Face faces_[kFaces];
   Real offset_[kFaces + kLanes];  // of faces, side by side for the search; infinite where none is alive
   std::int32_t free_[kFaces + 1];
-  Link horizon_[kFaces];          // edges of faces that stay, in the order of the loop
-  std::int32_t rim_[kFaces + 1];  // vertices between them, the first again at the end
-  Rim<kFaces> rim_at_;            // where they lie
+  Link horizon_[kFaces];           // edges of faces that stay, in the order of the loop
+  std::int32_t loop_[kFaces + 1];  // vertices between them, the first again at the end
+  Horizon<kFaces> loop_at_;        // where they lie
 };
 
 }  // namespace carom::collision

@@ -17,7 +17,7 @@ struct QuerySettings {
   bool routines = true;           // use a specific routine where both shapes declare a closed form
   Real tolerance = 1e-6;          // stop when upper - lower <= tolerance * size_of_pair()
   Real margin = 1e-3;             // m, shell around each shape under Method::hybrid
-  Real max_distance = kInfinity;  // m: farther apart than this, "farther" is answer enough (lower > max_distance)
+  Real max_distance = kInfinity;  // m: farther apart than this, "farther" is enough (lower > max_distance)
   int gjk_cap = 128;
   int epa_cap = 256;
 };
@@ -53,7 +53,7 @@ struct QueryMemory {
 };
 
 /// The length that tolerances are relative to: the smaller bounding radius. A point has none; against a point it is the
-/// other shape's, and between two points their distance, so that an answer exact to rounding is exact enough. Against a
+/// other shape's, and between two points their distance, so that a result exact to rounding is exact enough. Against a
 /// half-space it is the other shape's, whatever that is.
 /// @return m, 0 for two points in one place, whose bracket has no width either
 inline Real size_of_pair(const Shape& a, const Shape& b, const Frame& b_in_a) {
@@ -72,7 +72,7 @@ void generic_distance(const Shape& a, const Shape& b, const Frame& b_in_a, const
                       QueryMemory* memory, QueryResult& result, SupportFault& fault);
 
 /// Signed distance of any two shapes, by a specific routine if settings.routines and there is one, else generic. One of them may be a
-/// half-space (answered with one support call), not both.
+/// half-space (solved with one support call), not both.
 void distance(const Shape& a, const Shape& b, const Frame& b_in_a, const QuerySettings& settings, QueryMemory* memory,
               QueryResult& result, SupportFault& fault);
 

@@ -36,7 +36,7 @@ namespace carom::collision {
 /// winds around the origin, so all within the smallest offset belongs to the difference. Offsets err as the bound from
 /// below does, without the support functions' shortfall but with points outside: <= 44 M.
 ///
-/// So 44 would do; 48 leaves room for what Eigen's order of operations adds. Observed worst case over random and
+/// So 44 would do; 48 allows for what Eigen's order of operations adds. Observed worst case over random and
 /// awkward pairs: 3.5 (tests/oracle/test_rounding).
 inline constexpr Real kBracketRounding = 48;
 

@@ -1,4 +1,4 @@
-// The point of a simplex nearest to the origin: one question, three sub-algorithms, the same answers.
+// The point of a simplex nearest to the origin: one question, three sub-algorithms, the same results.
 #pragma once
 
 #include "collision/narrow/query.h"
@@ -27,7 +27,7 @@ struct Nearest {
 
 /// @param w      [count][3] points, about unit size (|w| in 1e-60 .. 1e60); the last one is the newest
 /// @param count  1..4
-/// @return       the nearest feature; a degenerate simplex answers with its best lower feature
+/// @return       the nearest feature; of a degenerate simplex its best lower feature
 /// @oracle       tests/unit/collision/test_simplex
 using SimplexSolver = void (*)(const Vec3* w, int count, Nearest& nearest);
 

@@ -80,7 +80,7 @@ inline void offer_inner_edge(const Vec3* w, int i, int j, const Vec3& edge, Real
   nearest.distance2 = distance2;
 }
 
-/// Edge ij with its ends: keeps the answer if it is nearer than what stands in `nearest`.
+/// Edge ij with its ends: keeps the result if it is nearer than what stands in `nearest`.
 inline void offer_edge(const Vec3* w, int i, int j, Nearest& nearest) {
   const Vec3 edge = w[j] - w[i];
   const Real from_i = -w[i].dot(edge), from_j = w[j].dot(edge);
@@ -122,7 +122,7 @@ inline void offer_inner_face(const Vec3* w, int i, int j, int k, const Vec3& nor
   nearest.distance2 = distance2;
 }
 
-/// Face ijk with its edges and vertices: keeps the answer if nearer.
+/// Face ijk with its edges and vertices: keeps the result if nearer.
 inline void offer_face(const Vec3* w, int i, int j, int k, Nearest& nearest) {
   const Vec3 normal = triangle_normal(w[i], w[j], w[k]);
   const Areas area = {projected_area(w[j], w[k], normal), projected_area(w[k], w[i], normal),

@@ -15,7 +15,7 @@ constexpr int kSubsets = 16;
 constexpr int kBySize[15] = {1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 7, 11, 13, 14, 15};
 
 /// A cofactor that is no larger than its own rounding is zero: where points depend on each other its sign would be
-/// noise, and noise that happens to be positive would let a subset answer with shares that mean nothing.
+/// noise, and noise that happens to be positive would let a subset win with shares that mean nothing.
 struct Cofactors {
   Real delta[kSubsets][4];
   Real error[kSubsets][4];
@@ -67,7 +67,7 @@ bool final_subset(const Cofactors& c, int y, int count) {
   return true;
 }
 
-void answer(const Vec3* w, int y, const Cofactors& c, Nearest& nearest) {
+void put_nearest(const Vec3* w, int y, const Cofactors& c, Nearest& nearest) {
   int index[4], n = 0;
   for (int i = 0; i < 4; ++i)
     if (y >> i & 1) index[n++] = i;
@@ -98,13 +98,13 @@ void nearest_johnson(const Vec3* w, int count, Nearest& nearest) {
   const int all = (1 << count) - 1;
   for (const int y : kBySize) {
     if (y > all || (y & ~all)) continue;
-    if (proper(c, y, count) && final_subset(c, y, count)) return answer(w, y, c, nearest);
+    if (proper(c, y, count) && final_subset(c, y, count)) return put_nearest(w, y, c, nearest);
   }
   // Rounding left no subset that satisfies every sign (degenerate simplex): the nearest of the proper ones, as in
   // SOLID's backup procedure. A tetrahedron is never among them: it would have passed above.
   for (const int y : kBySize) {
     if (y > all || y == 15 || !proper(c, y, count)) continue;
-    answer(w, y, c, nearest);
+    put_nearest(w, y, c, nearest);
   }
 }
 

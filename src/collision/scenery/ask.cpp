@@ -37,7 +37,7 @@ struct OneTriangle {
   Frame place(const Frame& scenery) const { return Frame(scenery.r, scenery.apply(shape.origin())); }
 };
 
-/// Of two answers the one that comes first, of two that touch at the start the deeper one; a fault before all.
+/// Of two results the one that comes first, of two that touch at the start the deeper one; a fault before all.
 bool comes_before(const CastResult& a, const CastResult& b) {
   if (b.outcome == CastOutcome::miss) return a.outcome != CastOutcome::miss;
   if (a.outcome == CastOutcome::overlap && b.outcome == CastOutcome::overlap) return a.separation < b.separation;
@@ -67,7 +67,7 @@ class Sum {
 /// m; nothing, where nothing moves or no time passes
 Real way(Real speed, Real time) { return speed > 0 && time > 0 ? speed * time : 0; }
 
-/// Ask the triangles along a way that a box about a point goes; ask(triangle, one) answers for one of them.
+/// Ask the triangles along a way that a box about a point goes; ask(triangle, one) gives the result for one of them.
 /// @param from, heading, extent  in the scenery's frame   @param end  of time
 template <class Ask>
 void first_along(const Scenery& scenery, const Vec3& from, const Heading& heading, const Aabb& extent, Real end,
@@ -76,10 +76,10 @@ void first_along(const Scenery& scenery, const Vec3& from, const Heading& headin
   Sum sum;
   const auto one = [&](std::uint32_t index) {
     Triangle triangle;
-    CastResult answer;
-    if (scenery.triangle(index, triangle) && ask(triangle, answer)) {
-      sum.add(answer);
-      if (comes_before(answer, result)) result = answer;
+    CastResult found;
+    if (scenery.triangle(index, triangle) && ask(triangle, found)) {
+      sum.add(found);
+      if (comes_before(found, result)) result = found;
     }
     // Brackets are as wide as the tolerance times the size of a triangle; what is farther by more comes later.
     return result.outcome == CastOutcome::miss ? kInfinity : way(heading.speed, result.upper);

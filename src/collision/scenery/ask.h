@@ -1,5 +1,5 @@
-// Questions to shapes of any kind: convex ones answer by cast/ and narrow/, scenery by what its triangles answer, put
-// together. Nobody else need know that there are triangles.
+// Questions to shapes of any kind: convex ones by cast/ and narrow/, scenery by the results of its triangles, put
+// together. No other module need know that there are triangles.
 //
 // Which sides count: a ray passes through a one-sided surface from behind; so does a shape that moves, if its centre
 // starts behind a triangle, as it would in a step. Overlap and distance know no sides.

@@ -41,7 +41,7 @@ Aabb Scenery::field_bounds(std::uint32_t index) const {
 
 bool Scenery::field_corners(std::uint32_t index, std::array<Vec3, 3>& c) const {
   const std::uint32_t cell = index / 2, x = cell % (columns - 1), z = cell / (columns - 1);
-  // A hole takes the whole cell: a single triangle of it would have a rim that no user drew.
+  // A hole takes the whole cell: a single triangle of it would have a boundary edge that no user drew.
   const double* const h = &heights[std::size_t(z) * columns + x];
   if (!std::isfinite(h[0]) || !std::isfinite(h[1]) || !std::isfinite(h[columns]) || !std::isfinite(h[columns + 1]))
     return false;

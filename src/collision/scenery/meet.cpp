@@ -42,7 +42,7 @@ constexpr Real kAzimuth[kWays][2] = {
 /// What lies beyond the sides of a triangle, as seen along its normal.
 struct Sides {
   std::array<Vec3, 3> out;      // unit, in the triangle's plane, away from it
-  std::array<Vec3, 3> down;     // unit, the way the surface goes on there, square to the side; zero at a rim
+  std::array<Vec3, 3> down;     // unit, the way the surface goes on there, square to the side; zero at a boundary
   std::array<bool, 3> edge;     // it turns down there, or ends
   std::array<bool, 3> concave;  // it turns up there, towards the shape
   std::array<bool, 3> wall;     // it turns up there, and the shape is behind what does
@@ -191,27 +191,27 @@ bool SceneryPairFinder::meet(const Terms& t, const Triangle& triangle) {
     left_->on_a = foot - height * triangle.normal, left_->on_b = deepest;
     left_->normal = pair.frame.rotate(triangle.normal), left_->separation = height;
   };
-  bool own = true;  // the triangle's own normal is the answer
+  bool own = true;  // the triangle's own normal is the result
   const Real inset = sides.inset(triangle.corner, foot);
   // Along another direction, at an angle t to the normal, the triangle reaches farther by inset sin(t) and the shape's
   // depth shrinks by (1 - cos(t)) at most: shallower only if tan(t/2) > inset / depth, and never while that is 1.
   if (sides.any && !(inset >= 0 && -height <= inset)) {
     QuerySettings query = t.settings.query;
     query.max_distance = t.reach, query.method = Method::gjk_epa;
-    QueryResult answer;
+    QueryResult found;
     const Frame convex_in_triangle = relative(frame, pair.convex_frame);
-    generic_distance(shape_.shape(), pair.convex, convex_in_triangle, query, nullptr, answer, t.fault);
-    t.report.gjk_calls += 1, t.report.epa_calls += answer.epa_iterations > 0;
-    t.report.support_calls += static_cast<std::uint64_t>(answer.support_calls);
-    if (answer.status == QueryStatus::fault) return false;
-    if (answer.farther || !(answer.separation <= t.reach)) return true;
-    const Vec3 place = answer.point_a + shape_.origin();
-    const Ruling verdict = judge(scenery, triangle, sides, place, answer.normal, 1e-7 * shape_.shape().bounding_radius);
+    generic_distance(shape_.shape(), pair.convex, convex_in_triangle, query, nullptr, found, t.fault);
+    t.report.gjk_calls += 1, t.report.epa_calls += found.epa_iterations > 0;
+    t.report.support_calls += static_cast<std::uint64_t>(found.support_calls);
+    if (found.status == QueryStatus::fault) return false;
+    if (found.farther || !(found.separation <= t.reach)) return true;
+    const Vec3 place = found.point_a + shape_.origin();
+    const Ruling verdict = judge(scenery, triangle, sides, place, found.normal, 1e-7 * shape_.shape().bounding_radius);
     if (verdict == Ruling::neighbours) return leave(), true;
     own = verdict == Ruling::own;
     if (!own) {
-      nearest.normal = answer.normal, nearest.separation = answer.separation;
-      nearest.on_a = answer.point_a, nearest.on_b = answer.point_b;
+      nearest.normal = found.normal, nearest.separation = found.separation;
+      nearest.on_a = found.point_a, nearest.on_b = found.point_b;
     }
   }
   nearest.normal = pair.frame.rotate(nearest.normal);

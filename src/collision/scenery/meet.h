@@ -32,8 +32,8 @@ class SceneryPairFinder {
 
   /// @param reach   m: what is farther apart makes no contact
   /// @return        false if the support function misbehaved: fault is filled, there are no patches
-  /// @accuracy      separations and points of flat shapes to rounding; a triangle's own normal to rounding; at rims and
-  ///                ridges as the query's tolerance says
+  /// @accuracy      separations and points of flat shapes to rounding; a triangle's own normal to rounding; at boundary
+  ///                edges and ridges as the query's tolerance says
   /// @oracle        tests/unit/collision/scenery/test_meet, tests/oracle/test_scenery
   bool find(const SceneryPair& pair, const NarrowSettings& settings, Real reach, NarrowReport& report,
             SupportFault& fault);
@@ -44,7 +44,7 @@ class SceneryPairFinder {
     ContactPoint point;
     std::uint32_t patch;
     bool firm;
-    bool is_asked_for = false;  // stands beside a triangle, of a shape whose form nobody declared
+    bool is_asked_for = false;  // stands beside a triangle, of a shape whose form is not declared
   };
   /// What is asked of each triangle alike.
   struct Terms {

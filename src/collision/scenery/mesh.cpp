@@ -142,7 +142,7 @@ bool Scenery::all_around(const Triangle& p, int k, F&& f) const {
     return true;
   }
   const std::uint32_t v = corner[3 * std::size_t(p.index) + static_cast<std::size_t>(k)];
-  // Both ways around, until a rim or back at the start.
+  // Both ways around, until a boundary edge or back at the start.
   for (int way = 0; way < 2; ++way) {
     std::uint32_t at = p.index, came_by = 3;  // side
     for (int steps = 0;; ++steps) {

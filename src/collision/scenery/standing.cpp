@@ -9,7 +9,7 @@
 namespace carom::collision {
 
 /// Which side of a height field the shape's centre is on.
-/// @param under  the triangle that stands over or under it, if the answer is not none
+/// @param under  the triangle that stands over or under it, if the result is not none
 SceneryPairFinder::Ground SceneryPairFinder::look_down(const Terms& t, Triangle& under) const {
   if (!t.pair.scenery.scenery->triangle_over(t.centre, under)) return Ground::none;
   const Real height = under.normal.dot(t.centre - under.corner[0]);

@@ -93,7 +93,7 @@ bool begin_pass(const World& world, SpringLoads& springs, Floats& floats, Passin
 void end_pass(const World& world, Passing to, const StepTime& time);
 /// Islands stand where their accepted runs led.
 void end_passes(const World& world, Passing to, Events& events, const StepTime& time);
-/// A step that is not carried through: the world is as it began.
+/// A step that is not completed: the world is as it began.
 void drop_passes(const World& world, Passing to);
 
 // Parts of it.

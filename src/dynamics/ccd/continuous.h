@@ -2,16 +2,17 @@
 //
 // Elsewhere a step looks where bodies stand, and a little ahead: bounds and contacts reach as far as a body moves
 // within the step, but no farther than the size of its shape, beyond which a contact would stop bodies that merely pass
-// by. What moves farther than that is this room's participant, and so is what turns so far that its ends pass what its
-// contacts know nothing of, and what a host asks for (BodyDef::continuous). Nobody else pays anything.
+// by. What moves farther than that is this module's participant, and so is what turns so far that its ends pass what
+// its contacts know nothing of, and what a host asks for (BodyDef::continuous). No other body costs anything.
 //
 // In a substep, when the integrator and the solver have had their say, each participant has come from one pose to another.
 // Its path between them, straight on and about one axis, is swept by conservative advancement (collision/cast) against
-// all that stands or moves in its way: each obstacle on the path of its own. At the first contact the two are answered
+// all that stands or moves in its way: each obstacle on the path of its own. At the first contact the two are solved
 // there and then, as by contact/impact.h: one impulse of all points that touch, with the restitution and Coulomb's
 // friction of their materials, momentum kept; and both go on from there for the rest of the substep, the one that was
-// hit swept from then on as well if it goes far by the end of the step. So contacts of a substep are answered one after the other, by time, of equals by
-// slot, whoever's they are, and no time is lost. Who is hit too often in one substep stays where it is until its end.
+// hit swept from then on as well if it goes far by the end of the step. So contacts of a substep are solved one after
+// the other, by time, of equals by slot, whoever's they are, and no time is lost. Who is hit too often in one substep
+// stays where it is until its end.
 //
 // The path is a chord of the motion. Under constant forces it sags by h^2 a/8 under the parabola; the moment of an
 // impact is found on the parabola, and its impulse changes velocity and place at the end as it would there: energy is
@@ -26,7 +27,7 @@
 // their planes would stop what merely passes by, and the sweep knows better.
 //
 // A swept body costs a query of the broad phase's tree, of the sleepers' and of the other participants', and some
-// microseconds for each pair of convex pieces whose bounds its path crosses. All on the stepping thread: the order of
+// microseconds for each pair of convex shapes whose bounds its path crosses. All on the stepping thread: the order of
 // hits is one of time.
 //
 // A sensor stops nothing, but is told what passed it on the way, thin as it may be, if a host collects such events.
@@ -48,9 +49,9 @@
 namespace carom::dynamics {
 
 /// The dial's choices.
-enum SweepChoice : std::uint32_t { kSweepNobody, kSweepFlagged, kSweepFast };
+enum SweepChoice : std::uint32_t { kSweepNone, kSweepFlagged, kSweepFast };
 
-/// An impact that a sweep answered, as events tell of it.
+/// An impact that a sweep solved, as events tell of it.
 struct SweepHit {
   Pair pair;
   std::uint32_t order;  // in time
@@ -104,8 +105,8 @@ struct Continuous {
   Array<Aabb> boxes;                           // m, by place in bodies
   Array<std::uint32_t> leaves;                 // 0, 1, 2, ...
   Array<std::uint32_t> loose;                  // places in bodies
-  Array<SweepHit> hits;                        // of this step, by time; as many as there is room for
-  Array<Pair> passed;                          // with a sensor, of this step; as many as there is room for; may repeat
+  Array<SweepHit> hits;                        // of this step, by time; as many as are reserved
+  Array<Pair> passed;                          // with a sensor, of this step; as many as are reserved; may repeat
   std::size_t most_bodies = 0, most_hits = 0;  // of this step: not what arrays have grown to, which is of the past
   Array<std::uint32_t> found;                  // scratch: colliders
   Participants one, more, merged;              // scratch, for rotation methods
@@ -142,7 +143,7 @@ void begin_paths(const World& world);
 /// Stage functions of the page.
 /// Take from the solver the contacts that the sweep knows better.
 void leave_to_sweep(const World& world, BroadPhases& broad, PairTable& pairs, const StepTime& time);
-/// Room for all that the substeps may do; who stands in the way.
+/// Reserves for all that the substeps may do; who stands in the way.
 void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, const StepTime& time);
 /// What forces did to velocities in this substep.
 void save_accelerations(const World& world, const StepTime& time);

@@ -16,8 +16,8 @@ namespace {
 // along the normal's plane, and what they know is no longer where the body is.
 constexpr Real kSpin = 0.25;  // rad a step
 
-// Room for bodies that are hit in a step, and for what events tell of. Beyond it hits are answered all the same: a body
-// that is hit then is not swept itself, and events do not tell of it.
+// Reserved for bodies that are hit in a step, and for what events tell of. Beyond it hits are solved all the same: a
+// body that is hit then is not swept itself, and events do not tell of it.
 constexpr std::size_t kHit = 64, kHitEach = 4, kHitsEach = 16, kPassedEach = 64;
 
 bool can_sweep(const World& world, std::uint32_t body) {
@@ -55,7 +55,7 @@ void list_candidates(const World& world) {
   Continuous& c = *world.continuous;
   const PlannedEffect& row = world.plan->effects[+EffectId::continuous];
   if (std::exchange(c.too_many_seen, false)) {
-    // There was no room to note them, and there is to be: this happens once, or where more come than ever before.
+    // There was no capacity to note them, and there is to be: this happens once, or where more come than ever before.
     const Colliders& table = world.scene.colliders;
     c.seen.clear();
     c.seen.reserve(world.plan->colliders.size());
@@ -119,7 +119,7 @@ SweptBody& know(const World& world, std::uint32_t body) {
 }
 
 void continuous::find(const Scene& scene, const State& state, Participants& participants) {
-  if (scene.dials.choice(Dial::continuous) == kSweepNobody) return;
+  if (scene.dials.choice(Dial::continuous) == kSweepNone) return;
   for (std::uint32_t i = 0; i < scene.bodies.slots(); ++i)
     if (scene.bodies.alive(i) && scene.def[i].continuous == SweepMode::always && scene.type[i] != BodyType::fixed &&
         !state.held_out[i])

@@ -12,7 +12,7 @@ struct SweptPart {
   Pose local;  // shape -> body axes, about the centre of mass
 };
 
-/// Call f(piece) for the shapes of a collider that may lie within a box.
+/// Call f(shape) for the shapes of a collider that may lie within a box.
 /// @param box  m, world, where the collider's body stands; what lies outside it may be left out
 template <class F>
 void each_swept_part(const World& world, std::uint32_t collider, const Aabb& box, F&& f) {

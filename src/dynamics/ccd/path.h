@@ -29,7 +29,7 @@ struct Path {
   }
   void stay() { u = w = Vec3::zero(); }
 
-  /// A piece from a time on, whose zero is that time.
+  /// The part from a time on, whose zero is that time.
   RigidMotion motion(const SweptPart& part, Real from) const {
     RigidMotion m;
     const Quat there = orientation(from);

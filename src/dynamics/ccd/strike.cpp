@@ -78,7 +78,7 @@ bool Sweeper::goes_far(const SweptBody& b) const {
   return 4 * time_.dt * (b.path.u.norm() + b.radius * b.path.w.norm()) > thin;
 }
 
-/// The record of a body that is hit, made if there is room; null for what stands still or sleeps.
+/// The record of a body that is hit, made if there is capacity; null for what stands still or sleeps.
 SweptBody* Sweeper::take_up(std::uint32_t body) {
   if (SweptBody* const known = c_.find(body)) return known;
   if (!moved_by_hits(body) || world_.state.sleeps(body) || c_.bodies.size() >= c_.most_bodies) return nullptr;

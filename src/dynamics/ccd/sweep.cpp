@@ -1,4 +1,4 @@
-// The events of a substep: everybody's first contact, the earliest answered, those whom it concerns asked again.
+// The events of a substep: every body's first contact, the earliest solved, those whom it concerns asked again.
 #include <algorithm>
 
 #include "collision/volume.h"
@@ -151,7 +151,7 @@ void Sweeper::look_ahead(SweptBody& b, Real now) {
 }
 
 /// A hit changes two bodies as if they were free, and what joints hold is not: of two that both are joined it would tear
-/// joints, and those would bring the two together to be hit again. Contacts answer them, from where they are then.
+/// joints, and those would bring the two together to be hit again. Contacts solve them, from where they are then.
 bool Sweeper::are_both_joined(std::uint32_t a, std::uint32_t b) const {
   const Array<std::uint8_t>& linked = world_.wide_joints->linked;
   return !linked.empty() && moved_by_hits(a) && moved_by_hits(b) && linked[a] && linked[b];
@@ -185,7 +185,7 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   });
 }
 
-/// Who meets something next: the earliest, of equals the lowest pair of slots. Null: nobody.
+/// Who meets something next: the earliest, of equals the lowest pair of slots. Null: no body.
 SweptBody* Sweeper::next() {
   SweptBody* first = nullptr;
   const auto pair = [](const SweptBody& b) { return Pair{std::min(b.own, b.other), std::max(b.own, b.other)}; };
@@ -196,7 +196,7 @@ SweptBody* Sweeper::next() {
   return first;
 }
 
-/// Where a body is that nobody has thought of: it comes from where its velocity tells. Sleepers lie.
+/// Where a body is that has no path yet: it comes from where its velocity tells. Sleepers lie.
 Path Sweeper::path_of(std::uint32_t body) const {
   if (const SweptBody* const known = c_.find(body)) return known->path;
   const State& s = world_.state;

@@ -19,7 +19,7 @@ class Sweeper {
     std::uint32_t body, collider;
     SweptPart part;
     Path path;
-    const SweptBody* known;  // null: it stands still, or nobody thought of it
+    const SweptBody* known;  // null: it stands still, or has no path yet
   };
   /// Velocities at a moment of the substep, as the forces and hits so far have it.
   struct Velocity {

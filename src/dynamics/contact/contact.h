@@ -23,7 +23,7 @@ struct alignas(64) Row {
   Real slip_most2;  // (m/s)^2, the most slip that friction could change, squared; 0: no friction impulse now
   Vec3 friction_p = Vec3::zero();  // N s, tangent part of p
   Real friction_p2;                // (N s)^2, |rub|^2
-  bool on_rim;                     // the friction impulse is as large as the cone allows
+  bool at_limit;                   // the friction impulse is as large as the cone allows
   bool moves_a, moves_b;           // an impulse moves it
   bool one_normal;                 // all rows of its pair have the same
   bool rolls;                      // a body of its pair does, as on a ball: @see rolling.h
@@ -43,11 +43,11 @@ struct alignas(64) Row {
     p = impulse;
     p_n = p.dot(n);
     const Real bound = friction * p_n;
-    slip_most2 = 0, on_rim = false;
+    slip_most2 = 0, at_limit = false;
     if (!(bound > 0)) return;
     friction_p = p - p_n * n;
     friction_p2 = friction_p.squared_norm();
-    on_rim = friction_p2 >= 0.999999 * bound * bound;
+    at_limit = friction_p2 >= 0.999999 * bound * bound;
     const Real most = 2 * bound * k_n;
     slip_most2 = most * most;
   }
@@ -247,14 +247,14 @@ struct Contacts {
                         // where no pair is driven
 
   // contact groups
-  Array<std::uint32_t> group_rows;    // rows, ascending within a group
-  Array<std::uint32_t> group_begin;   // [groups + 1]
-  Array<std::uint32_t> group_bodies;  // by group: how many contacts and joints move
-  bool is_grouped = true;             // the dial
-  std::uint32_t steps_with_room = 0;  // @see give_back()
+  Array<std::uint32_t> group_rows;     // rows, ascending within a group
+  Array<std::uint32_t> group_begin;    // [groups + 1]
+  Array<std::uint32_t> group_bodies;   // by group: how many contacts and joints move
+  bool is_grouped = true;              // the dial
+  std::uint32_t steps_with_spare = 0;  // @see give_back()
   enum Choice : std::uint8_t { kSoftly, kDirectly, kStill };
   Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver
-                               // answers; else empty
+                               // solves; else empty
 
   /// What is summed up over rows, by blocks of kRowsAPart: the same sums whoever does which block.
   struct Block {
@@ -264,7 +264,7 @@ struct Contacts {
   };
   Array<Block> blocks;
 
-  // scratch: union-find, search (@see make_room_for_search())
+  // scratch: union-find, search (@see reserve_search())
   Array<std::uint32_t> parent, label;           // by body slot; by row: its group
   Array<std::uint32_t> pair_group, pair_begin;  // by contact pair: its group; where its rows begin in group_rows
   Array<Real> keys;
@@ -298,13 +298,14 @@ Real mix(Mix rule_a, Real a, Mix rule_b, Real b);
 
 /// Stage group: rows of this step from the pair table, with last step's impulses matched to them. Allocates.
 void make_rows(const World& world, StepReport& report, const StepTime& time);
-/// Stage group: who is moved by rows or joints, and room for all that the rest of the step needs of them. Allocates.
+/// Stage group: who is moved by rows or joints, and capacity for all that the rest of the step needs of them.
+/// Allocates.
 void list_moved_bodies(const World& world, Impulses& impulses, const StepTime& time);
 /// By what the impulses of the last step are multiplied, to start from: substep now over substep then; 0: start cold.
 Real start_scale(const World& world, Real h);
-/// For who goes from the most severe row to those of its bodies: where those of each will stand in `half`, and room for
-/// keys and ranks. Allocates.
-void make_room_for_search(const World& world);
+/// For who goes from the most severe row to those of its bodies: where those of each will stand in `half`, and capacity
+/// for keys and ranks. Allocates.
+void reserve_search(const World& world);
 /// Velocity of B's point relative to A's, from the present state.
 /// @param r_a, r_b  m, world axes, from the centres of mass   @return m/s, world
 inline Vec3 relative_velocity(const State& s, const Row& row, const Vec3& r_a, const Vec3& r_b) {

@@ -31,7 +31,7 @@ class Impacts {
         threshold_(world.scene.dials[Dial::restitution_speed]),
         near_(world.scene.dials[Dial::position_tolerance]) {}
 
-  void answer() {
+  void solve() {
     lead_spins_back();
     for (Impact& at : c_.impacts) {
       const Row& row = c_.rows[at.row];
@@ -41,7 +41,7 @@ class Impacts {
     Real most = 0;
     for (const Impact& at : c_.impacts) most = std::max(most, c_.keys[at.row] = key(at));
     if (most > 0) {
-      answer_all();
+      solve_all();
       move_back();
     }
     lead_spins_on();
@@ -86,7 +86,7 @@ class Impacts {
     }
   }
 
-  void answer_all() {
+  void solve_all() {
     refresh_inertias(world_);
     list_by_body();
     search_.start(c_.bouncing, 0);
@@ -200,11 +200,11 @@ class Impacts {
     c_.turn[body] -= moment * domega;
     Plan& plan = *world_.plan;
     const Real rest = time_.h - moment;
-    const bool carried = turns_by_method(plan, body);
+    const bool by_method = turns_by_method(plan, body);
     if (plan.integrator->proposes) plan.predicted.x[body] += rest * dv;
-    if (!rotates(world_.scene, body) || !(plan.integrator->proposes || carried)) return;
+    if (!rotates(world_.scene, body) || !(plan.integrator->proposes || by_method)) return;
     plan.predicted.q[body] = normalized(exp_map(rest * domega) * plan.predicted.q[body]);
-    if (carried) plan.predicted.omega[body] += domega;
+    if (by_method) plan.predicted.omega[body] += domega;
   }
 
   /// Bodies stand where the motion that they have now would have begun.
@@ -272,7 +272,7 @@ void measure_approach(const World& world) {
 }
 
 void solve_impacts(const World& world, Poses& poses, Velocities& motion, StepReport& report, const StepTime& time) {
-  if (!world.contacts->impacts.empty()) Impacts(world, poses, motion, report, time).answer();
+  if (!world.contacts->impacts.empty()) Impacts(world, poses, motion, report, time).solve();
 }
 
 }  // namespace carom::dynamics

@@ -69,7 +69,7 @@ struct ImpactPoint {
   Real want;     // m/s, normal velocity after the impact
 
   /// With arms, K, normal and friction known, and no impulse given yet.
-  /// @param unlocked  1/kg, of both bodies if one of them has locks: what they would answer without; else 0
+  /// @param unlocked  1/kg, of both bodies if one of them has locks: that without them; else 0
   void be_ready(Real unlocked) {
     // Where nothing gives way no impulse helps; a little more than nothing keeps it finite, and sweeps undo what that
     // is off.

@@ -1,4 +1,4 @@
-// What a single contact answers if nothing else acts.
+// The solution of a single contact if nothing else acts.
 #pragma once
 
 #include "dynamics/contact/contact.h"

@@ -1,7 +1,7 @@
 // Bodies that touch one or two flat surfaces and nothing else: wheels, coins, tops, cones that roll on their side, balls
 // on a turntable, ladders that slide off a wall.
 //
-// Solvers answer contacts where a substep begins, which leaves a wheel in a leaning turn metres off. So the step of such
+// Contacts are solved where a substep begins, which leaves a wheel in a leaning turn metres off. So the step of such
 // a body is done once more by its equation of motion (touching_motion.h), from where the step began, and takes the
 // solver's place. One surface holds by its friction, if that bears it all the way, or the body slides on it all the
 // way. On two surfaces it slides, and may come off one. What is stopped by friction, comes off its only surface, tips

@@ -218,7 +218,7 @@ void fill_all_rows(const World& world, StepReport& report, Real scale, Real dt) 
 
 /// Runs of rows of one pair, and which of them bounce or have friction.
 /// For who bounces and has unlike moments.
-void make_room_for_spins(const World& world) {
+void reserve_spins(const World& world) {
   Contacts& c = *world.contacts;
   c.spins.clear();
   if (!world.plan->rotation_method) return;
@@ -258,8 +258,8 @@ void list_contact_pairs(const World& world) {
   count_participants(world, EffectId::response, c.contact_pairs.size());
 }
 
-/// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that nobody else costs
-/// anything.
+/// Who is moved by rows or joints, ascending. Looked for among the rows where those are few, so that no other body
+/// costs anything.
 void list_bodies(const World& world) {
   Contacts& c = *world.contacts;
   const Plan& plan = *world.plan;
@@ -295,7 +295,7 @@ void list_bodies(const World& world) {
 
 }  // namespace
 
-void make_room_for_search(const World& world) {
+void reserve_search(const World& world) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots(), n = c.rows.size();
   c.half_begin.resize(slots), c.half_end.resize(slots);
@@ -330,7 +330,7 @@ void list_moved_bodies(const World& world, Impulses& impulses, const StepTime&) 
   Contacts& c = *world.contacts;
   const std::size_t n = c.rows.size(), slots = world.scene.bodies.slots();
   list_bodies(world);
-  if (!c.bouncing.empty()) make_room_for_search(world), make_room_for_spins(world);
+  if (!c.bouncing.empty()) reserve_search(world), reserve_spins(world);
   c.inv_inertia_w.resize(slots);
   c.last_impact.resize(slots);
   c.shift.resize(slots, Vec3::zero()), c.turn.resize(slots, Vec3::zero());

@@ -71,7 +71,7 @@ class Projection {
   /// @param row  an impulse: J c is its product with a velocity
   void take_out(Stacked row, Stacked& c) {
     if (held_ == 6 * row.bodies) return;
-    Stacked v = answer(row);
+    Stacked v = solve(row);
     const Real whole = row.dot(v);
     for (std::size_t k = 0; k < held_; ++k) {
       const Real shared = row.dot(velocity_[k]);
@@ -86,7 +86,7 @@ class Projection {
   }
 
  private:
-  Stacked answer(const Stacked& row) const {
+  Stacked solve(const Stacked& row) const {
     Stacked v(row.bodies);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const std::uint32_t slot = bodies_[i].slot;
@@ -262,7 +262,7 @@ void find_small_groups(const World& world, Owned<MeanMotion>& mean_motion) {
   if (c.rows.empty() || !ends_at_end || world.plan->solver->row_by_row) return;
   if (!mean_motion) mean_motion = make_owned<MeanMotion>(world.memory, world.memory);
   MeanMotion& m = *mean_motion;
-  constexpr std::size_t kSome = 16;  // room before there are any: a small world that settles goes on without allocating
+  constexpr std::size_t kSome = 16;  // capacity before there are any: a small world settles without allocating
   m.bodies.reserve(std::max(c.bodies.size(), kSome));
   m.points.reserve(std::max(c.rows.size(), 4 * kSome));
   m.groups.reserve(std::max(c.groups(), kSome) + 1);

@@ -38,7 +38,7 @@ struct MeanMotion {
     std::uint32_t body, point;  // where its own begin
     bool is_moved = false;      // by c, in this substep
     bool is_first = true;       // nothing of this step was looked at yet
-    bool is_curved = false;     // normals are no longer what velocities were made for: nobody is moved so in this step
+    bool is_curved = false;     // normals are no longer what velocities were made for: no body is moved so in this step
   };
 
   Array<Body> bodies;   // by group

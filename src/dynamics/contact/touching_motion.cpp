@@ -196,7 +196,7 @@ bool TouchingMotion::add_rows(const At& at, const Vec3 r[kMostEnds], bool with_f
   return true;
 }
 
-/// The forces, or impulses, that answer what is wanted of each row, in its place.
+/// The forces, or impulses, that give what is wanted of each row, in its place.
 bool TouchingMotion::respond(const Rows& rows, const Mat3& inv, const Vec3 r[kMostEnds], Real wanted[6]) const {
   Real a[6][6];
   for (int j = 0; j < rows.count; ++j) {

@@ -168,7 +168,7 @@ class Sensing {
     const Array<Pair>& passed = world_.continuous->passed;
     return std::binary_search(passed.begin(), passed.end(), pair);
   }
-  /// Bounds do not meet; or one sleeps, and nobody asked.
+  /// Bounds do not meet; or one sleeps, and no host asked.
   void unasked(const Together& t) {
     if (lives(world_, t) && one_sleeps(world_, t.pair) && is_sensor(t.pair) && overlaps(world_, t.pair, true))
       e_.spare.push_back(t);

@@ -1,5 +1,5 @@
 // What happened in a step, as lists that a host reads after it: contacts that began, ended or were hit, sensors entered
-// and left, bodies that fell asleep or woke, joints that broke, faults. Nothing is collected that nobody asked for.
+// and left, bodies that fell asleep or woke, joints that broke, faults. Nothing is collected that no host asked for.
 //
 // A pair touches from the step in which its contacts first bear an impulse to the one in which it makes no contact
 // points any more (farther apart than the contact distance): what rests does not flicker. Sleepers touch whom they
@@ -108,7 +108,7 @@ void tell_broken(const World& world, Events& e, std::uint32_t joint);
 /// Take the pairs with a sensor out of those that make contacts.
 void set_sensors_aside(const World& world, Events& e, Array<Pair>& pairs);
 
-/// Stage observe, before the first substep: make room for all that may happen, and see how fast who approaches.
+/// Stage observe, before the first substep: reserve for all that may happen, and see how fast who approaches.
 void begin_events(const World& world, Events& e, const StepTime& time);
 /// Stage observe, at the end: what happened.
 void end_events(const World& world, Events& e, const StepTime& time);

@@ -73,7 +73,7 @@ void axis_locks::hold(const World& world, Velocities& motion, Real h) {
     if (!holds_turns(scene, i, locks)) return;
     const Mat3 inertia = inertia_at(scene, i, s.q[i]), inverse = inverse_of_free(inertia, locks);
     motion.omega[i] =
-        project_turn(s.omega[i], inertia, inverse, locks);  // no room of today's leaves anything to take off
+        project_turn(s.omega[i], inertia, inverse, locks);  // no stage of today's leaves anything to take off
     if (!gyroscopic || std::popcount(static_cast<unsigned>(locks & kAngularLocks)) != 1) return;
     const Vec3 before = s.omega[i];
     motion.omega[i] = midpoint(before, inertia, inverse, h);

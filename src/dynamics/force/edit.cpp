@@ -35,7 +35,7 @@ void World::set_water(const WaterDef* water) {
 }
 
 Handle World::add_field(const FieldDef& def) {
-  make_room(scene.fields.slots.slots(), scene.fields.def);
+  reserve_slot(scene.fields.slots.slots(), scene.fields.def);
   const Handle handle = scene.fields.slots.take();
   if (handle == 0) return 0;
   const std::uint32_t slot = handle_slot(handle);
@@ -58,7 +58,7 @@ void World::remove_field(std::uint32_t field) {
 
 Handle World::add_spring(const SpringDef& def) {
   Springs& s = scene.springs;
-  make_room(s.slots.slots(), s.def, s.stiffness, s.damping);
+  reserve_slot(s.slots.slots(), s.def, s.stiffness, s.damping);
   s.ends.reserve(scene.bodies.slots()), s.load.reserve(scene.bodies.slots());
   const Handle handle = s.slots.take();
   if (handle == 0) return 0;

@@ -9,7 +9,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Books what a row does for some of its participants, and its time if somebody wants to know.
+/// Records what a row does for some of its participants, and its time if that is asked for.
 template <class F>
 void serve(const World& world, PlannedEffect& row, const Participants& whom, F&& work) {
   const auto start = world.times_effects ? Clock::now() : Clock::time_point();

@@ -114,7 +114,7 @@ void force(const Scene&, const State&, const Participants&, const Motion& at, co
 /// I^-1 with E the axes that are free. What other forces did along a locked axis is taken off here: that is what
 /// constraint forces do. Nothing is solved for, nothing drifts: a locked velocity is 0 to the bit.
 ///
-/// Who may turn about two axes keeps the momentum about them, not that of a free top: this room has its gyroscopic
+/// Who may turn about two axes keeps the momentum about them, not that of a free top: this module has its gyroscopic
 /// term, by the implicit midpoint rule, in place of the dial's method. With one axis or none there is no such term.
 /// @oracle tests/oracle/test_axis_locks
 namespace axis_locks {

@@ -1,4 +1,4 @@
-// The gyroscopic term: why a spinning body that is not round wobbles although nobody touches it.
+// The gyroscopic term: why a spinning body that is not round wobbles although nothing touches it.
 //   d(omega)/dt = -I^-1 (omega x I omega), I the inertia; nothing for spheres and cubes, so they are no participants.
 
 #include "dynamics/force/force.h"

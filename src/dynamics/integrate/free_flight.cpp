@@ -116,7 +116,7 @@ void exchange_the_rest(Plan& plan, FreeFlight& flight) {
   std::swap(plan.effects[+EffectId::springs].participants, flight.springs);
 }
 
-/// Back to where the watched began, but for those that something struck; and lists of them.
+/// Back to where the watched began, but for those that something hit; and lists of them.
 void take_back(const World& world, Poses& poses, Velocities& motion, FreeFlight& f) {
   Plan& plan = *world.plan;
   f.again.linear.clear(), f.again.rotating.clear();
@@ -135,12 +135,12 @@ void take_back(const World& world, Poses& poses, Velocities& motion, FreeFlight&
   });
 }
 
-/// The watched that met nobody take the step in one go after all: substeps were for what might have met them. Books
+/// The watched that met no body take the step in one go after all: substeps were for what might have met them. Records
 /// have it already.
 void fly_again(const World& world, Poses& poses, Quarantining to, FreeFlight& f, const StepTime& whole) {
   Plan& plan = *world.plan;
   const Continuous& c = *world.continuous;
-  if (f.watched.count == 0 || c.bodies.size() >= c.most_bodies) return;  // who was struck then is not known
+  if (f.watched.count == 0 || c.bodies.size() >= c.most_bodies) return;  // which were hit then is not known
   take_back(world, poses, to, f);
   exchange(plan, f.movers, f.again), exchange_the_rest(plan, f);
   integrate_velocity(world, to, whole);

@@ -7,11 +7,11 @@
 // what it costs alone, and what hangs on it does not change the bits of those that do not.
 //
 // What acts on a body itself decides, not what else there is: one with a spring takes the world's substeps though
-// nothing in that world can touch. Where nobody is bound (Plan::idle) substeps are left out, and kinematic bodies go
+// nothing in that world can touch. Where no body is bound (Plan::idle) substeps are left out, and kinematic bodies go
 // through theirs at once. An integrator to which h is an approximation even in flight takes substeps with everybody.
 //
 // Where somebody is swept (ccd/continuous.h), who has a collider takes substeps, too: a sweep asks where others are within
-// the step, and what it strikes may go on and meet anybody. Whom nothing struck is then put back and takes the step in
+// the step, and what it hits may go on and meet any body. What nothing hit is then put back and takes the step in
 // one go: a bullet that meets it not changes no bit of it.
 //
 // @oracle  tests/unit/dynamics/test_free_flight, tests/effects/test_instructions
@@ -32,7 +32,7 @@ struct FreeFlight {
     Array<Participants> of_row;  // by row of the table, of those that move bodies
   };
   Part bound, flying, again;
-  Participants kinematic, springs;  // of those in flight: nobody
+  Participants kinematic, springs;  // of those in flight: none
   Participants tied, more;          // scratch: who is bound
   Participants watched;             // bound for the sweeps of others alone
   struct Begun {

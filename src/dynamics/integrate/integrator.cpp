@@ -63,7 +63,7 @@ void integrate_velocity(const World& world, Quarantining to, const StepTime& tim
 }
 
 void quarantine_outliers(const World& world, Quarantining to, const StepTime&) {
-  if (!world.plan->idle) stop_listed(world, to);  // else nobody has moved yet
+  if (!world.plan->idle) stop_listed(world, to);  // else no body has moved yet
 }
 
 void integrate_position(const World& world, Poses& poses, Quarantining to, const StepTime& time) {

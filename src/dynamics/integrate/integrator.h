@@ -49,7 +49,7 @@ extern const Integrator kExplicitEuler, kSemiImplicitEuler, kRungeKutta4, kVeloc
 /// Stage functions of the page.
 void integrate_velocity(const World& world, Quarantining to, const StepTime& time);
 void integrate_position(const World& world, Poses& poses, Quarantining to, const StepTime& time);
-/// Kinematic bodies through all substeps of a step at once, where nobody else needs these: to the same bits.
+/// Kinematic bodies through all substeps of a step at once, where nothing else needs these: to the same bits.
 void drive_kinematics(const World& world, Poses& poses, Quarantining to, const StepTime& time);
 /// Bodies whose velocity or spin left the finite world into quarantine: part of integrate_velocity(), and once more
 /// after a step's last impulses, so that no host reads what the next substep would have seen.

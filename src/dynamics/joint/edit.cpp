@@ -40,10 +40,10 @@ void mark_layout(World& world, Joint& joint, std::uint64_t before) {
 }  // namespace
 
 Handle World::add_joint(const JointDef& def) {
-  make_room(joints.slots.slots(), joints.joint);
+  reserve_slot(joints.slots.slots(), joints.joint);
   if (joints.first.size() < scene.bodies.slots()) joints.first.resize(scene.bodies.slots(), kInvalid);
-  if (parts(def)) scene.joined.make_room();
-  if (def.kind == JointKind::six_axis) make_room(joints.axes.size(), joints.axes);
+  if (parts(def)) scene.joined.reserve();
+  if (def.kind == JointKind::six_axis) reserve_slot(joints.axes.size(), joints.axes);
   wake_both(*this, def);  // may run out of memory, as all so far: nothing has changed yet
   const Handle handle = joints.slots.take();
   if (handle == 0) return 0;

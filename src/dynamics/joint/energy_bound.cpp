@@ -23,7 +23,7 @@ Real speed_of(const State& s, std::uint32_t body, Real arm) {
   return body == kInvalid ? 0 : s.v[body].norm() + s.omega[body].norm() * arm;
 }
 
-/// Which groups that sweeps answer have bodies that are deep in each other; answers of the direct solver are judged by
+/// Which groups that sweeps solve have bodies that are deep in each other; solutions of the direct solver are judged by
 /// itself.   @return whether there are any
 bool find_deep(const World& world, WideJoints& w) {
   const Contacts& c = *world.contacts;

@@ -8,7 +8,7 @@
 // other is slowed to that. So it is before the move, which would lift a heavy body as well, and after. Linear momentum
 // stays where nothing fixed holds them. Others are not touched, to the bit. Its functions are in wide_joints.h.
 //
-// Likewise of groups that sweeps answer and that are deep in each other as a step begins. A velocity parts them, and
+// Likewise of groups that sweeps solve and that are deep in each other as a step begins. A velocity parts them, and
 // relaxing takes it back from each pair. But a push goes through what is light into what is heavy, and is taken from the
 // light one alone: a ball of 298 kg on a rod of 32 kg went up at 5 m/s.
 #pragma once

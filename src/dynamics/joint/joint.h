@@ -80,7 +80,7 @@ struct Transmission {
   Vec3 anchor_a = Vec3::zero(), anchor_b = Vec3::zero();  // m, world: what the ropes run over
   Real length = 0;                                        // m, of the ropes: that of A and ratio times that of B
   // Of a gear: angle of A + ratio * angle of B, about their x axes, each relative to the world, as they have turned since
-  // the gear was set. No pose says how often a body has turned: this is carried along.
+  // the gear was set. No pose says how often a body has turned: this is kept along.
   Real phase = 0;  // rad
 };
 

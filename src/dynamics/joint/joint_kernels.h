@@ -18,9 +18,9 @@ struct JointKernels {
   /// One sweep: drives, then all equalities of a joint at once, errors undone at the rate of the softness.
   void (*solve)(const JointRun& run, double inv_h);
   /// Let the impulses that have been found before the move act once more after it, where the loads do too: what was
-  /// found is booked, and a start for what is to be found.
+  /// found is recorded, and a start for what is to be found.
   void (*act_again)(const JointRun& run);
-  /// The same sweep without the push and without springs, then the impulses are booked under the step's.
+  /// The same sweep without the push and without springs, then the impulses are added under the step's.
   void (*relax)(const JointRun& run, double inv_h);
 };
 

@@ -100,7 +100,7 @@ inline constexpr int kFactor = kMostRows * (kMostRows + 1) / 2;
 
 /// Four joints of one colour with one layout.
 struct JointLanes {
-  std::uint32_t a[kLanes], b[kLanes];  // solver bodies; 0: nobody, or nobody that moves
+  std::uint32_t a[kLanes], b[kLanes];  // solver bodies; 0: none, or none that moves
   std::uint32_t occupied;              // lanes in use, from the first
   std::uint32_t first, first_drive;    // in WideJoints::rows and drives
   std::uint32_t locked;                // in JointRun::locks, from 1; 0: no body of the four is

@@ -1,7 +1,7 @@
 // Sweeps over joints in lanes: the arithmetic behind JointKernels. Included by one file for each width of registers,
 // compiled for it; all that stands here is local to that file.
 //
-// A joint's equalities are answered together: with K the coupling of its rows (velocity at one per impulse at another),
+// A joint's equalities are solved together: with K the coupling of its rows (velocity at one per impulse at another),
 //   p <- p - K^-1 s (u + error rate + curve) - (1 - s) p,
 // s and rate those of a soft constraint. `curve` is what makes a pendulum keep its energy: the pose after a move by h u
 // lies off the joint by h^2/2 error'', and the velocity that leads back onto it is asked for at once. With velocities
@@ -87,17 +87,17 @@ template <bool kPush, class Sides>
 CAROM_LANES_INLINE void limit(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, double inv_h) {
   const Lanes u = sides.along(drive.row), p = drive.row.p;
   const Lanes above = drive.row.error - drive.lower, below = drive.upper - drive.row.error;
-  const auto wanted = [&](Lanes room, Lanes closing) __attribute__((always_inline)) {
-    const LaneMask open = room > 0;
+  const auto wanted = [&](Lanes distance, Lanes closing) __attribute__((always_inline)) {
+    const LaneMask open = distance > 0;
     if constexpr (kPush) {
-      const Lanes lack = closing - (open ? room * inv_h : joint.bias_rate * room);
+      const Lanes lack = closing - (open ? distance * inv_h : joint.bias_rate * distance);
       return (open ? all(1) : joint.mass_scale) * drive.m * lack;
     } else {
-      return drive.m * (closing - (open ? room * inv_h : all(0)));
+      return drive.m * (closing - (open ? distance * inv_h : all(0)));
     }
   };
-  const auto kept = [&](Lanes room) __attribute__((always_inline)) {
-    if constexpr (kPush) return room > 0 ? p : p - joint.impulse_scale * p;
+  const auto kept = [&](Lanes distance) __attribute__((always_inline)) {
+    if constexpr (kPush) return distance > 0 ? p : p - joint.impulse_scale * p;
     return p;
   };
   const Lanes next = larger(kept(above) + wanted(above, -u), all(0)) + smaller(kept(below) - wanted(below, u), all(0));
@@ -218,7 +218,7 @@ CAROM_LANES_INLINE bool has_limit(const JointLayout& layout) {
 template <bool kPush, bool kTwoWays, bool kAxed>
 CAROM_LANES_INLINE void sweep_one(const JointRun& run, const JointLanes& joint, double inv_h) {
   JointSides<kTwoWays> sides(joint, run);
-  // Locks first, too. What they have yet to do to a coordinate's velocity is none of what a limit answers, whose mass is
+  // Locks first, too. What they have yet to do to a coordinate's velocity is none of what a limit solves, whose mass is
   // the one that locks leave it: m times that velocity is more than twice what would stop it where the mass alone is
   // less than half of m, and gives energy. (Joints of other kinds that have none keep their bits: a damped spring on one
   // whose weight hangs off its axis rests off by c / k of such a velocity, in first order.)

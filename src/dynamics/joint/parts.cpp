@@ -50,7 +50,7 @@ constexpr std::uint32_t rows_of(JointPart part) {
 constexpr Real kNoLength = 1e-9;  // m: a rod that has none has no direction; its points just stay together
 bool is_point(const Joint& joint) { return joint.def.kind == JointKind::distance && joint.def.length < kNoLength; }
 
-/// A pulley that nobody said the anchors of holds nothing.
+/// A pulley whose anchors are not given holds nothing.
 bool is_unstrung(const Joint& joint) { return joint.def.kind == JointKind::pulley && !(joint.transmission.ratio > 0); }
 
 /// What is limited or sprung is no rod, nor are its ropes taut.

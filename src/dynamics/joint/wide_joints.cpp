@@ -148,7 +148,7 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   fill_drives(world, joint, {scale, h, again}, w, lanes, lane);
 }
 
-/// Lanes of nobody.
+/// Empty lanes.
 void empty(WideJoints& w, JointLanes& joint) {
   const JointLanes was = joint;
   joint = JointLanes{};
@@ -370,7 +370,7 @@ void bend_joints(const World& world, Real h) {
 void return_to_joints(const World& world) {
   const WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
-  load_velocities(world, *world.wide);  // half kicks, and the direct solver's answers
+  load_velocities(world, *world.wide);  // half kicks, and the direct solver's solutions
   load_own_shifts(world);
   over_joints(world, w.kernels->place);
   if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again, [](std::uint32_t) {});

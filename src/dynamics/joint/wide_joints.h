@@ -1,7 +1,7 @@
 // Joints in lanes: four side by side, in the order in which a solver visits them.
 //
 // Their colours are of one numbering with those of contacts, @see colours.h: a sweep goes through both, colour by
-// colour. Joints that the direct solver answers stand after the last colour: their rows are made here too, but nobody
+// colour. Joints that the direct solver solves stand after the last colour: their rows are made here too, but none
 // sweeps them.
 #pragma once
 
@@ -66,7 +66,7 @@ struct WideJoints {
     Vec3 spun;    // rad/s: what keeping the momentum did to omega
   };
   Array<Kicked> kicked;      // ascending
-  Array<BodyVelocity> gyro;  // by solver body, @see JointRun; empty: nobody turns so
+  Array<BodyVelocity> gyro;  // by solver body, @see JointRun; empty: none turns so
   // By solver body: where the step began, and how far bodies have come. Empty where WideContacts has the same.
   Array<Pose> start;
   Array<BodyShift> shift;
@@ -101,7 +101,7 @@ struct WideJoints {
   Array<Order> order;  // of the lanes
 
   bool any() const { return !active.empty(); }
-  /// @param link  index in active   @return whether it is swept: else the direct solver answers it
+  /// @param link  index in active   @return whether it is swept: else the direct solver solves it
   bool is_swept(std::uint32_t link) const { return place[link].lanes < swept; }
 };
 

@@ -1,4 +1,4 @@
-// What each stage did, and under which cause it is booked.
+// What each stage did, and which cause's account it enters.
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/impact.h"
 #include "dynamics/contact/resistance.h"
@@ -65,7 +65,7 @@ void open_accounts(const World& world) {
   l.set_amount.reserve(sets), l.set_moment.reserve(sets), l.set_held.reserve(sets);
   lay_columns(world);
   l.set_amount.resize(sets), l.set_moment.resize(sets, Vec3::zero()), l.set_held.resize(sets, 0);
-  if (!l.is_open) {  // else the step before this was not to be: what the host did until then is booked
+  if (!l.is_open) {  // else the step before this was not to be: what the host did until then is accounted for
     for (Account& account : l.step) account = Account();
     l.step_rounding = {};
     l.before = l.now;
@@ -240,7 +240,7 @@ void account_sleep(const World& world, const StepTime& time) {
   if (world.plan->effects[+EffectId::sleep].participants.count > 0) account_changed<Cause::sleep>(world, time);
 }
 
-/// The state itself, apart from all bookings.
+/// The state itself, apart from all accounts.
 void sum_state(const World& world, Amount& to) {
   Ledger& l = ledger_of(world);
   Account account;
@@ -287,8 +287,8 @@ void account_stage(const World& world, LedgerAccount account, const StepTime& ti
       return;
     case LedgerAccount::opens:
       return open_accounts(world);
-    case LedgerAccount::makes_room:
-      return make_room_for_shares(world);
+    case LedgerAccount::reserves:
+      return reserve_shares(world);
     case LedgerAccount::forces:
       return account_kicks(world, time);
     case LedgerAccount::impacts:

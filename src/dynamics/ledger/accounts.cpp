@@ -1,4 +1,4 @@
-// The book of one body: its phases.
+// The account of one body: its phases.
 #include "dynamics/ledger/accounts.h"
 
 #include "dynamics/quarantine.h"

@@ -1,4 +1,4 @@
-// Parts of the ledger's rooms: the book of one body, and what is booked in it.
+// Parts of the ledger: the account of one body, and what is entered in it.
 #pragma once
 
 #include "dynamics/body_state.h"
@@ -20,8 +20,8 @@ inline Vec3 pull_on(const World& world, std::uint32_t i) {
 /// What a body has now.
 Amount amount_now(const World& world, std::uint32_t i);
 
-/// What a solver drove out of the finite world just now, and the next kick will find. Until then nothing is booked: the
-/// ledger has it as its phase began.
+/// What a solver drove out of the finite world just now, and the next kick will find. Until then nothing is entered:
+/// the ledger has it as its phase began.
 bool is_lost(const World& world, std::uint32_t i);
 /// Those of each_awake() whose numbers make sense.
 template <class F>
@@ -35,14 +35,14 @@ void each_accounted(const World& world, F&& f) {
 void open_phase(const World& world, std::uint32_t i);
 /// What velocities changed since the last account, into a column.
 void see_kick(const World& world, std::uint32_t i, std::size_t column);
-/// The phase of a body ends with the velocities that were seen last: book its kicks. They stay.
+/// The phase of a body ends with the velocities that were seen last: enter its kicks. They stay.
 void close_phase(const World& world, std::uint32_t i);
 void clear_kicks(Ledger& l, std::uint32_t i);
 
 bool is_as_seen(const World& world, std::uint32_t i);
 /// All that changed since the last account, poses with it, under one cause; a new phase begins.
 void account_change(const World& world, std::uint32_t i, Cause cause);
-/// Whose state left the finite world in this room: what its phase had booked so far makes no sense. It is booked.
+/// Whose state left the finite world in this stage: what its phase had entered so far makes no sense. It is entered.
 bool was_lost(const World& world, std::uint32_t i);
 
 /// Terms of a account, for the bound of its rounding.

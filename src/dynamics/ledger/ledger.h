@@ -1,9 +1,9 @@
 // The ledger: where energy, momentum and angular momentum come from and go to, by cause.
 //
-// Between any two rooms of the page that change the state stands a account. It only reads; a world steps the same bits
-// with it and without. Nothing of it exists in a world that did not ask (World::ledger is null then).
+// Between any two stages of the step that change the state stands an account. It only reads; a world steps the same
+// bits with it and without. Nothing of it exists in a world that did not ask (World::ledger is null then).
 //
-// What is booked, for all dynamic bodies (asleep and in quarantine too) and particles, @see Amount:
+// What is accounted for, of all dynamic bodies (asleep and in quarantine too) and particles, @see Amount:
 //   kinetic    1/2 m v^2 + 1/2 omega.I omega        linear     m v
 //   potential  -m f g.x, of uniform gravity         angular    x x m v + I omega, about the world's origin
 //
@@ -12,7 +12,7 @@
 //   linear  m dv      angular  x x m dv + I dw      kinetic  m dv.(v + v')/2 + I dw.(omega + omega')/2
 // with v, v' those of the body as its phase begins and ends. Over all causes that is the change to rounding, whatever
 // their order: what a force and the floor do to a body at rest is nothing, not the work of one against the other. What
-// changes poses and velocities at once (impacts, sweeps, falling asleep) ends a body's phase, and is booked as the
+// changes poses and velocities at once (impacts, sweeps, falling asleep) ends a body's phase, and is entered as the
 // difference of the two states.
 //
 // Solvers. What the impulses of contacts and joints give is known by row: P at r gives P.(u + u')/2, u the velocity
@@ -54,7 +54,7 @@ enum class Cause : std::uint32_t {
   host,         // between steps: bodies made, removed, placed, pushed; gravity set
   contact,      // normal impulses
   friction,     // and what surfaces that move do by it
-  restitution,  // impacts that are answered before the solver
+  restitution,  // impacts that are solved before the solver
   resistance,   // to rolling and spinning
   joints,       // what they lock
   drives,       // their motors, springs and limits
@@ -69,7 +69,7 @@ enum class Cause : std::uint32_t {
 };
 inline constexpr std::size_t kFixedCauses = static_cast<std::size_t>(Cause::count);
 inline constexpr std::size_t kCauses = kFixedCauses + kEffectCount;
-const char* cause_name(std::size_t cause);  // null: a row that is never booked
+const char* cause_name(std::size_t cause);  // null: a row without an account
 inline std::size_t index_of(Cause cause) { return static_cast<std::size_t>(cause); }
 inline std::size_t cause_of_row(std::size_t row) { return kFixedCauses + row; }
 
@@ -148,18 +148,18 @@ void each_awake(const World& world, F&& f) {
   each_of_both(world.plan->linear, world.plan->rotating, f);
 }
 
-/// Whether what happens is booked: a host asked for it, and does not forbid it.
+/// Whether there is a ledger: a host asked for it, and does not forbid it.
 inline bool keeps_ledger(const World& world) {
   return world.ledger && !world.ledger->is_paused && !world.scene.modes.forbids(+EffectId::ledger);
 }
 
-/// How the ledger books what a stage did, @see stages.cpp, which says so of each.
+/// How the ledger accounts for what a stage did, @see stages.cpp, which says so of each.
 enum class LedgerAccount : std::uint8_t {
-  none,        // it changes nothing that is booked
-  with_host,   // before the books of a step open: its changes count among the host's
-  by_itself,   // it books on the way
-  opens,       // the books of a step, with what the host did since the last one
-  makes_room,  // for what solvers give
+  none,       // it changes nothing that the ledger counts
+  with_host,  // before the accounts of a step open: its changes count among the host's
+  by_itself,  // it enters what it does on the way
+  opens,      // the accounts of a step, with what the host did since the last one
+  reserves,   // for what solvers give
   forces,
   impacts,
   moments,
@@ -175,13 +175,13 @@ enum class LedgerAccount : std::uint8_t {
   closes
 };
 
-/// After a stage: book what it did.
+/// After a stage: account for what it did.
 void account_stage(const World& world, LedgerAccount account, const StepTime& time);
 
 // Within integrate_velocity().
 void before_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega);
 void after_row(const World& world, const PlannedEffect& row, const Vec3* v, const Vec3* omega, Real share);
-/// Books what a row of the table does, in this scope, to velocities or to what becomes of them. It writes to nobody
+/// Enters what a row of the table does, in this scope, to velocities or to what becomes of them. It writes to no body
 /// but its participants.
 class AccountForRow {
  public:
@@ -206,13 +206,13 @@ class AccountForRow {
 void account_turns(const World& world);
 
 // ---- shares.cpp: of a solver's impulses ----
-/// Room for what the next two keep. Allocates.
-void make_room_for_shares(const World& world);
+/// Reserves what the next two keep. Allocates.
+void reserve_shares(const World& world);
 /// Impulses as the phase after the move begins with them.
 void save_impulses(const World& world);
 /// Friction of a pair in lanes counts from nothing again.
 void clear_friction(const World& world, std::uint32_t pair, std::uint32_t lane);
-void save_impacts(const World& world);  // likewise before impacts are answered
+void save_impacts(const World& world);  // likewise before impacts are solved
 /// Split what the solver did into its causes; bodies have the velocities with which their phases end.
 void share_solved(const World& world);
 void share_relaxed(const World& world);

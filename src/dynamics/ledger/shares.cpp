@@ -81,7 +81,7 @@ class Shares {
  private:
   const World& world_;
   const Cause from_;
-  std::array<Amount, kFixedCauses> by_cause_;  // as many roundings as rows: books close all the same
+  std::array<Amount, kFixedCauses> by_cause_;  // as many roundings as rows: accounts close all the same
 };
 
 Link link_of(const Row& row) { return {row.a, row.b, row.moves_a, row.moves_b}; }
@@ -213,7 +213,7 @@ bool solves_directly(const World& world) { return world.plan->solver->calls_dire
 
 }  // namespace
 
-void make_room_for_shares(const World& world) {
+void reserve_shares(const World& world) {
   Ledger& l = *world.ledger;
   with_lanes(*world.wide, [&](const auto& lanes, const auto&) {
     l.old_points.resize(lanes.points.size() * kLanes);

@@ -11,7 +11,7 @@
 namespace carom::dynamics {
 namespace {
 
-/// Call f(begin, end) for runs of [begin, end) in which nobody is held.
+/// Call f(begin, end) for runs of [begin, end) in which none is held.
 template <class F>
 void each_free_run(const ParticleSet& set, std::size_t begin, std::size_t end, F&& f) {
   const auto next = [&](std::size_t i, bool is_held) {

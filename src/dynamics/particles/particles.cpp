@@ -11,9 +11,9 @@ void each_array(ParticleSet& set, F&& f) {
   for (int axis = 0; axis < 3; ++axis) f(set.x[axis]), f(set.v[axis]);
 }
 
-/// Room for `size` elements, and more if there was none.
+/// Capacity for `size` elements, and more if there was none.
 template <class T>
-void make_room(Array<T>& a, std::size_t size) {
+void reserve_more(Array<T>& a, std::size_t size) {
   if (size > a.capacity()) a.reserve(std::max(size, a.size() + a.size() / 2));
 }
 
@@ -76,10 +76,10 @@ void Particles::reserve(std::uint32_t s, std::size_t capacity) {
 std::size_t Particles::extend(std::uint32_t s, std::size_t n) {
   ParticleSet& p = set[s];
   const std::size_t first = p.size(), size = first + n;
-  each_array(p, [&](Array<Real>& a) { make_room(a, size); });
-  if (!p.mass.empty()) make_room(p.mass, size);
-  make_room(p.held, words(size));
-  make_room(p.sums, blocks(size));
+  each_array(p, [&](Array<Real>& a) { reserve_more(a, size); });
+  if (!p.mass.empty()) reserve_more(p.mass, size);
+  reserve_more(p.held, words(size));
+  reserve_more(p.sums, blocks(size));
   each_array(p, [&](Array<Real>& a) { a.resize(size, Real(0)); });
   if (!p.mass.empty()) p.mass.resize(size, p.def.mass);
   p.held.resize(words(size), 0);

@@ -45,7 +45,7 @@ struct ParticleSet {
   std::size_t held_count = 0;
 };
 
-inline constexpr std::size_t kMostParticles = 0x7FFFFFFF;  // of a set: indices fit 32 bits, with room for sums of two
+inline constexpr std::size_t kMostParticles = 0x7FFFFFFF;  // of a set: indices fit 32 bits, and so do sums of two
 inline constexpr std::size_t kParticleBlock = 512;         // a sum of its own; a multiple of 64
 
 /// All sets of a world.

@@ -41,7 +41,7 @@ void QueryIndex::mark_moved(std::uint32_t body, bool revised) {
   marked_ += revised;
   if (!whole_ || body >= is_moved_.size() || is_moved_[body]) return;  // who is new has its colliders noted
   is_moved_[body] = 1;
-  moved_.push_back(body);  // there is room for all bodies
+  moved_.push_back(body);  // reserved for all bodies
 }
 
 void QueryIndex::mark_changed(std::uint32_t slot) {
@@ -108,7 +108,7 @@ void QueryIndex::grow(const World& world) {
   where_.resize(slots, Where::nowhere);
 }
 
-/// Nobody noted who: every slot is compared with what is known of it.
+/// It was not noted which: every slot is compared with what is known of it.
 void QueryIndex::look_at_all(const World& world) {
   largest_ = 0;
   for (std::uint32_t slot = 0; slot < where_.size(); ++slot) look_at(world, slot);

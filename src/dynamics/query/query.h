@@ -1,7 +1,7 @@
 // Questions to a world: what a ray or a moving shape meets, what overlaps a shape, what is nearest to it.
 //
-// All functions may be called by several threads at once, while nobody changes the world. They allocate nothing but the
-// room of the lists they fill. A half-space can be met, but asks no questions.
+// All functions may be called by several threads at once, while nothing changes the world. They allocate nothing but
+// the space of the lists they fill. A half-space can be met, but asks no questions.
 #pragma once
 
 #include "collision/cast/cast.h"
@@ -24,8 +24,8 @@ struct QueryOptions {
   CastSettings cast;
 };
 
-/// One collider's answer. `cast` is that of collision/cast/ for this collider alone; one whose support function
-/// misbehaves answers with status fault, at the time (or distance) at which its bounds are met.
+/// One collider's result. `cast` is that of collision/cast/ for this collider alone; one whose support function
+/// misbehaves has status fault, at the time (or distance) at which its bounds are met.
 struct WorldHit {
   std::uint32_t collider = kInvalid;  // slot; kInvalid: nothing is met
   CastResult cast;
@@ -63,7 +63,7 @@ void find_overlaps(const World& world, const QueryShape& query_shape, const Quer
 ///               normal, points
 WorldHit find_nearest(const World& world, const QueryShape& query_shape, Real reach, const QueryOptions& options);
 
-// What one collider answers to each, as the index has it: what the twins of the tests are made of.
+// The result of one collider for each, as the index has it: what the twins of the tests are made of.
 bool passes(const World& world, const QueryFilter& filter, std::uint32_t slot);
 WorldHit ray_against(const World& world, std::uint32_t slot, const Ray& ray, const CastSettings& settings);
 WorldHit shape_against(const World& world, std::uint32_t slot, const QueryShape& query_shape, const Vec3& motion,

@@ -33,7 +33,7 @@ CastResult failed() {
   return r;
 }
 
-/// One(slot) is a collider's answer; a miss says nothing.
+/// One(slot) is a collider's result; a miss says nothing.
 template <class One>
 WorldHit first(const World& world, const Way& way, Real max, const QueryOptions& options, One&& one) {
   const QueryIndex& index = *world.queries;

@@ -1,4 +1,4 @@
-// What the questions share: the way to a box, the best answer so far, and who is asked at all.
+// What the questions share: the way to a box, the best result so far, and who is asked at all.
 #pragma once
 
 #include <algorithm>
@@ -50,7 +50,7 @@ struct Way {
   }
 };
 
-/// No answer comes before its bounds are met: an estimate is put there, and so is one whose support function
+/// No result comes before its bounds are met: an estimate is put there, and so is one whose support function
 /// misbehaved.
 inline void keep_within(const Way& way, Real max, const Aabb& bounds, CastResult& r) {
   const bool bad = r.status == QueryStatus::fault;
@@ -94,7 +94,7 @@ void around(const QueryIndex& index, const Aabb& box, Real distance, Ask&& ask) 
   index.tree().search(QueryTree::Box(index.tree(), box), limit, asked);
 }
 
-/// The nearer of two answers by a measure, of equals that of the lower slot.
+/// The nearer of two results by a measure, of equals that of the lower slot.
 inline bool before(Real one, std::uint32_t slot, Real other, std::uint32_t other_slot) {
   return one < other || (one == other && slot < other_slot);
 }
@@ -103,7 +103,7 @@ inline bool by_time(const WorldHit& a, const WorldHit& b) {
   return before(a.cast.time, a.collider, b.cast.time, b.collider);
 }
 
-/// How much later than its bounds an answer that was given the same time may be, m: brackets have a width, and grazes
+/// How much later than its bounds a result that was given the same time may be, m: brackets have a width, and grazes
 /// are uncertain by the root of rounding.
 inline Real width_of_brackets(const QueryIndex& index, const CastSettings& settings) {
   return std::max(settings.tolerance, Real(1e-6)) * index.largest_radius();

@@ -59,7 +59,7 @@ void find_islands(const World& world, Sleep& z, const Participants& participants
     const bool grouped = world.scene.dials.choice(Dial::groups) != 0;
     for (const std::uint32_t i : c.bodies) z.root[i] = grouped ? island_of(c, i) : c.bodies[0];
     if (world.rattle)
-      rattle::each_held(*world.rattle, [&](const RattleIsland& island) {  // nobody else is in these
+      rattle::each_held(*world.rattle, [&](const RattleIsland& island) {  // no other body is in these
         for (std::uint32_t k = island.body; k < island.body + island.movers; ++k)
           z.root[world.rattle->bodies[k].slot] = world.rattle->bodies[island.body].slot;
       });

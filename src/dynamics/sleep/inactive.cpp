@@ -259,7 +259,7 @@ static void replant(const World& world, Sleep& z, Colliders& table, PlacedPoses&
 }
 
 void plan_sleep(const World& world, Settling to, Plan& plan) {
-  if (plan.effects[+EffectId::sleep].candidates.count == 0) return;  // the dial is off: nobody sleeps
+  if (plan.effects[+EffectId::sleep].candidates.count == 0) return;  // the dial is off: no body sleeps
   Sleep& z = to;
   const Scene& scene = world.scene;
   const std::uint32_t slots = scene.bodies.slots();

@@ -44,7 +44,7 @@ void wake_drawn(const World& world, Sleepers to) {
   for (std::size_t k = before; k < z.woken.size(); ++k) ask_for(world, z, z.woken[k]);
 }
 
-/// Whether the narrow phase would find a contact. Asked with a copy of what the pair remembers, so that the answer is
+/// Whether the narrow phase would find a contact. Asked with a copy of what the pair remembers, so that the result is
 /// the narrow phase's own, and what is remembered stays as it was.
 bool touches(const World& world, NarrowReport& report, const NarrowSettings& settings, const Pair& pair) {
   const Colliders& c = world.scene.colliders;

@@ -1,4 +1,4 @@
-// What wakes sleepers between steps. Only flags change here, and pose and cache of nobody; the arrays follow when the
+// What wakes sleepers between steps. Only flags change here, and no body's pose or cache; the arrays follow when the
 // next step settles.
 #include <algorithm>
 
@@ -31,7 +31,7 @@ void wake(const World& world, Sleepers to, std::uint32_t body) {
     flags.asleep[i] = 0;
     z.sleep_timer[i] = 0;
     z.anchor_x[i] = world.state.x[i], z.anchor_q[i] = world.state.q[i];
-    if (z.inactive[i]) z.woken.push_back(i);  // there is room for every body
+    if (z.inactive[i]) z.woken.push_back(i);  // reserved for every body
     --z.count, ++z.woke;
   }
 }
@@ -96,7 +96,7 @@ void unlist_body(World& world, std::uint32_t body) {
   while (z.kept_first[body] != kInvalid) {
     const std::uint32_t k = z.kept_first[body];
     z.kept_first[body] = z.kept[k].next;
-    z.kept_free.push_back(k);  // there is room for all
+    z.kept_free.push_back(k);  // reserved for all
   }
 }
 

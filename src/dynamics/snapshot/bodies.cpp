@@ -202,7 +202,7 @@ void body(Io& io, W& world, std::uint32_t i) {
   }
 }
 
-/// What bodies begin from: nobody is in quarantine, asleep or written to, nothing is set.
+/// What bodies begin from: none is in quarantine, asleep or written to, nothing is set.
 void clear_bodies(World& world, std::size_t sleepers) {
   Scene& c = world.scene;
   State& s = world.state;

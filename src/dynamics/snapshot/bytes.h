@@ -1,8 +1,8 @@
-// Bytes of a snapshot, written and read by one description of what is in them: a room says value(now) for each thing
+// Bytes of a snapshot, written and read by one description of what is in them: a module says value(now) for each thing
 // in turn, and what comes back is that thing when saving, or what the bytes say of it when checking or loading.
 //
 // Saving writes, and only counts once the buffer is full. Checking reads and says whether a world could have written
-// that: it is the only one that meets bytes which nobody vouches for. Loading reads the same bytes once more, into the
+// that: it is the only one that meets bytes which nothing vouches for. Loading reads the same bytes once more, into the
 // world; it neither fails nor allocates. A section that is absent reads as zeros, which mean what a new world has.
 #pragma once
 
@@ -22,7 +22,7 @@ static_assert(sizeof(Real) == 8, "and hold doubles");
 /// What of a world stands at a place of the bytes.
 enum class Item : std::uint8_t { none, body, collider, pair, joint, set, field, spring, material };
 
-/// Room that loading wants to find in the arrays of a world, found out by checking.
+/// Capacity that loading wants to find in the arrays of a world, found out by checking.
 struct Needs {
   std::size_t places = 0, records = 0, free_records = 0, inactive = 0;  // of the pair table
   std::size_t old = 0, kept = 0;                                        // impulses

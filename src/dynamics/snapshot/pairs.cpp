@@ -108,7 +108,7 @@ class PairTableImage {
     if constexpr (Io::loads) {
       t.clear();
       t.order_.resize(places), t.records_.resize(records), t.free_.resize(free);
-      if (t.certificates_.capacity() >= records) t.certificates_.resize(records);  // as make_room() found
+      if (t.certificates_.capacity() >= records) t.certificates_.resize(records);  // as reserve() found
       if (inactive > 0) t.inactive_.resize(records), t.head_.assign(world.scene.colliders.slots(), kNew);
     }
     Array<std::uint8_t> seen(Io::checks ? records : 0, 0, world.memory);  // by record
@@ -130,7 +130,7 @@ class PairTableImage {
     if (inactive > 0) deactivate(io, world, inactive, once);
   }
 
-  static void make_room(World& world, const Needs& n) {
+  static void reserve(World& world, const Needs& n) {
     PairTable& t = world.pairs;
     const std::size_t inactive = n.inactive > 0 ? n.records : 0;
     t.order_.reserve(n.places), t.records_.reserve(n.records), t.free_.reserve(n.free_records);
@@ -234,7 +234,7 @@ class PairTableImage {
     if constexpr (Io::checks) {
       std::size_t wanted = 0;
       for (const PairTable::Inactive& link : links) wanted += (link.holders & 1u) + (link.holders >> 1);
-      io.demand(linked == wanted);  // so no list runs in a circle, and nobody is left out
+      io.demand(linked == wanted);  // so no list runs in a circle, and none is left out
     }
   }
 
@@ -277,7 +277,7 @@ struct Remembered {
 
 }  // namespace
 
-void make_room_for_pairs(World& world, const Needs& needs) { PairTableImage::make_room(world, needs); }
+void reserve_pairs(World& world, const Needs& needs) { PairTableImage::reserve(world, needs); }
 
 constinit const Section kPairs = section<PairTableImage>("PAIR", "pairs");
 constinit const Section kImpulses = section<Remembered>("IMPU", "impulses");

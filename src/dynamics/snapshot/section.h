@@ -19,14 +19,14 @@ constexpr std::uint32_t tag_of(const char (&name)[5]) {
          static_cast<std::uint32_t>(name[2]) << 16 | static_cast<std::uint32_t>(name[3]) << 24;
 }
 
-/// From a room with one description for all three: template <class Io, class W> static void go(Io&, W&).
-template <class Room>
+/// From a module with one description for all three: template <class Io, class W> static void go(Io&, W&).
+template <class Module>
 constexpr Section section(const char (&tag)[5], const char* name) {
-  return {tag_of(tag), name, Room::template go<Saver, const World>, Room::template go<Checker, const World>,
-          Room::template go<Loader, World>};
+  return {tag_of(tag), name, Module::template go<Saver, const World>, Module::template go<Checker, const World>,
+          Module::template go<Loader, World>};
 }
 
-// What a snapshot needs of each room of a world. Loading wants the room that checking found out (reserve()).
+// What a snapshot needs of each module of a world. Loading wants the capacity that checking found out (reserve()).
 extern const Section kBodies, kColliders;                                             // bodies.cpp
 extern const Section kPairs, kImpulses;                                               // pairs.cpp
 extern const Section kSleepers, kHappenings;                                          // sleep.cpp
@@ -34,6 +34,6 @@ extern const Section kDials, kWater, kMaterials, kFields, kSprings, kJoints, kAp
 extern const Section kSets;                                                           // particles.cpp
 
 /// Of a world's pair table, for loading.
-void make_room_for_pairs(World& world, const Needs& needs);
+void reserve_pairs(World& world, const Needs& needs);
 
 }  // namespace carom::dynamics::snapshot

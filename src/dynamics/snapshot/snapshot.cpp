@@ -1,4 +1,4 @@
-// Restoring: look at all, make room, then change.
+// Restoring: look at all, reserve memory, then change.
 #include "dynamics/snapshot/snapshot.h"
 
 #include <algorithm>
@@ -35,19 +35,19 @@ void widen(Array<T>& a, std::size_t n, const T& value, bool used) {
 }
 
 /// All that may run out of memory. What the world holds stays as it is.
-void make_room_for(World& world, const Needs& n) {
+void reserve_for(World& world, const Needs& n) {
   Scene& s = world.scene;
   Sleep& z = *world.sleep;
   Events& e = *world.events;
   const std::size_t bodies = s.bodies.slots(), colliders = s.colliders.slots();
   for (const AttributeRow& row : kAttributeTable)
-    if (n.attributes >> +row.id & 1) s.attributes.make_room(row.id, s.bodies.slots());
+    if (n.attributes >> +row.id & 1) s.attributes.reserve(row.id, s.bodies.slots());
   widen(s.locks, bodies, Locks(0), n.attributes >> +AttributeId::locks & 1);
   widen(s.modes.forbidden_of, bodies, RowBits(0), n.modes), widen(s.modes.forced_of, bodies, RowBits(0), n.modes);
   widen(s.colliders.filter, colliders, Filter(), n.filter);
   widen(s.colliders.sensor, colliders, std::uint8_t(0), n.sensor);
   widen(s.surface, colliders, SurfaceVelocity{}, n.surface);
-  make_room_for_pairs(world, n);
+  reserve_pairs(world, n);
   world.impulses.old.reserve(n.old);
   const std::size_t sleepers = n.sleepers;
   world.state.asleep.reserve(sleepers), z.inactive.reserve(sleepers), z.ring.reserve(sleepers),
@@ -59,7 +59,7 @@ void make_room_for(World& world, const Needs& n) {
   z.kept.reserve(n.kept), z.kept_free.reserve(z.kept.capacity());
   e.touching.reserve(n.touching), e.within.reserve(n.within), e.slept.reserve(std::max(e.slept.size(), n.slept));
   world.plan->faulty.reserve(n.faulty);
-  s.apart.make_room(n.apart), s.joined.make_room(n.unbroken);
+  s.apart.reserve(n.apart), s.joined.reserve(n.unbroken);
   for (const Needs::Set& need : n.sets) {
     ParticleSet& p = world.particles.set[need.slot];
     world.particles.reserve(need.slot, need.particles);
@@ -77,7 +77,7 @@ void clear_last_step(World& world) {
   c.driven.clear(), c.surface.clear(), c.group_begin.clear(), c.group_rows.clear(), c.direct.clear();
 }
 
-/// Look at the state that is in the bytes, and make room for it.
+/// Look at the state that is in the bytes, and reserve memory for it.
 bool check_state(World& world, Found& found, SnapshotFault& fault) {
   std::size_t count = 0;
   const Section* const* const all = sections(count);
@@ -91,7 +91,7 @@ bool check_state(World& world, Found& found, SnapshotFault& fault) {
     if (io.bad()) return refuse(fault, SnapshotFault::corrupt, "section %s holds what no world does", all[k]->name);
   }
   if (!check_solver(world, found, dials, needs, fault)) return false;
-  make_room_for(world, needs);
+  reserve_for(world, needs);
   return true;
 }
 

@@ -23,7 +23,7 @@ struct SnapshotFault {
 };
 
 /// All that a step reads and that is not structure, and what a host can set without changing structure. May be called
-/// by several threads at once, while nobody changes the world.
+/// by several threads at once, while nothing changes the world.
 /// @param to  [capacity] filled if it is large enough
 /// @return    bytes that it takes
 std::uint64_t save_state(const World& world, std::byte* to, std::uint64_t capacity);
@@ -75,7 +75,7 @@ Array<const Shape*> shapes_of(const World& world, Memory* memory);
 /// Nothing was ever made in this world, so no handle of it is about.
 bool is_untouched(const World& world);
 bool is_whole(const std::byte* bytes, std::uint64_t n);
-/// Make a world in which nothing was ever made, and which nobody but the caller knows, one that was saved whole.
+/// Make a world in which nothing was ever made, and which only the caller knows, one that was saved whole.
 /// @return false: refused; then, and if it throws, the world is of no more use
 bool build_world(World& world, const std::byte* bytes, std::uint64_t n, ShapeMaker& shapes, SnapshotFault& fault);
 

@@ -30,14 +30,14 @@ auto pools_of(W& w) {
                     &w.particles.slots, &s.fields.slots,   &s.springs.slots};
 }
 
-/// Room in every array for the slots that there are now; whoever is alive is filled in later.
-void make_room_for_slots(World& w) {
+/// Space in every array for the slots that there are now; whoever is alive is filled in later.
+void reserve_all_slots(World& w) {
   Scene& s = w.scene;
   State& t = w.state;
   const std::size_t bodies = s.bodies.slots(), colliders = s.collider_slots.slots();
-  BodyDef nobody;
-  nobody.type = BodyType::fixed;
-  s.def.resize(bodies, nobody), s.type.resize(bodies, BodyType::fixed);
+  BodyDef empty;
+  empty.type = BodyType::fixed;
+  s.def.resize(bodies, empty), s.type.resize(bodies, BodyType::fixed);
   s.inv_mass.resize(bodies, 0), s.mass.resize(bodies, 0), s.center.resize(bodies, Vec3::zero());
   s.inertia.resize(bodies, Mat3::zero()), s.inv_inertia.resize(bodies, Mat3::zero());
   s.first_collider.resize(bodies, kInvalid);
@@ -78,7 +78,7 @@ struct Slots {
       }
     }
     if constexpr (Io::checks)
-      if (!io.bad()) make_room_for_slots(world);
+      if (!io.bad()) reserve_all_slots(world);
   }
 };
 
@@ -216,7 +216,7 @@ struct WholeJoints {
   template <class Io, class W>
   static void go(Io& io, W& world, auto&&) {
     auto& all = world.joints;
-    if constexpr (Io::checks) world.scene.joined.make_room(all.slots.alive_count());
+    if constexpr (Io::checks) world.scene.joined.reserve(all.slots.alive_count());
     each_alive(all.slots, [&](std::uint32_t i) {
       if (io.bad()) return;
       JointDef d = Io::saves ? all.joint[i].def : JointDef();

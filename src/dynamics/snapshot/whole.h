@@ -1,5 +1,5 @@
 // The structure of a world as bytes: what a whole snapshot has beside the state. Read into a world in which there is
-// nothing yet, and which nobody else knows: where the bytes are wrong, it is thrown away.
+// nothing yet, and which only the caller knows: where the bytes are wrong, it is thrown away.
 #pragma once
 
 #include "dynamics/snapshot/bytes.h"

@@ -126,7 +126,7 @@ struct GroupMotion {
   bool is_under_impact = false, still = true, rolls = false, turns_far = false;
 };
 
-/// What there is to know of a group before it is answered; bodies that bear too much are marked as heavy.
+/// What there is to know of a group before it is solved; bodies that bear too much are marked as heavy.
 GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
@@ -217,7 +217,7 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   return motion.is_under_impact ? GroupReason::impact : GroupReason::sink;
 }
 
-Contacts::Choice answer_to(GroupReason reason) {
+Contacts::Choice choice_for(GroupReason reason) {
   switch (reason) {
     case GroupReason::mass_ratio:
     case GroupReason::sink:
@@ -286,7 +286,7 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
   in_parallel(world.jobs, c.groups(), kGroupsAPart, [&](std::uint32_t g) {
     GroupView& view = views[g];
     view = view_of(world, memory, g, w2, h);
-    c.direct[g] = answer_to(view.reason);
+    c.direct[g] = choice_for(view.reason);
     view.direct = c.solved_directly(g);
   });
   count_down_in_large_groups(world, memory);

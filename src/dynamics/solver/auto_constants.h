@@ -22,7 +22,8 @@ inline constexpr Constant<std::uint64_t> kMostFactor{
     "of a step of Newton's method: a pyramid of 465 blocks takes 38,000, a heap of 300 cubes more, and soft contacts answer that",
     "more: a heap that comes to rest stalls the step in which it is tried; fewer: large walls and pyramids sink"};
 
-// Points that close or part as fast as after a fall through a share of the thickness are struck, or do not lie still.
+// Points that close or part as fast as after a fall through a share of the thickness are in impact, or do not lie
+// still.
 inline constexpr Constant<Real> kImpactShare{
     "direct_impact_share", 0.1, "1",
     "share of the thickness: points that close as fast as after a fall through it are struck; what was just piled up, "

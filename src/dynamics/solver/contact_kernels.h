@@ -31,7 +31,7 @@ struct ContactSweeps {
   void (*relax_sparing)(const Run& run, double inv_h);
   /// One sweep without a spring: friction, then normals, which undo no penetration.
   void (*sweep)(const Run& run, double inv_h);
-  /// Book this substep's impulses under the step's.
+  /// Add this substep's impulses to the step's.
   void (*accumulate)(const Run& run);
   /// One sweep over displacements instead of velocities: what lies deeper than `slop`, and than its spring lets sink
   /// what it bears, is moved apart by `share` of that.

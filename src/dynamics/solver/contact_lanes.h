@@ -10,7 +10,7 @@
 
 namespace carom::dynamics {
 
-/// What a solver reads and writes of a body: one cache line. Body 0 is nobody: what does not move has no mass here.
+/// What a solver reads and writes of a body: one cache line. Body 0 is none: what does not move has no mass here.
 /// Kinematic bodies come next: read by many pairs of a colour, written by none.
 struct alignas(64) BodyVelocity {
   double v[3] = {0, 0, 0};      // m/s, world
@@ -45,7 +45,7 @@ struct PointLanesOf {
   LaneVec n;         // unit, world, A to B; @see PairLanes::one_normal
 };
 
-/// Four pairs of one colour. Friction is answered once a pair, a force in the plane and a twist about the normal: of
+/// Four pairs of one colour. Friction is solved once a pair, a force in the plane and a twist about the normal: of
 /// what sticks at the middle of its points, within bounds apart, of what slides at the middle of its loads as the step
 /// began, within one limit surface (rub()). The second tangent is n x t.
 template <class Number>
@@ -53,7 +53,7 @@ struct PairLanesOf {
   using Lanes = LanesOf<Number>;
   using LaneVec = LaneVecOf<Number>;
   using LaneSymmetric = LaneSymmetricOf<Number>;
-  std::uint32_t a[kLanes], b[kLanes];          // solver bodies; 0: nobody, or nobody that moves
+  std::uint32_t a[kLanes], b[kLanes];          // solver bodies; 0: none, or none that moves
   std::uint32_t first, points;                 // in WideContacts::points
   std::uint32_t one_normal;                    // 1: all points of each pair have its n, and PointLanes::n is not read
   std::uint32_t driven, locked;                // in LaneRun::drives and locks, from 1; 0: none of the four is
@@ -104,7 +104,7 @@ struct LaneRunOf {
 };
 
 /// Where the rows of four pairs are found when lanes are filled, all in doubles: vectors of three, matrices of nine,
-/// column by column. Lanes of nobody find zeros.
+/// column by column. Empty lanes find zeros.
 struct LaneSources {
   const double *rotation_a[kLanes], *rotation_b[kLanes];        // world from body axes
   const double *held_a[kLanes], *held_b[kLanes];                // @see held_arms.h
@@ -117,7 +117,7 @@ struct LaneSources {
   Lanes slide;         // @see Row::slides: 1; 2 where it rubs by load, 0 where it sticks
   Lanes bounce_speed;  // m/s
 };
-/// Where the rows of four pairs are put back, and what of their bodies that takes. Lanes of nobody find zeros and are
+/// Where the rows of four pairs are put back, and what of their bodies that takes. Empty lanes find zeros and are
 /// put nowhere.
 struct LaneTargets {
   const double *rotation_a[kLanes], *rotation_b[kLanes];  // world from body axes

@@ -98,7 +98,7 @@ struct Closing {
 /// Points of one pair depend on each other so much that one sweep over them leaves the bodies rocking; a few sweeps on
 /// the numbers that couple them cost less than one on the bodies.
 ///
-/// Kept up to date is `goal`, the impulse that would answer a point if none pulled: its own impulse does not enter
+/// Kept up to date is `goal`, the impulse that would solve a point if none pulled: its own impulse does not enter
 /// there, since mass_scale + impulse_scale = 1, so that little stands between one visit and the next.
 ///   goal_k = (1 - back_k) p_k - gain_k lack_k,   p_k = max(goal_k, 0),   goal_l -= gain_l K_kl (change of p_k)
 ///

@@ -44,7 +44,7 @@ void direct_end(const World& world, Poses&, const StepTime&) {
 
 }  // namespace
 
-/// What those groups may take that ask for an answer in the first substep: each its own, unless all that move would take
+/// What those groups may take that ask for a solve in the first substep: each its own, unless all that move would take
 /// more than there is, then all as much less; those at rest one after the other, the worst first, until there is none
 /// left. What is left out goes on as it is: it takes a while until anybody sees that.
 static void share_out(DirectGroups& d, std::uint64_t work) {

@@ -17,12 +17,12 @@ inline constexpr Real kDirectShare = 0.01;
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
   bool is_first = true;         // substep
-  std::uint32_t substeps = 0;   // that were answered in this step
+  std::uint32_t substeps = 0;   // that were solved in this step
   bool is_to_be_still = false;  // a few bodies that lie still, which is to stay so
   bool is_too_large = false;    // to be factored
-  bool asks = false;            // for an answer, in this substep
+  bool asks = false;            // for a solve, in this substep
   bool at_once = false;       // it takes its work in the first substep: at rest, or so large that a share would not do
-  bool is_close = false;      // an answer of this step was, to what is right
+  bool is_close = false;      // a solution of this step was, to what is right
   bool waits = false;         // for the next step with it
   bool stood = false;         // @see ConeProblem::stood
   Real load = 0;              // m/s, the fastest that loads alone make a body in a substep
@@ -34,7 +34,7 @@ struct GroupRest {
   bool lasts = false;         // contacts were found at rest
   bool has_moved = false;     // a little, since its separations were measured
   bool resists = false;       // some of them resist rolling or spinning
-  std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not booked yet
+  std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not added yet
   bool is_bounded = false;    // in what it may take
   std::uint64_t share = 0;    // block products that it may take in this step, if so
   std::uint64_t work = 0;     // of them, those that it may still take
@@ -42,8 +42,8 @@ struct GroupRest {
   bool gave_up = false;       // that did not do for a substep: nor will it for the next
 };
 
-/// The stages of the direct solver over the groups it answers, for it and for what chooses among solvers.
-/// Allocates.   @param most_factor  block products of a factorisation; a group that takes more is answered by sweeps
+/// The stages of the direct solver over the groups it solves, for it and for what chooses among solvers.
+/// Allocates.   @param most_factor  block products of a factorisation; a group that takes more is solved by sweeps
 void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor = ~std::uint64_t{0});
 /// Velocities.
 /// @param work      most block products that all groups may take in the step, for velocities and overlaps together,
@@ -118,7 +118,7 @@ struct DirectGroups {
     return body[slot];
   }
 
-  /// Of the group that a row is in; null: another solver answers it.
+  /// Of the group that a row is in; null: another solver solves it.
   GroupRest* rest_of(const Row& at) {
     const std::uint32_t of = body[at.moves_a ? at.a : at.b];
     if (of == kInvalid) return nullptr;

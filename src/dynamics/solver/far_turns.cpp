@@ -197,7 +197,7 @@ void renew(const World& world, WideContacts& wide, Real h) {
         for (int lane = 0; lane < kLanes; ++lane) {
           const std::uint32_t of = wide.occupant[std::size_t(i) * kLanes + static_cast<std::size_t>(lane)];
           const auto k = static_cast<std::size_t>(lane);
-          if (of == kNobodysLane || !(wide.far_turn[pair.a[k]].marked || wide.far_turn[pair.b[k]].marked)) continue;
+          if (of == kEmptyLane || !(wide.far_turn[pair.a[k]].marked || wide.far_turn[pair.b[k]].marked)) continue;
           renewal(pair, lanes.points.data() + pair.first, lane, wide.manifolds[of]);
           any = true;
         }
@@ -216,7 +216,7 @@ void renew(const World& world, WideContacts& wide, Real h) {
 }  // namespace
 
 // Of any axis: what spins about one that an impulse then tilts must carry its spin along, or has it beside its axis.
-// Who begins a step without spin is carried by no rotation method in it: it turns about its axis, which keeps its
+// What begins a step without spin is integrated by no rotation method in it: it turns about its axis, which keeps its
 // energy as well.
 bool turns_far_for_its_shape(const World& world, std::uint32_t body, Real time) {
   const Vec3& moment = world.plan->principal[body].moment;

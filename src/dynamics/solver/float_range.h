@@ -1,6 +1,6 @@
 // Whether the rows of a step can be solved in floats.
 //
-// The dial `precision` asks for floats. They end at 1e38 and have 24 bits, so what they can't bear is answered in
+// The dial `precision` asks for floats. They end at 1e38 and have 24 bits, so what they can't bear is solved in
 // doubles: the step as a whole, since rows that share a body are solved together. That is so if
 //  - a body that contacts move weighs less than 1e-9 kg or more than 1e9,
 //  - a contact's place is further than 10 km from a body's centre of mass, or its friction beyond 1e6,

@@ -46,7 +46,7 @@ void each_pair(const Contacts& c, std::span<const std::uint32_t> rows, const Sou
   std::array<PointSources, kTogether> asked;
   std::array<Result, kTogether> results;
   std::size_t n = 0;
-  const auto answer = [&] {
+  const auto run = [&] {
     kernel(asked.data(), n, results.data());
     for (std::size_t i = 0; i < n; ++i) f(pairs[i], results[i]);
     n = 0;
@@ -55,9 +55,9 @@ void each_pair(const Contacts& c, std::span<const std::uint32_t> rows, const Sou
     const std::uint32_t row = rows[at];
     pairs[n] = {at, row, c.first_row[c.geometry[row].pair + 1] - row};
     next = at + pairs[n].count;
-    if (sources(pairs[n], asked[n]) && ++n == kTogether) answer();
+    if (sources(pairs[n], asked[n]) && ++n == kTogether) run();
   }
-  if (n > 0) answer();
+  if (n > 0) run();
 }
 
 }  // namespace carom::dynamics

@@ -16,7 +16,7 @@ using Member = Placing::Member;
 /// Pairs of the whole by colour and kind; beyond the colours each stands alone.
 constexpr std::uint32_t kBuckets = (kColours + 1) * kPairKinds, kAlone = kColours * kPairKinds;
 
-/// Whether those answered in lanes are who they were a step ago, and meet as they met.
+/// Whether those solved in lanes are who they were a step ago, and meet as they met.
 bool meet_as_before(const World& world, const WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const Placing& p = *wide.placing;
@@ -35,14 +35,14 @@ bool meet_as_before(const World& world, const WideContacts& wide) {
   return old == p.met.end();
 }
 
-/// Pairs that met before have other rows, since pairs come and go that are answered elsewhere.
+/// Pairs that met before have other rows, since pairs come and go that are solved elsewhere.
 void take_rows(const Contacts& c, WideContacts& wide) {
   std::size_t i = 0;
   for (const ContactPair& m : c.contact_pairs)
     if (c.solved_in_lanes(m.row)) wide.manifolds[i].row = wide.placing->met[i].row = m.row, ++i;
 }
 
-/// Who is answered in lanes, and their bodies.
+/// What is solved in lanes, and their bodies.
 void list_bodies(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
@@ -51,7 +51,7 @@ void list_bodies(const World& world, WideContacts& wide) {
   for (const std::uint32_t body : wide.slot) wide.body[body] = 0;  // of the last step: all others are 0
   wide.body.resize(scene.bodies.slots(), 0);
   wide.slot.assign(1, 0);
-  // Room first: no body may be left marked.
+  // Capacity first: no body may be left marked.
   p.met.clear(), p.met.reserve(c.contact_pairs.size());
   p.movers.clear(), p.movers.reserve(c.bodies.size());
   p.kinematic.clear(), p.kinematic.reserve(world.plan->kinematic.count);
@@ -72,7 +72,7 @@ void list_bodies(const World& world, WideContacts& wide) {
 /// m, of the grid by which bodies are halved: about what they measure. A power of two, so as to be the same in the next
 /// step.
 Real size_of_cell(const World& world, const Placing& p) {
-  if (levels_for(p.movers.size()) == 1 || p.met.empty()) return 1;  // nobody is halved, or by joints alone
+  if (levels_for(p.movers.size()) == 1 || p.met.empty()) return 1;  // none is halved, or by joints alone
   constexpr std::size_t kAsked = 256;
   const std::size_t stride = p.met.size() / kAsked + 1;
   Real sum = 0, count = 0;
@@ -101,7 +101,7 @@ void number_bodies(WideContacts& wide) {
   for (const std::uint32_t i : p.regions.order) number(i);
 }
 
-/// Where bodies are as the step begins, and room for what lanes know of them.
+/// Where bodies are as the step begins, and capacity for what lanes know of them.
 void save_poses(const World& world, WideContacts& wide) {
   const std::size_t n = wide.slot.size();
   wide.velocity.assign(n, {});
@@ -221,7 +221,7 @@ class AsTheyCome {
     std::uint32_t a[kLanes], b[kLanes];
   };
 
-  /// Of nobody there is always another.
+  /// Body 0, which is none, is never taken.
   std::uint64_t taken(std::uint32_t body) const { return body ? taken_[body] : 0; }
   /// Of some that are open, the one opened first.
   std::uint32_t first(std::uint64_t of) const {
@@ -322,7 +322,7 @@ void place_all(const World& world, WideContacts& wide) {
     std::swap(part.pair, next.pair), std::swap(part.point, next.point);
     next.pair += part.pair, next.point += part.point;
   }
-  wide.occupant.assign(std::size_t{wide.parts.back().pair} * kLanes, kNobodysLane);
+  wide.occupant.assign(std::size_t{wide.parts.back().pair} * kLanes, kEmptyLane);
   wide.first_point.resize(wide.parts.back().pair);
   in_parallel(world.jobs, regions, 1, [&](std::uint32_t i) { settle(wide, 1 + i); });
 }

@@ -1,4 +1,4 @@
-// Which contact is the most severe? Two searches with one interface and the same answers: the paper's scan and a heap.
+// Which contact is the most severe? Two searches with one interface and the same results: the paper's scan and a heap.
 //
 // A search looks after the rows of one group whose key lies above a threshold. top() is the row with the largest key;
 // among equals, the lowest row. So both searches make a solver do the same things in the same order, bit for bit.

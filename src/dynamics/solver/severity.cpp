@@ -18,8 +18,8 @@ Real velocity_severity_squared(const Row& row) {
   if (!(row.slip_most2 > 0)) return normal * normal;
   const Vec3 slip = row.u - v_n * row.n;
   Real slip2 = slip.squared_norm();
-  if (row.on_rim) {
-    // On the rim of the disc, slipping against the friction impulse is what the law wants.
+  if (row.at_limit) {
+    // On the circle of the disc, slipping against the friction impulse is what the law wants.
     const Real along = slip.dot(row.friction_p);
     if (along < 0) slip2 = std::max(Real(0), slip2 - along * along / row.friction_p2);
   }
@@ -160,7 +160,7 @@ namespace {
 
 void severity_begin(const World& world, Solver::Begins, const StepTime&) {
   world.contacts->mass.resize(world.contacts->rows.size());
-  make_room_for_search(world);
+  reserve_search(world);
 }
 
 void severity_velocities(const World& world, Solver::Solves to, const StepTime& time) {

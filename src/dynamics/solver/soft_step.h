@@ -29,7 +29,7 @@ Softness softness(Real frequency, Real damping, Real h);
 /// energy.   @param h  s
 void start_sweeps(const World& world, Real h);
 
-/// Velocities of a substep, of what the direct solver does not answer; bodies that turn far are led back before and on
+/// Velocities of a substep, of what the direct solver does not solve; bodies that turn far are led back before and on
 /// after.
 void solve_softly(const World& world, Solver::Solves to, const StepTime& time);
 

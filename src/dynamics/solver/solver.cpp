@@ -11,9 +11,9 @@ namespace carom::dynamics {
 namespace {
 
 template <class To>
-void serve(void (*room)(const World&, To, const StepTime&), const World& world, std::type_identity_t<To> to,
+void serve(void (*stage)(const World&, To, const StepTime&), const World& world, std::type_identity_t<To> to,
            const StepTime& time) {
-  if (room) room(world, to, time);
+  if (stage) stage(world, to, time);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Solvers: how the contacts of a step are answered, one room each over the same rows.
+// Solvers: how the contacts of a step are solved, one file each over the same rows.
 #pragma once
 
 #include "dynamics/joint/wide_joints.h"

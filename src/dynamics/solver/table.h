@@ -1,4 +1,4 @@
-// The solvers there are, as a table: how the contacts of a step are answered, one room each over the same rows.
+// The solvers there are, as a table: how the contacts of a step are solved, one file each over the same rows.
 #pragma once
 
 #include "dynamics/effects.h"
@@ -8,7 +8,7 @@ namespace carom::dynamics {
 /// What a solver does at each place of the page; null where it has nothing to do.
 struct Solver {
   const char* name;
-  bool in_lanes;          // answers rows in WideContacts, but for groups that it gives to the direct solver
+  bool in_lanes;          // solves rows in WideContacts, but for groups that it gives to the direct solver
   bool row_by_row;        // keeps the velocity of each row up to date, and goes to the most severe
   bool calls_direct;      // gives groups to the direct solver
   bool counts_positions;  // positions() does as many rounds as position_iterations says: none, if that is 0

@@ -50,7 +50,7 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     return moves && rotates(scene, body) ? c.inv_inertia_w[body].data() : kZeros;
   };
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (occupant[lane] == kNobodysLane) {
+    if (occupant[lane] == kEmptyLane) {
       for (const auto& all : {of.rotation_a, of.rotation_b, of.held_a, of.held_b, of.inv_inertia_a, of.inv_inertia_b,
                               of.x_a, of.x_b, of.row, of.geometry})
         all[lane] = kZeros;
@@ -128,7 +128,7 @@ void fetch(const T* first, std::size_t count) {
 /// The rows that four lanes will be filled from.
 void fetch_rows(const Contacts& c, const WideContacts& wide, const std::uint32_t* occupant) {
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (occupant[lane] == kNobodysLane) continue;
+    if (occupant[lane] == kEmptyLane) continue;
     const WideContacts::Manifold& m = wide.manifolds[occupant[lane]];
     fetch(&c.rows[m.row], m.points);
     fetch(&c.geometry[m.row], m.points);
@@ -236,7 +236,7 @@ void load_shifts(const World& world, WideContacts& wide) {
 void heed_impacts(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const bool any = std::ranges::any_of(c.impacts, &Impact::concerns_solver);
-  // What rolls is measured to other digits than it was led on by: always, so that nobody's bounce is felt elsewhere.
+  // What rolls is measured to other digits than it was led on by: always, so that no body's bounce is felt elsewhere.
   if (any || c.any_rolls) measure_lanes(world);
   if (!any) return;
   for (const Impact& at : c.impacts) {
@@ -273,7 +273,7 @@ LaneTargets targets_of(const World& world, const WideContacts& wide, const std::
   const State& s = world.state;
   LaneTargets of;
   for (int lane = 0; lane < kLanes; ++lane) {
-    if (occupant[lane] == kNobodysLane) {
+    if (occupant[lane] == kEmptyLane) {
       for (const auto& all :
            {of.rotation_a, of.rotation_b, of.x_a, of.x_b, of.v_a, of.v_b, of.omega_a, of.omega_b, of.row, of.geometry})
         all[lane] = kZeros;

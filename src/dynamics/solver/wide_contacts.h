@@ -1,7 +1,7 @@
 // Contacts in lanes: four pairs side by side, point by point, in the order in which a solver visits them.
 //
 // Pairs of one region (regions.h) stand together, colour by colour; those of a colour share no body that an impulse
-// moves. The four side by side share none, and are of one kind: nobody waits for a neighbour's points. The outcome
+// moves. The four side by side share none, and are of one kind: none waits for a neighbour's points. The outcome
 // depends on that order alone. Threads share the colours of the whole and, of smaller regions, those of one level.
 #pragma once
 
@@ -32,13 +32,13 @@ struct ContactLanes {
   Array<LockLanesOf<Number>> locks;    // of pairs with bodies that are locked
 };
 
-/// What place_pairs() works with. While nobody comes or goes pairs keep their places from step to step.
+/// What place_pairs() works with. While no pair comes or goes pairs keep their places from step to step.
 struct Placing {
   explicit Placing(Memory* m)
       : met(m), kinematic(m), movers(m), regions(m), members(m), by_colour(m), in_region(m), at(m), taken(m) {}
 
   bool stands = false;             // places are those of `met` and `regions`
-  Array<ContactPair> met;          // who is answered in lanes
+  Array<ContactPair> met;          // what is solved in lanes
   Array<std::uint32_t> kinematic;  // slots, as those name them
   Array<std::uint32_t> movers;     // slots of bodies that impulses move, ascending
   Regions regions;                 // of movers
@@ -93,7 +93,7 @@ struct WideContacts {
   bool is_float = false;                // which of these has the rows of this step: @see float_range.h
   bool far_turners = false;             // there are any: far_turn below
 
-  // by solver body; 0 is nobody, then those that move of themselves, then those that impulses move
+  // by solver body; 0 is none, then those that move of themselves, then those that impulses move
   std::uint32_t first_moved = 1;
   Array<BodyVelocity> velocity;
   Array<BodyVelocity> displacement;  // m, rad: of a pass over positions
@@ -123,13 +123,13 @@ struct WideContacts {
     std::uint32_t pair, point;  // in pairs and points
     std::uint32_t member;       // in Placing::members
   };
-  Array<Part> parts;  // [regions + 2], by region; the first is of nobody
+  Array<Part> parts;  // [regions + 2], by region; the first is of none
   std::uint32_t regions_end() const { return static_cast<std::uint32_t>(parts.size()) - 1; }
   /// [kColours]: where in pairs those of the whole's rows end that have a colour, kind by kind; pairs after the last
   /// colour's stand alone. Empty: there are none
   Array<std::array<std::uint32_t, kPairKinds>> colours;
   std::uint32_t first_of(std::uint32_t colour) const { return colour == 0 ? 0 : colours[colour - 1].back(); }
-  Array<std::uint32_t> occupant;     // [4 pairs] manifold, or kNobodysLane
+  Array<std::uint32_t> occupant;     // [4 pairs] manifold, or kEmptyLane
   Array<std::uint32_t> first_point;  // [pairs]
 
   Owned<Placing> placing;  // null until a step has rows
@@ -137,7 +137,7 @@ struct WideContacts {
 
 inline bool has_one_normal(const WideContacts::Manifold& m) { return m.kind < kPairPoints; }
 
-inline constexpr std::uint32_t kNobodysLane = 0xFFFFFFFFu;
+inline constexpr std::uint32_t kEmptyLane = 0xFFFFFFFFu;
 
 /// f(lanes, sweeps): those that have the rows of this step.
 template <class Wide, class F>

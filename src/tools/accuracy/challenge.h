@@ -1,4 +1,4 @@
-// An accuracy scene: a small room with its numbers, a truth to compare with, what is measured, and how small the error
+// An accuracy scene: a small world with its numbers, a truth to compare with, what is measured, and how small the error
 // should be. Written as any host would: through the C ABI.
 #pragma once
 
@@ -26,7 +26,7 @@ struct Push {
 };
 
 /// What a run is compared by where the truth is a finer run: one number, or many.
-using Answer = std::vector<double>;
+using Solution = std::vector<double>;
 
 /// Watches a run and knows the truth. fill() of an accuracy scene returns one of these.
 class Trial : public Observer {
@@ -39,8 +39,8 @@ class Trial : public Observer {
   virtual std::vector<Push> pushes() const { return {}; }
   /// For scenes whose truth is their own run at a much finer step: the quantities that are compared, and the truth for
   /// them.
-  virtual Answer answer() const { return {}; }
-  virtual void compare_with(const Answer& /*truth*/) {}
+  virtual Solution solution() const { return {}; }
+  virtual void compare_with(const Solution& /*truth*/) {}
 
   bool fell() const { return fell_at_ >= 0; }
   double fell_at() const { return fell_at_; }  ///< s, or -1
@@ -70,7 +70,7 @@ struct Challenge {
   std::string reference;        ///< the truth, in a few words
   std::vector<Metric> metrics;  ///< the first is the one that peers are compared by
   Peer at_60_hz, at_any_step;
-  double reference_dt = 0;  ///< s; > 0: the truth is the scene's own answer at this step, same dials
+  double reference_dt = 0;  ///< s; > 0: the truth is the scene's own solution at this step, same dials
 };
 
 /// Every challenge, in the order of the suite.

@@ -26,10 +26,10 @@ double stages_of(const carom_island& island) {
   return island.order == 6 ? 9 : island.order == 4 ? 5 : 1;
 }
 
-struct Room {
+struct MixedScene {
   Stage stage;
   carom_body pile = CAROM_NULL_HANDLE, linkage = CAROM_NULL_HANDLE, top = CAROM_NULL_HANDLE;
-  explicit Room(Engine& engine) : stage(engine) {}
+  explicit MixedScene(Engine& engine) : stage(engine) {}
 };
 
 Actor rod(const std::string& name, const Vec& middle, double angle, double length) {
@@ -44,38 +44,38 @@ Actor rod(const std::string& name, const Vec& middle, double angle, double lengt
 }
 
 /// Four rods of half a metre, the first hung, let go from the level: they whirl.
-void add_linkage(Room& room) {
+void add_linkage(MixedScene& scene) {
   std::size_t before = 0;
   for (int i = 0; i < 4; ++i) {
-    const std::size_t now = room.stage.add(rod("rod " + std::to_string(i + 1), Vec(20.25 + 0.5 * i, 8, 0), 0, 0.5));
+    const std::size_t now = scene.stage.add(rod("rod " + std::to_string(i + 1), Vec(20.25 + 0.5 * i, 8, 0), 0, 0.5));
     if (i == 0) {
       Actor hook;
       hook.name = "hook", hook.kind = "hook", hook.type = CAROM_BODY_STATIC, hook.position = Vec(20, 8, 0);
-      before = room.stage.add(hook);
+      before = scene.stage.add(hook);
     }
-    room.stage.join(CAROM_JOINT_HINGE, before, now, Vec(20 + 0.5 * i, 8, 0),
-                    Quat(Eigen::AngleAxisd(-M_PI / 2, Vec::UnitY())));
+    scene.stage.join(CAROM_JOINT_HINGE, before, now, Vec(20 + 0.5 * i, 8, 0),
+                     Quat(Eigen::AngleAxisd(-M_PI / 2, Vec::UnitY())));
     before = now;
-    room.linkage = room.stage.actors[now].body;
+    scene.linkage = scene.stage.actors[now].body;
   }
 }
 
-void add_pile_and_top(Room& room) {
-  room.stage.add_half_space("ground", Vec::UnitY(), Vec::Zero());
+void add_pile_and_top(MixedScene& scene) {
+  scene.stage.add_half_space("ground", Vec::UnitY(), Vec::Zero());
   for (int row = 0; row < 4; ++row)
     for (int i = 0; i < 4 - row; ++i) {
       Actor box;
       box.name = "box " + std::to_string(4 * row + i), box.kind = "box";
       box.position = Vec(1.05 * i + 0.525 * row, 0.5 + row, 0);
       box.parts.push_back({.shape = "box", .params = {0.5, 0.5, 0.5}});
-      room.pile = room.stage.actors[room.stage.add(box)].body;
+      scene.pile = scene.stage.actors[scene.stage.add(box)].body;
     }
   Actor top;
   top.name = "top", top.kind = "top";
   top.position = Vec(-20, 400, 0), top.linear_velocity = Vec(0, 60, 0), top.angular_velocity = Vec(0.1, 12, 0.1);
   top.mass = 1, top.center = Vec::Zero();
   top.inertia = Vec(1, 2, 3).asDiagonal();
-  room.top = room.stage.actors[room.stage.add(top)].body;
+  scene.top = scene.stage.actors[scene.stage.add(top)].body;
 }
 
 /// ms of computing per simulated second, the least of three.
@@ -83,18 +83,18 @@ template <class Watch>
 double cost(Engine& engine, bool all, const std::vector<std::string>& dials, double seconds, Watch&& watch) {
   double least = HUGE_VAL;
   for (int again = 0; again < 3; ++again) {
-    Room room(engine);
-    if (all) add_pile_and_top(room);
-    add_linkage(room);
-    for (const std::string& d : dials) room.stage.world.set_dial(d);
+    MixedScene scene(engine);
+    if (all) add_pile_and_top(scene);
+    add_linkage(scene);
+    for (const std::string& d : dials) scene.stage.world.set_dial(d);
     const int settle = static_cast<int>(0.5 / kMixedStep), steps = static_cast<int>(seconds / kMixedStep);
-    for (int k = 0; k < settle; ++k) room.stage.world.step(kMixedStep);
+    for (int k = 0; k < settle; ++k) scene.stage.world.step(kMixedStep);
     double spent = 0;
     for (int k = 0; k < steps; ++k) {
       const double begun = cpu_time();
-      room.stage.world.step(kMixedStep);
+      scene.stage.world.step(kMixedStep);
       spent += cpu_time() - begun;
-      if (again == 0) watch(room);
+      if (again == 0) watch(scene);
     }
     least = std::min(least, 1e3 * spent / (steps * kMixedStep));
   }
@@ -107,13 +107,13 @@ Mixed ask_mixed(Engine& engine, double tolerance, double seconds) {
   Mixed m;
   m.tolerance = tolerance;
   const std::vector<std::string> asked = {dial("accuracy_place", tolerance), dial("accuracy_turn", tolerance)};
-  const auto nothing = [](const Room&) {};
+  const auto nothing = [](const MixedScene&) {};
   m.linkage_ms = cost(engine, false, asked, seconds, nothing);
-  m.all_ms = cost(engine, true, asked, seconds, [&](const Room& room) {
+  m.all_ms = cost(engine, true, asked, seconds, [&](const MixedScene& scene) {
     Mixed::Step taken;
     taken.time = kMixedStep * static_cast<double>(m.steps.size());
-    for (const carom_island& island : room.stage.world.islands()) {
-      const bool is_linkage = island.flags & CAROM_ISLAND_JOINTS_ALONE, is_top = island.body == room.top;
+    for (const carom_island& island : scene.stage.world.islands()) {
+      const bool is_linkage = island.flags & CAROM_ISLAND_JOINTS_ALONE, is_top = island.body == scene.top;
       (is_linkage ? m.linkage_substeps : is_top ? m.top_substeps : m.pile_substeps) += island.substeps;
       (is_linkage ? taken.linkage
        : is_top   ? taken.top

@@ -90,7 +90,7 @@ struct LeaningRod {
   double y() const;
   double inertia() const;  ///< kg m^2
   /// What a normal force of 1 N gives the end along the normal while it slides and drags friction with it, 1/kg. Below
-  /// 0 no force holds it (Painleve): the one answer of a step, however short, is that the end stops.
+  /// 0 no force holds it (Painleve): the one solution of a step, however short, is that the end stops.
   double yields(double mu) const;
   /// rad/s: once the end has stopped from `speed`, m/s.
   double spin_after(double speed) const;

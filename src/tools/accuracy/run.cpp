@@ -71,15 +71,15 @@ bool within_bounds(const Challenge& challenge, const Result& result) {
   return within;
 }
 
-std::optional<Answer> own_truth(Engine& engine, const Challenge& challenge, const Request& request) {
+std::optional<Solution> own_truth(Engine& engine, const Challenge& challenge, const Request& request) {
   if (!(challenge.reference_dt > 0)) return std::nullopt;
   Request fine = request;
   fine.dt = challenge.reference_dt;
   fine.after_step = nullptr;
-  return play(engine, challenge, fine).trial().answer();
+  return play(engine, challenge, fine).trial().solution();
 }
 
-Result run(Engine& engine, const Challenge& challenge, const Request& request, const std::optional<Answer>& truth) {
+Result run(Engine& engine, const Challenge& challenge, const Request& request, const std::optional<Solution>& truth) {
   const Run r = play(engine, challenge, request);
   if (truth) r.trial().compare_with(*truth);
   Result result;
@@ -97,7 +97,7 @@ Result run(Engine& engine, const Challenge& challenge, const Request& request, c
 }
 
 std::vector<Result> run_halved(Engine& engine, const Challenge& challenge, Request request, int halvings) {
-  const std::optional<Answer> truth = own_truth(engine, challenge, request);
+  const std::optional<Solution> truth = own_truth(engine, challenge, request);
   std::vector<Result> results;
   for (int k = 0; k <= halvings; ++k, request.dt /= 2) results.push_back(run(engine, challenge, request, truth));
   return results;

@@ -37,7 +37,7 @@ struct Request {
 /// What came of a run.
 struct Result {
   double dt = 0;
-  std::vector<double> errors;      ///< one per metric of the challenge; infinite: not a number, or no answer
+  std::vector<double> errors;      ///< one per metric of the challenge; infinite: not a number, or no solution
   double fell_at = -1;             ///< s, or -1: it stood, or there was nothing to fall
   double simulated = 0;            ///< s; less than asked for where the run was over before
   double ms_per_second = 0;        ///< ms of CPU time in steps, per simulated second
@@ -48,11 +48,11 @@ struct Result {
 /// Nothing fell, and no error exceeds its metric's bound.
 bool within_bounds(const Challenge& challenge, const Result& result);
 
-/// The scene's own answer at challenge.reference_dt; nothing where the truth is a closed form.   @throws Error
-std::optional<Answer> own_truth(Engine& engine, const Challenge& challenge, const Request& request);
+/// The scene's own solution at challenge.reference_dt; nothing where the truth is a closed form.   @throws Error
+std::optional<Solution> own_truth(Engine& engine, const Challenge& challenge, const Request& request);
 
 /// @param truth  from own_truth()   @throws Error (knob, dial or plugin missing; a step failed)
-Result run(Engine& engine, const Challenge& challenge, const Request& request, const std::optional<Answer>& truth);
+Result run(Engine& engine, const Challenge& challenge, const Request& request, const std::optional<Solution>& truth);
 
 /// Runs at dt, dt/2, ... dt/2^halvings.
 std::vector<Result> run_halved(Engine& engine, const Challenge& challenge, Request request, int halvings);

@@ -21,7 +21,7 @@ namespace {
 
 using Params = std::vector<double>;
 
-// Relative to the farthest answer. Valid closed forms err by 1e-15, the engine's contacts resolve 1e-6: in between.
+// Relative to the farthest point. Valid closed forms err by 1e-15, the engine's contacts resolve 1e-6: in between.
 constexpr double kTolerance = 1e-9;
 constexpr std::size_t kDirections = 2000;
 
@@ -164,14 +164,15 @@ class Trial {
   /// @return false: a finding was made and `out` is of no use
   bool ask(const Params& params, const Direction& dir, Direction& out) {
     constexpr double kGuard = 1234.5;
-    double answer[5] = {kGuard, NAN, NAN, NAN, kGuard};  // what is not written stays NaN
+    double guarded[5] = {kGuard, NAN, NAN, NAN, kGuard};  // what is not written stays NaN
     Direction given = dir;
     std::copy(dir.begin(), dir.end(), verdict_.current.dir);
     ++verdict_.calls;
-    const std::int32_t result = plugin_->support(plugin_->user, params.data(), params.size(), given.data(), answer + 1);
-    std::copy_n(answer + 1, 3, out.begin());
-    std::copy_n(answer + 1, 3, verdict_.current.out);
-    if (!same_bits(given, dir) || answer[0] != kGuard || answer[4] != kGuard)
+    const std::int32_t result =
+        plugin_->support(plugin_->user, params.data(), params.size(), given.data(), guarded + 1);
+    std::copy_n(guarded + 1, 3, out.begin());
+    std::copy_n(guarded + 1, 3, verdict_.current.out);
+    if (!same_bits(given, dir) || guarded[0] != kGuard || guarded[4] != kGuard)
       find(Lie::writes_input, &verdict_.current, "it writes to memory that is not its answer",
            "write out[0], out[1] and out[2] only; dir and params are read-only");
     if (result != 0) {
@@ -191,7 +192,7 @@ class Trial {
   void sample(const Params& params, const std::vector<Direction>& directions) {
     remember(params.data(), params.size(), {});
     const Params original = params;
-    std::vector<Direction> asked, answers;
+    std::vector<Direction> asked, points;
     const auto start = std::chrono::steady_clock::now();
     const std::uint64_t calls = verdict_.calls;
     for (const Direction& dir : directions) {
@@ -201,14 +202,14 @@ class Trial {
         find(Lie::not_repeatable, &verdict_.current, "the same direction was answered differently the second time",
              "keep no state between calls: no static variables, no random numbers, no clock");
       asked.push_back(dir);
-      answers.push_back(first);
+      points.push_back(first);
     }
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     verdict_.seconds_per_call = spent / static_cast<double>(std::max<std::uint64_t>(1, verdict_.calls - calls));
     double radius = 0;
-    for (const Direction& p : answers) radius = std::max(radius, std::sqrt(dot(p, p)));
-    judge_lengths(params, asked, answers, kTolerance * radius);
-    judge_convexity(asked, answers, kTolerance * radius);
+    for (const Direction& p : points) radius = std::max(radius, std::sqrt(dot(p, p)));
+    judge_lengths(params, asked, points, kTolerance * radius);
+    judge_convexity(asked, points, kTolerance * radius);
     if (!params.empty() && std::memcmp(original.data(), params.data(), params.size() * sizeof(double)) != 0)
       find(Lie::writes_input, &verdict_.current, "it changed its parameters",
            "params are shared by every body: read only");
@@ -220,8 +221,8 @@ class Trial {
     }
   }
 
-  /// A direction's length says nothing: the answer must reach as far along it.
-  void judge_lengths(const Params& params, const std::vector<Direction>& asked, const std::vector<Direction>& answers,
+  /// A direction's length says nothing: the point must reach as far along it.
+  void judge_lengths(const Params& params, const std::vector<Direction>& asked, const std::vector<Direction>& points,
                      double tolerance) {
     auto compare = [&](const Direction& dir, const Direction& unit, const Direction& expected) {
       Direction out;
@@ -240,7 +241,7 @@ class Trial {
     for (std::size_t i = 0; i < asked.size(); i += i < 64 ? 1 : 8)
       for (int exponent : {-960, -500, -60, 60, 500, 1000}) {  // 2^-960: tilts of 1e-9 stay normal numbers
         const Direction dir = scaled(asked[i], exponent);
-        compare(dir, asked[i], answers[i]);
+        compare(dir, asked[i], points[i]);
       }
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (double sign : {-1.0, 1.0}) {
@@ -251,14 +252,14 @@ class Trial {
       }
   }
 
-  /// d_i . (p_j - p_i) <= 0 for all i, j: no answer lies beyond another's supporting plane.
-  void judge_convexity(const std::vector<Direction>& asked, const std::vector<Direction>& answers, double tolerance) {
+  /// d_i . (p_j - p_i) <= 0 for all i, j: no point lies beyond another's supporting plane.
+  void judge_convexity(const std::vector<Direction>& asked, const std::vector<Direction>& points, double tolerance) {
     double worst = tolerance;
     std::size_t invalid_plugin = asked.size(), better = 0;
     for (std::size_t i = 0; i < asked.size(); ++i) {
-      const double reach = dot(asked[i], answers[i]);
-      for (std::size_t j = 0; j < answers.size(); ++j) {
-        const double beyond = dot(asked[i], answers[j]) - reach;
+      const double reach = dot(asked[i], points[i]);
+      for (std::size_t j = 0; j < points.size(); ++j) {
+        const double beyond = dot(asked[i], points[j]) - reach;
         if (beyond > worst) {
           worst = beyond;
           invalid_plugin = i;
@@ -269,12 +270,12 @@ class Trial {
     if (invalid_plugin == asked.size()) return;
     Witness witness = verdict_.current;
     std::copy(asked[invalid_plugin].begin(), asked[invalid_plugin].end(), witness.dir);
-    std::copy(answers[invalid_plugin].begin(), answers[invalid_plugin].end(), witness.out);
+    std::copy(points[invalid_plugin].begin(), points[invalid_plugin].end(), witness.out);
     char text[400];
     std::snprintf(text, sizeof text,
                   "its answers are not those of a convex set: for this direction there is a point %.6g m "
                   "farther along, (%.9g, %.9g, %.9g), which it gave for direction (%.9g, %.9g, %.9g)",
-                  worst, answers[better][0], answers[better][1], answers[better][2], asked[better][0], asked[better][1],
+                  worst, points[better][0], points[better][1], points[better][2], asked[better][0], asked[better][1],
                   asked[better][2]);
     find(Lie::not_convex, &witness, text,
          "return the point of the set that is farthest along dir, for every dir; a set with a dent has no such "

@@ -15,9 +15,9 @@ struct ProbeRequest {
 };
 
 /// Judge the plugin; findings, progress and the call in flight go to the verdict as they come. Runs in a child process.
-/// What is asked of every answer: success; finite; the same bits again, also with several threads asking; as far along
-/// the direction whatever the direction's length; and no other answer farther along it, which over all pairs is exactly
-/// the condition that the answers come from one convex set.
+/// What is asked of every call: success; finite; the same bits again, also with several threads asking; as far along
+/// the direction whatever the direction's length; and no other point farther along it, which over all pairs is exactly
+/// the condition that the points come from one convex set.
 void probe(Verdict& verdict, const void* request);
 
 }  // namespace carom::tools

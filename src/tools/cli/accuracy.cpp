@@ -1,4 +1,4 @@
-// `carom accuracy`: scenes whose answer is known, and how far from it a world with given dials and step ends.
+// `carom accuracy`: scenes whose solution is known, and how far from it a world with given dials and step ends.
 #include <charconv>
 #include <cmath>
 #include <cstdio>

@@ -29,7 +29,7 @@ std::string absolute_path(const std::string& given, const PluginPath& path) {
 
 std::string triple(const double v[3]) { return format("(%.17g, %.17g, %.17g)", v[0], v[1], v[2]); }
 
-void print_witness(const Witness& witness, bool answered) {
+void print_witness(const Witness& witness, bool has_point) {
   std::string params;
   for (std::uint64_t i = 0; i < std::min<std::uint64_t>(witness.param_count, kParamsShown); ++i)
     params += (i ? " " : "") + format("%.17g", witness.params[i]);
@@ -37,7 +37,7 @@ void print_witness(const Witness& witness, bool answered) {
     params += format(" ... (%llu in all)", static_cast<unsigned long long>(witness.param_count));
   std::printf("     parameters: %s\n     direction:  %s\n", params.empty() ? "none" : params.c_str(),
               triple(witness.dir).c_str());
-  if (answered) std::printf("     answer:     %s\n", triple(witness.out).c_str());
+  if (has_point) std::printf("     answer:     %s\n", triple(witness.out).c_str());
 }
 
 /// The child ended before its verdict: how, and with which input.

@@ -1,5 +1,5 @@
 // The subcommands of `carom`: one file and one add_<name>_command() each. main.cpp calls them in the order of --help.
-// Exit codes of every command: 0 done; 1 it ran and the answer is bad news (an invalid plugin, a run that went
+// Exit codes of every command: 0 done; 1 it ran and the result is bad news (an invalid plugin, a run that went
 // wrong); 2 it could not run (usage, missing files, plugins not found).
 #pragma once
 

@@ -1,4 +1,4 @@
-// `carom jury`: random scenes that nobody tuned for, run at the settings given and judged.
+// `carom jury`: random scenes that no setting was tuned for, run at the settings given and judged.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

@@ -67,7 +67,7 @@ nlohmann::json plan_json(const std::vector<carom_plan_line>& plan, const Differe
   nlohmann::json stages = nlohmann::json::array(), effects = nlohmann::json::array();
   for (const carom_plan_line& line : plan) {
     nlohmann::json out = {{"name", line.name}, {"runs", line.runs != 0}, {"reason", line.reason}};
-    // null: it has no time of its own, or nobody asked
+    // null: it has no time of its own, or it was not asked for
     out["seconds"] = line.timing == CAROM_TIME_OWN ? nlohmann::json(line.seconds) : nlohmann::json();
     if (!is_stage(line)) {
       out["stage"] = carom_stage_name(line.stage);

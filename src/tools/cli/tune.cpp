@@ -22,10 +22,10 @@
 namespace carom::tools {
 namespace {
 
-using tune::Answer;
 using tune::ErrorKind;
 using tune::Measured;
 using tune::Question;
+using tune::Result;
 
 struct TuneOptions {
   std::string scene, error, json, code, svg;
@@ -85,11 +85,11 @@ std::string error_text(double error, const char* unit) {
   return std::isfinite(error) ? format("%.2g%s%s", error, *unit ? " " : "", unit) : "none";
 }
 
-std::string unit_of(const Question& q, const Answer& a) {
+std::string unit_of(const Question& q, const Result& a) {
   return a.kind == ErrorKind::truth ? q.challenge->metrics.front().unit : tune::unit_of(a.kind);
 }
 
-void print_front(const Question& q, const Answer& a) {
+void print_front(const Question& q, const Result& a) {
   const std::string unit = unit_of(q, a);
   std::vector<std::vector<std::string>> rows = {{"", "ms a frame", "worst", "error", "settings"}};
   const auto add = [&](const std::string& mark, const Measured& m) {
@@ -105,7 +105,7 @@ void print_front(const Question& q, const Answer& a) {
 }
 
 /// What half the error costs, and what half the time would.
-void print_margins(const Question& q, const Answer& a) {
+void print_margins(const Question& q, const Result& a) {
   const Measured& pick = a.front[static_cast<std::size_t>(a.pick)];
   const std::string unit = unit_of(q, a);
   for (const Measured& m : a.front)
@@ -122,7 +122,7 @@ void print_margins(const Question& q, const Answer& a) {
     }
 }
 
-double own_ms(const Answer& a) {
+double own_ms(const Result& a) {
   for (const Measured& m : a.all)
     if (m.is_default) return m.ms;
   return 0;
@@ -134,7 +134,7 @@ std::string offences_text(const tune::Offences& o) {
                 o.cone, o.energy);
 }
 
-void print_chaos(const Answer& a) {
+void print_chaos(const Result& a) {
   std::printf(
       "This scene is chaotic: its two finest runs end up %.2g m from each other (rms), which is as far as any setting "
       "is "
@@ -151,7 +151,7 @@ void print_chaos(const Answer& a) {
     std::printf("  pick: %s\n", offences_text(a.front[static_cast<std::size_t>(a.pick)].offences).c_str());
 }
 
-void print_counts(const Question& q, const Answer& a) {
+void print_counts(const Question& q, const Result& a) {
   std::printf("%d settings tried, %d stopped as too slow", a.tried, a.too_dear);
   if (a.let_fall) std::printf(", %d rejected because a standing object fell", a.let_fall);
   if (a.left_out) std::printf(", %d skipped (--within %g)", a.left_out, q.patience);
@@ -165,7 +165,7 @@ bool holds(double predicted, double found) {
   return (predicted == 0 && found == 0) || (found <= 2 * predicted && predicted <= 2 * found);
 }
 
-void print_answer(const Question& q, const Answer& a) {
+void print_result(const Question& q, const Result& a) {
   if (a.chaotic)
     print_chaos(a);
   else if (a.floor > 0)
@@ -212,7 +212,7 @@ nlohmann::json to_json(const Measured& m) {
   return j;
 }
 
-void write_json(const std::string& path, const Question& q, const Answer& a) {
+void write_json(const std::string& path, const Question& q, const Result& a) {
   nlohmann::json j = {{"scene", q.scene->name},         {"seconds", q.seconds},
                       {"frame_rate", q.frame_rate},     {"budget_ms", q.budget_ms},
                       {"error", tune::name_of(a.kind)}, {"unit", unit_of(q, a)},
@@ -255,7 +255,7 @@ std::vector<std::tuple<carom_dial_info, double, std::string>> dials_of(const tun
   return list;
 }
 
-void write_code(const std::string& path, const Question& q, const Answer& a) {
+void write_code(const std::string& path, const Question& q, const Result& a) {
   CsvFile file(path);
   const Measured& pick = a.front[static_cast<std::size_t>(a.pick)];
   const std::string unit = unit_of(q, a);
@@ -274,7 +274,7 @@ void write_code(const std::string& path, const Question& q, const Answer& a) {
   file.close();
 }
 
-void write_plot(const std::string& path, const Question& q, const Answer& a) {
+void write_plot(const std::string& path, const Question& q, const Result& a) {
   report::LinePlot plot;
   plot.title = q.scene->name + ": error against time";
   plot.x = {"ms a frame", report::Scale::log, false, {}};
@@ -338,12 +338,12 @@ void run_tune(const TuneOptions& options, Context& context) {
                 q.kind == ErrorKind::truth ? q.challenge->metrics.front().what.c_str() : tune::name_of(q.kind));
     std::fflush(stdout);
   }
-  Answer a;
+  Result a;
   {
     TuneProgress teller(options.quiet);
     a = tune::search(engine, q, [&](int done, int total, const std::string& what) { teller(done, total, what); });
   }
-  if (!options.quiet) print_answer(q, a);
+  if (!options.quiet) print_result(q, a);
   if (!options.json.empty()) write_json(options.json, q, a);
   if (!options.svg.empty()) write_plot(options.svg, q, a);
   if (!options.code.empty() && a.pick >= 0) write_code(options.code, q, a);

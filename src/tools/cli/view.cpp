@@ -88,9 +88,9 @@ std::string made_scene(const serve::Question& question, Context& context) {
   const PackedScene packed = packed_scene(choice, {240, 1}, context);
   const std::string row = packed.row.dump();
   const std::size_t n = row.size();
-  std::string answer;
-  for (int byte = 0; byte < 4; ++byte) answer += static_cast<char>(n >> (8 * byte) & 255);
-  return answer + row + packed.content;
+  std::string bytes;
+  for (int byte = 0; byte < 4; ++byte) bytes += static_cast<char>(n >> (8 * byte) & 255);
+  return bytes + row + packed.content;
 }
 
 void view(ViewOptions& options, Context& context) {

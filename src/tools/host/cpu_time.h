@@ -5,7 +5,7 @@
 
 namespace carom::tools {
 
-/// s of CPU time of this thread: what else the machine does makes nobody slower.
+/// s of CPU time of this thread: what else the machine does makes none slower.
 inline double cpu_time() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

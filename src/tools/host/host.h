@@ -136,7 +136,7 @@ std::size_t field_width(std::uint32_t field);
 /// A dial's documentation, by index.   @throws Error
 carom_dial_info dial_info(std::uint32_t dial);
 std::vector<carom_dial_info> all_dials();
-/// Numbers of the library that nobody sets.
+/// Numbers of the library that no host sets.
 std::vector<carom_constant_info> all_constants();
 
 /// Names of CAROM_PRESET_*, in order.

@@ -48,7 +48,7 @@ struct Heights {
   double spacing = 1;          ///< m
   Vec corner = Vec::Zero();    ///< m, world: of column 0, row 0
   std::vector<double> values;  ///< m, [rows][columns]
-  /// Height and unit normal of the surface below or above a place; none beyond the rim.
+  /// Height and unit normal of the surface below or above a place; none beyond the boundary.
   struct At {
     double height;
     Vec normal;

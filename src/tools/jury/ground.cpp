@@ -63,7 +63,7 @@ void add_ramps(Drawing& d) {
   }
 }
 
-/// Hills with a rim around them, of random heights smoothed once.
+/// Hills with a border around them, of random heights smoothed once.
 void add_heights(Drawing& d) {
   Heights field;
   field.columns = field.rows = 21;
@@ -79,8 +79,8 @@ void add_heights(Drawing& d) {
     for (std::size_t column = 0; column < field.columns; ++column) {
       const double u = std::fabs(static_cast<double>(column) / 10 - 1),
                    v = std::fabs(static_cast<double>(row) / 10 - 1);
-      const double edge = std::max(u, v), square = edge * edge, rim = square * square * square;
-      field.values.push_back((2 * at(row, column) + at(row + 1, column) + at(row, column + 1)) / 4 + rim);
+      const double edge = std::max(u, v), square = edge * edge, border = square * square * square;
+      field.values.push_back((2 * at(row, column) + at(row + 1, column) + at(row, column + 1)) / 4 + border);
     }
   Actor hills;
   hills.name = "hills", hills.kind = "ground";
@@ -103,7 +103,7 @@ std::string draw_ground(Drawing& d) {
   if (kind == 3) {
     add_heights(d);
     d.scene.floor = -3;
-    add_plane(d, d.scene.floor, 0.5);  // for what leaves over the rim
+    add_plane(d, d.scene.floor, 0.5);  // for what leaves over the border
     return "hills";
   }
   add_plane(d, 0, d.random.between(0.1, 0.9));

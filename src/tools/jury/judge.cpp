@@ -66,7 +66,7 @@ struct Judge::Inside {
   std::map<std::tuple<Trouble, std::size_t, std::size_t>, std::size_t> troubles, troubles_before;  // steps in a row
   std::map<Kind, Failure> failures;
   std::array<double, kKinds> worst_ratio{};  // beyond its limit, by kind
-  std::vector<bool> over_rim;                // by member: left the hills, whatever is above it now
+  std::vector<bool> over_edge;               // by member: left the hills, whatever is above it now
   std::vector<Cost> costs;
   Reading reading;
   bool over = false;  // a state that is not finite: there is nothing more to judge
@@ -175,8 +175,8 @@ void Judge::Inside::judge_depth(const std::vector<Near>& pairs, const Frame& fra
   for (std::size_t i = 0; i < frame.size(); ++i) {
     if (!c.members[i].moves()) continue;
     const UnderHills under = under_hills(engine, c, i, frame[i]);
-    over_rim[i] = over_rim[i] || under.is_beyond;
-    if (is_stirred[i] || over_rim[i]) continue;
+    over_edge[i] = over_edge[i] || under.is_beyond;
+    if (is_stirred[i] || over_edge[i]) continue;
     if (under.is_through)
       fail(Kind::pass, name(i) + " in hills", under.depth, c.members[i].thickness / 2, "m",
            lasts(Trouble::within, i, hills) >= kPlainTime);
@@ -211,7 +211,7 @@ Judge::~Judge() = default;
 
 void Judge::start(const Frame& frame) {
   inside_->before = frame;
-  inside_->over_rim.assign(frame.size(), false);
+  inside_->over_edge.assign(frame.size(), false);
   inside_->pairs_before = near_pairs(inside_->engine, inside_->c, frame, inside_->dt);
   inside_->energies = std::make_unique<Energies>(inside_->c, inside_->dt, frame);
 }

@@ -44,7 +44,7 @@ std::vector<Near> near_pairs(carom_engine* engine, const Case& the_case, const F
 struct UnderHills {
   double depth = -1e9;
   bool is_through = false;
-  bool is_beyond = false;  ///< of the rim: it may roll under them from there
+  bool is_beyond = false;  ///< of the border: it may roll under them from there
 };
 UnderHills under_hills(carom_engine* engine, const Case& the_case, std::size_t body, const State& state);
 

@@ -20,7 +20,7 @@ struct Box {
 };
 
 /// Some boxes' share of the solid.
-struct Piece {
+struct Part {
   std::vector<Box> boxes;
   Mesh hull;              // of the cells that are not outside
   double out = 0;         // m, how far it stands out
@@ -61,13 +61,13 @@ class Cutter {
   explicit Cutter(const Solid& solid) : solid_(solid) {}
 
   /// What boxes hold; nothing where all is outside.
-  std::optional<Piece> piece(std::vector<Box> boxes) const {
+  std::optional<Part> part(std::vector<Box> boxes) const {
     std::vector<Vector3d> points;
     for (const Box& box : boxes) add_corners(box, points);
     if (points.empty()) return std::nullopt;
     return finished({std::move(boxes), convex_hull(points)});
   }
-  Piece joined(const Piece& a, const Piece& b) const {
+  Part joined(const Part& a, const Part& b) const {
     std::vector<Box> boxes = a.boxes;
     boxes.insert(boxes.end(), b.boxes.begin(), b.boxes.end());
     std::vector<Vector3d> points = a.hull.points;
@@ -78,10 +78,10 @@ class Cutter {
   /// The cut across an axis after which the least is left: of how far the worse stands out, of what they hold, and of
   /// how long they are. (A ring's hull still holds its hole after any one cut: only the last says that halves are a way
   /// to quarters, and slices are none.)
-  /// @return two pieces, or none: it is as thin as a cell
-  std::vector<Piece> cut(const Piece& piece) const {
-    const Box& box = piece.boxes[0];
-    std::vector<Piece> best;
+  /// @return two parts, or none: it is as thin as a cell
+  std::vector<Part> cut(const Part& part) const {
+    const Box& box = part.boxes[0];
+    std::vector<Part> best;
     double least = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
       const int length = box.high[axis] - box.low[axis];
@@ -91,10 +91,10 @@ class Cutter {
         if (plane <= box.low[axis] || plane >= box.high[axis]) return;
         Box lower = box, upper = box;
         lower.high[axis] = upper.low[axis] = plane;
-        std::optional<Piece> a = this->piece({lower}), b = this->piece({upper});
+        std::optional<Part> a = this->part({lower}), b = this->part({upper});
         if (!a || !b) return;
-        const double left = std::max(a->out, b->out) / piece.out + (a->volume + b->volume) / piece.volume +
-                            (a->length2 + b->length2) / (2 * piece.length2);
+        const double left = std::max(a->out, b->out) / part.out + (a->volume + b->volume) / part.volume +
+                            (a->length2 + b->length2) / (2 * part.length2);
         if (left < here) here = left, at = plane;
         if (left < least) least = left, best = {std::move(*a), std::move(*b)};
       };
@@ -108,12 +108,12 @@ class Cutter {
   }
 
  private:
-  Piece finished(Piece piece) const {
-    piece.volume = volume_of(piece.hull);
-    const auto [low, high] = bounds_of(piece.hull.points);
-    piece.length2 = (high - low).squaredNorm();
-    piece.out = stands_out(piece.hull);
-    return piece;
+  Part finished(Part part) const {
+    part.volume = volume_of(part.hull);
+    const auto [low, high] = bounds_of(part.hull.points);
+    part.length2 = (high - low).squaredNorm();
+    part.out = stands_out(part.hull);
+    return part;
   }
 
   /// Corners of cells that are not outside, as few as give their hull: slice by slice.
@@ -152,10 +152,10 @@ class Cutter {
         const Vector3d at = solid_.middle(0, y, z);
         double from = low.x(), to = high.x();
         for (const Eigen::Vector4d& p : planes) {
-          const double room = p.w() - p.y() * at.y() - p.z() * at.z();
-          if (p.x() > 0) to = std::min(to, room / p.x());
-          if (p.x() < 0) from = std::max(from, room / p.x());
-          if (p.x() == 0 && room < 0) to = from - 1;
+          const double rest = p.w() - p.y() * at.y() - p.z() * at.z();
+          if (p.x() > 0) to = std::min(to, rest / p.x());
+          if (p.x() < 0) from = std::max(from, rest / p.x());
+          if (p.x() == 0 && rest < 0) to = from - 1;
         }
         if (!(to >= from)) continue;
         const int first = std::max(0, static_cast<int>(std::ceil((from - at.x()) / solid_.cell)));
@@ -168,45 +168,45 @@ class Cutter {
   const Solid& solid_;
 };
 
-/// Cut what stands out the farthest until none does by more than `most_out`, or there are `most` pieces.
-void cut_all(const Cutter& cutter, std::vector<Piece>& pieces, double most_out, std::size_t most,
+/// Cut what stands out the farthest until none does by more than `most_out`, or there are `most` parts.
+void cut_all(const Cutter& cutter, std::vector<Part>& parts, double most_out, std::size_t most,
              const PartsWanted& wanted) {
-  while (pieces.size() < most) {
-    const auto worst = std::ranges::max_element(pieces, {}, [](const Piece& p) { return p.is_whole ? -1.0 : p.out; });
+  while (parts.size() < most) {
+    const auto worst = std::ranges::max_element(parts, {}, [](const Part& p) { return p.is_whole ? -1.0 : p.out; });
     if (worst->is_whole || worst->out <= most_out) return;
-    std::vector<Piece> halves = cutter.cut(*worst);
+    std::vector<Part> halves = cutter.cut(*worst);
     if (halves.empty()) {
       worst->is_whole = true;
       continue;
     }
     *worst = std::move(halves[0]);
-    pieces.push_back(std::move(halves[1]));
-    if (wanted.progress && pieces.size() % 8 == 0) wanted.progress("cut into " + std::to_string(pieces.size()));
+    parts.push_back(std::move(halves[1]));
+    if (wanted.progress && parts.size() % 8 == 0) wanted.progress("cut into " + std::to_string(parts.size()));
   }
 }
 
 /// Join the two whose hull stands out the least, while that is within `most_out`, or there are too many.
-void join_all(const Cutter& cutter, std::vector<Piece>& pieces, double most_out, std::size_t most) {
+void join_all(const Cutter& cutter, std::vector<Part>& parts, double most_out, std::size_t most) {
   // Neighbours rather than what lies apart: a hull across a gap overlaps others.
   const auto cost = [&](std::size_t i, std::size_t j) {
-    const Piece joined = cutter.joined(pieces[i], pieces[j]);
-    return joined.out * std::max(1.0, joined.volume / (pieces[i].volume + pieces[j].volume));
+    const Part joined = cutter.joined(parts[i], parts[j]);
+    return joined.out * std::max(1.0, joined.volume / (parts[i].volume + parts[j].volume));
   };
-  std::vector<std::vector<double>> costs(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i)
+  std::vector<std::vector<double>> costs(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) costs[i].push_back(cost(i, j));
-  while (pieces.size() > 1) {
+  while (parts.size() > 1) {
     std::size_t a = 1, b = 0;
-    for (std::size_t i = 1; i < pieces.size(); ++i)
+    for (std::size_t i = 1; i < parts.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (costs[i][j] < costs[a][b]) a = i, b = j;
-    if (costs[a][b] > most_out && pieces.size() <= most) return;
-    pieces[b] = cutter.joined(pieces[a], pieces[b]);
-    pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(a));
+    if (costs[a][b] > most_out && parts.size() <= most) return;
+    parts[b] = cutter.joined(parts[a], parts[b]);
+    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(a));
     costs.erase(costs.begin() + static_cast<std::ptrdiff_t>(a));
-    for (std::size_t i = a; i < pieces.size(); ++i) costs[i].erase(costs[i].begin() + static_cast<std::ptrdiff_t>(a));
+    for (std::size_t i = a; i < parts.size(); ++i) costs[i].erase(costs[i].begin() + static_cast<std::ptrdiff_t>(a));
     for (std::size_t j = 0; j < b; ++j) costs[b][j] = cost(b, j);
-    for (std::size_t i = b + 1; i < pieces.size(); ++i) costs[i][b] = cost(i, b);
+    for (std::size_t i = b + 1; i < parts.size(); ++i) costs[i][b] = cost(i, b);
   }
 }
 
@@ -230,13 +230,13 @@ void clip(std::vector<Vector3d>& polygon, const Vector3d& low, const Vector3d& h
   }
 }
 
-/// The hull of a mesh's faces within each piece's boxes. Faces that alone have no thickness there go to the nearest
+/// The hull of a mesh's faces within each part's boxes. Faces that alone have no thickness there go to the nearest
 /// other.
-std::vector<Mesh> hulls_of(const Mesh& mesh, const Solid& solid, const std::vector<Piece>& pieces) {
-  std::vector<std::vector<Vector3d>> points(pieces.size());
+std::vector<Mesh> hulls_of(const Mesh& mesh, const Solid& solid, const std::vector<Part>& parts) {
+  std::vector<std::vector<Vector3d>> points(parts.size());
   std::vector<Vector3d> polygon;
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (const Box& box : pieces[i].boxes) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (const Box& box : parts[i].boxes) {
       const Vector3d low = solid.low + solid.cell * box.low.cast<double>();
       const Vector3d high = solid.low + solid.cell * box.high.cast<double>();
       for (const auto& f : mesh.faces) {
@@ -338,24 +338,24 @@ Parts take_apart(const Mesh& mesh, const PartsWanted& wanted) {
     throw Error("the mesh encloses nothing", "give a closed mesh, or one with small holes, thicker than " +
                                                  std::to_string(100 / across + 1) + " % of its length somewhere");
   const Cutter cutter(solid);
-  std::vector<Piece> pieces{*cutter.piece({{Vector3i::Zero(), solid.n}})};
+  std::vector<Part> parts{*cutter.part({{Vector3i::Zero(), solid.n}})};
   const double most_out = std::max(concavity - solid.cell / 2, solid.cell);
   if (wanted.most > 1) {
-    cut_all(cutter, pieces, most_out, 3 * wanted.most, wanted);
-    tell("cut into " + std::to_string(pieces.size()) + ", joining what may be");
-    join_all(cutter, pieces, most_out, wanted.most);
+    cut_all(cutter, parts, most_out, 3 * wanted.most, wanted);
+    tell("cut into " + std::to_string(parts.size()) + ", joining what may be");
+    join_all(cutter, parts, most_out, wanted.most);
   }
-  Parts parts;
-  for (const Mesh& hull : hulls_of(mesh, solid, pieces)) {
+  Parts result;
+  for (const Mesh& hull : hulls_of(mesh, solid, parts)) {
     ReducedHull reduced = reduce_hull(hull, wanted.vertices);
-    parts.lost = std::max(parts.lost, reduced.loss);
-    parts.hulls.push_back(std::move(reduced.hull));
+    result.lost = std::max(result.lost, reduced.loss);
+    result.hulls.push_back(std::move(reduced.hull));
   }
-  std::ranges::stable_sort(parts.hulls, std::greater<>(), volume_of);
-  std::ranges::transform(parts.hulls, std::back_inserter(parts.volumes), volume_of);
-  parts.mesh_volume = std::fabs(volume_of(mesh)), parts.hull_volume = volume_of(whole);
-  parts.outside = stands_out_of(parts.hulls, tree, solid);
-  return parts;
+  std::ranges::stable_sort(result.hulls, std::greater<>(), volume_of);
+  std::ranges::transform(result.hulls, std::back_inserter(result.volumes), volume_of);
+  result.mesh_volume = std::fabs(volume_of(mesh)), result.hull_volume = volume_of(whole);
+  result.outside = stands_out_of(result.hulls, tree, solid);
+  return result;
 }
 
 }  // namespace carom::tools

@@ -251,7 +251,7 @@ class Picture {
 
   void particle(const Vec& at, int colour) { ball(at, 0.03, colour); }
 
-  /// Seen from anywhere it is a disc, but for a stretch near the rim of the picture. Its shade runs across it.
+  /// Seen from anywhere it is a disc, but for a stretch near the edge of the picture. Its shade runs across it.
   void ball(const Vec& at, double radius, int colour) {
     const double depth = camera_.depth(at);
     if (!(depth > kNearest + radius)) return;

@@ -13,7 +13,7 @@ using tools::Vec;
 
 double cross(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-// Cells of a raster, with a rim of empty ones so that every boundary closes.
+// Cells of a raster, with a margin of empty ones so that every boundary closes.
 struct Raster {
   int width, height;
   std::vector<char> full;
@@ -52,7 +52,7 @@ std::vector<Point> walk(Raster& raster, int x, int y, std::vector<char>& visited
     x += kStep[heading][0];
     y += kStep[heading][1];
     // Cells ahead at the left and at the right of the corner reached. Where the left one is empty turn left, also where
-    // only the right one is full: a piece that touches another by a corner is a piece of its own.
+    // only the right one is full: a part that touches another by a corner is a part of its own.
     const int ahead_x[4][2] = {{x, x}, {x - 1, x}, {x - 1, x - 1}, {x, x - 1}};
     const int ahead_y[4][2] = {{y, y - 1}, {y, y}, {y - 1, y}, {y - 1, y - 1}};
     const bool left = raster.is(ahead_x[heading][0], ahead_y[heading][0]);
@@ -194,11 +194,11 @@ Filmstrip filmstrip_of(tools::Stage& stage, const tools::Recording& recording, i
       }
   }
   if (!(strip.right > strip.left)) strip.left = strip.bottom = 0, strip.right = strip.top = 1;
-  const double rim = 0.03 * (strip.right - strip.left);
-  strip.left -= rim;
-  strip.right += rim;
-  strip.bottom -= rim;
-  strip.top += rim;
+  const double margin = 0.03 * (strip.right - strip.left);
+  strip.left -= margin;
+  strip.right += margin;
+  strip.bottom -= margin;
+  strip.top += margin;
   return strip;
 }
 

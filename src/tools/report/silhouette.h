@@ -9,7 +9,7 @@
 namespace carom::report {
 
 /// Outer boundary of the shadow that a mesh throws along z, counter-clockwise, true to half a cell of a raster that is
-/// `cells` wide along its longer side. Of several pieces, the one with the longest boundary; empty for an empty mesh.
+/// `cells` wide along its longer side. Of several parts, the one with the longest boundary; empty for an empty mesh.
 /// @param mesh  m, world; sides of its faces do not matter   @param cells  >= 8
 std::vector<Point> shadow(const tools::Mesh& mesh, int cells = 128);
 

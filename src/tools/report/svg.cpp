@@ -152,7 +152,7 @@ std::string power_of_ten(double value) {
 std::string series(char role, int colour) { return std::string(1, role) + std::to_string(colour); }
 
 double text_width(const std::string& text, double size) {
-  // Continuation bytes of UTF-8 take no room of their own.
+  // Continuation bytes of UTF-8 take no width of their own.
   const auto glyphs = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
   return 0.56 * size * static_cast<double>(glyphs);
 }

@@ -77,7 +77,7 @@ void Reader::run() {
 }
 
 void Reader::read_world() {
-  stage_.bounds_min = Vec::Constant(-1e9), stage_.bounds_max = Vec::Constant(1e9);  // where nobody said what is lost
+  stage_.bounds_min = Vec::Constant(-1e9), stage_.bounds_max = Vec::Constant(1e9);  // where no file said what is lost
   const auto extension = own(doc_.root());
   if (!extension) return;
   Call call;

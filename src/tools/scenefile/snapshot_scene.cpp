@@ -49,7 +49,7 @@ void read_snapshot(const std::string& path, Stage& stage) {
                 "name the scene that it is of, and give it with --load; or save it whole", result);
   call.done(result, "building the world of " + path);
   stage.remarks.push_back("built of " + path);
-  stage.bounds_min = Vec::Constant(-1e9), stage.bounds_max = Vec::Constant(1e9);  // nobody said what is lost
+  stage.bounds_min = Vec::Constant(-1e9), stage.bounds_max = Vec::Constant(1e9);  // no file said what is lost
   find_bodies(stage);
 }
 

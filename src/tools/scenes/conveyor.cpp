@@ -32,7 +32,7 @@ Actor still(const std::string& name, const Vec& at, Part part) {
   return actor;
 }
 
-/// Counts who was carried from belt to belt.
+/// Counts what came from belt to belt.
 class ConveyorStory : public Observer {
  public:
   ConveyorStory(std::size_t first, std::size_t count, double end) : first_(first), across_(count), end_(end) {}
@@ -50,14 +50,14 @@ class ConveyorStory : public Observer {
       riding += across_[i] >= 0 && stage.position(first_ + i).y() > kHalf && std::hypot(v.x(), v.z()) > 0.1;
     }
     const auto last = std::max_element(across_.begin(), across_.end());
-    return {std::to_string(carried()) + " of " + std::to_string(across_.size()) +
+    return {std::to_string(crossed()) + " of " + std::to_string(across_.size()) +
                 " boxes went over both belts, the last after " + std::to_string(std::max(0.0, *last)) + " s",
             std::to_string(riding) + " of them ride the turntable"};
   }
-  bool came_off(const Stage&) const override { return carried() == across_.size(); }
+  bool came_off(const Stage&) const override { return crossed() == across_.size(); }
 
  private:
-  std::size_t carried() const {
+  std::size_t crossed() const {
     return static_cast<std::size_t>(std::count_if(across_.begin(), across_.end(), [](double t) { return t >= 0; }));
   }
 

@@ -9,7 +9,7 @@
 namespace carom::tools {
 namespace {
 
-constexpr double kPlay = 0.004;       // m between cleats and axle: room for contact without wedging
+constexpr double kPlay = 0.004;       // m between cleats and axle: space for contact without wedging
 constexpr double kClearance = 0.003;  // m between the low end and the ground at the start
 constexpr double kBearingFriction = 0.05;
 constexpr double kHalfSqrt2 = 0.70710678118654752440;

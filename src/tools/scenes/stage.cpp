@@ -1,4 +1,4 @@
-// Turns a scene's description of a body into calls of the C ABI, and answers where it is.
+// Turns a scene's description of a body into calls of the C ABI, and says where it is.
 #include <algorithm>
 
 #include "scenes/scene.h"

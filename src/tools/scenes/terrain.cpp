@@ -9,10 +9,10 @@ namespace {
 
 constexpr double kSpacing = 0.5;  // m, of the vertices
 
-/// m: hills, and a bowl around them so that nobody leaves.
+/// m: hills, and a bowl around them so that none leaves.
 double height(double x, double z, double half) {
-  const double rim = std::max(std::fabs(x), std::fabs(z)) / half;
-  return 0.9 * std::sin(0.7 * x) * std::cos(0.6 * z) + 0.5 * std::sin(1.3 * x + 0.8 * z) + 6 * std::pow(rim, 8);
+  const double out = std::max(std::fabs(x), std::fabs(z)) / half;
+  return 0.9 * std::sin(0.7 * x) * std::cos(0.6 * z) + 0.5 * std::sin(1.3 * x + 0.8 * z) + 6 * std::pow(out, 8);
 }
 
 Part part_of(std::size_t kind, Random& random) {

@@ -19,10 +19,10 @@ Standing standing(const Stage& stage, const std::vector<Vec>& positions) {
       continue;
     }
     const std::vector<double>& half = block.parts.at(0).params;
-    const double room = *std::min_element(half.begin(), half.end()) + 0.01 * block.position.y();
+    const double allowed = *std::min_element(half.begin(), half.end()) + 0.01 * block.position.y();
     const Vec moved = positions[i] - block.position;
     const double drift = std::hypot(moved.x(), moved.z());
-    s.fallen += -moved.y() > room || drift > room;
+    s.fallen += -moved.y() > allowed || drift > allowed;
     s.drop = std::max(s.drop, -moved.y());
     s.drift = std::max(s.drift, drift);
   }
@@ -114,7 +114,7 @@ std::unique_ptr<Observer> fill_sleepers(Stage& stage, const std::vector<double>&
   stage.add_half_space("ground", {0, 1, 0}, {0, 0, 0});
   for (int i = 0; i < count; ++i)
     stage.add(block(static_cast<std::size_t>(i) + 1, Vec(pitch * (i % side), half, pitch * (i / side)), half));
-  for (int i = 0; i < movers; ++i) {  // in lanes beside the boxes: nobody is woken
+  for (int i = 0; i < movers; ++i) {  // in lanes beside the boxes: none is woken
     Actor ball;
     ball.kind = "ball";
     ball.name = "ball " + std::to_string(i + 1);

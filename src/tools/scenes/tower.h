@@ -13,7 +13,7 @@ struct Standing {
   double drift = 0;        ///< m, the most that a block strayed sideways
 };
 
-/// The 1 % is room for a tower that settles: its height is the sum of its joints.
+/// The 1 % is for a tower that settles: its height is the sum of its joints.
 /// @param positions  [actors] m, world, of the stage's actors in order; a block without a finite one has fallen
 Standing standing(const Stage& stage, const std::vector<Vec>& positions);
 /// As the stage's world has them now.

@@ -57,7 +57,7 @@ void make(const Site& site, const httplib::Request& request, httplib::Response& 
   }
 }
 
-void answer(const Site& site, const httplib::Request& request, httplib::Response& response) {
+void respond(const Site& site, const httplib::Request& request, httplib::Response& response) {
   if (!is_local(request)) {
     response.status = 403;
     response.set_content("this page is for its own machine: ask for http://127.0.0.1\n", "text/plain");
@@ -75,7 +75,7 @@ void answer(const Site& site, const httplib::Request& request, httplib::Response
   }
 }
 
-/// SIGINT and SIGTERM are waited for: by nobody else while this lives.
+/// SIGINT and SIGTERM are waited for: by no other thread while this lives.
 class Ending {
  public:
   Ending() {
@@ -111,7 +111,7 @@ void run(const Site& site, std::uint16_t port, const std::function<void(std::uin
                               {"Cross-Origin-Resource-Policy", "same-origin"}});
   server.set_payload_max_length(0);
   server.Get(".*",
-             [&](const httplib::Request& request, httplib::Response& response) { answer(site, request, response); });
+             [&](const httplib::Request& request, httplib::Response& response) { respond(site, request, response); });
   const int bound = port ? (server.bind_to_port("127.0.0.1", port) ? port : -1) : server.bind_to_any_port("127.0.0.1");
   if (bound < 0)
     throw Error("port " + std::to_string(port) + " cannot be had: something else listens there, perhaps",

@@ -61,33 +61,33 @@ class Search {
   Search(Engine& engine, const Question& question, const std::function<void(int, int, const std::string&)>& progress)
       : engine_(engine), question_(question), progress_(progress), player_(engine, question) {}
 
-  Answer run() {
-    answer_.kind = question_.kind;
+  Result run() {
+    result_.kind = question_.kind;
     probe();
-    std::vector<Setting> settings = first_candidates(answer_.who, few_);
-    const bool halves = !few_ && answer_.seconds * kFirstPart >= kLeastSeconds;
+    std::vector<Setting> settings = first_candidates(result_.who, few_);
+    const bool halves = !few_ && result_.seconds * kFirstPart >= kLeastSeconds;
     total_ = static_cast<int>(settings.size()) * (halves ? 3 : 2) / 2 + (few_ ? 25 : 45);
     if (own_ms_ > kHopeless * question_.budget_ms) return hopeless();
     find_references(halves);
     std::vector<Measured> measured;
     if (halves) {
-      measured = measure(settings, kFirstPart * answer_.seconds, first_part_);
+      measured = measure(settings, kFirstPart * result_.seconds, first_part_);
       judge_chaos(measured, first_part_);
       keep_better_half(measured);
       settings.clear();
       for (const Measured& m : measured) settings.push_back(m.setting);
     }
-    measured = measure(settings, answer_.seconds, whole_);
+    measured = measure(settings, result_.seconds, whole_);
     if (!halves) judge_chaos(measured, whole_);
     find_floor();
     look_closer(measured);
-    answer_.front = front_of(measured, answer_.floor);
+    result_.front = front_of(measured, result_.floor);
     run_front_again(measured);
-    answer_.front = front_of(measured, answer_.floor);
-    answer_.all = std::move(measured);
-    std::sort(answer_.all.begin(), answer_.all.end(), [](const Measured& a, const Measured& b) { return a.ms < b.ms; });
+    result_.front = front_of(measured, result_.floor);
+    result_.all = std::move(measured);
+    std::sort(result_.all.begin(), result_.all.end(), [](const Measured& a, const Measured& b) { return a.ms < b.ms; });
     pick();
-    return std::move(answer_);
+    return std::move(result_);
   }
 
  private:
@@ -106,7 +106,7 @@ class Search {
   /// What takes part, what a frame costs, and so how much of the scene there is time for.
   void probe() {
     tell("a first look");
-    answer_.seconds = question_.seconds;
+    result_.seconds = question_.seconds;
     Trace trace;
     const double patience = question_.patience > 0 ? question_.patience : 20;
     double length = std::min(question_.seconds, kShortest), took = 0;  // s
@@ -116,9 +116,9 @@ class Search {
       took = now() - first - player_.start_seconds();
       if (length >= question_.seconds || 5 * took > kProbe * patience) break;
     }
-    answer_.who = trace.who;
+    result_.who = trace.who;
     // Nothing met in what was looked at, though there was no time to look further: it may yet.
-    if (length < question_.seconds && trace.who.may_touch) answer_.who.contacts = answer_.who.bounces = true;
+    if (length < question_.seconds && trace.who.may_touch) result_.who.contacts = result_.who.bounces = true;
     own_ms_ = trace.ms;
     if (question_.patience <= 0 || question_.seconds_chosen) return;
     // Once more: the first run, and its start, made what all later ones find.
@@ -128,13 +128,13 @@ class Search {
     double run_s = (now() - begun - start) / length;  // s of computing, a second of the scene
     // What happens later may cost more than the start did: what was found to fit is run once before it is believed.
     for (int attempt = 0; attempt < 3; ++attempt) {
-      const double before = answer_.seconds;
+      const double before = result_.seconds;
       fit(start, run_s);
-      if (answer_.seconds > 0.8 * before && attempt > 0) break;
-      if (answer_.seconds <= kShortest || answer_.seconds <= length) break;
+      if (result_.seconds > 0.8 * before && attempt > 0) break;
+      if (result_.seconds <= kShortest || result_.seconds <= length) break;
       begun = now();
-      own_ms_ = player_.play({1, {}}, answer_.seconds).ms;
-      run_s = (now() - begun - player_.start_seconds()) / answer_.seconds;
+      own_ms_ = player_.play({1, {}}, result_.seconds).ms;
+      run_s = (now() - begun - player_.start_seconds()) / result_.seconds;
     }
   }
 
@@ -145,26 +145,26 @@ class Search {
     };
     few_ = fits(kRuns, kWorkFull) < std::min(kWorthAll, question_.seconds);
     const double most = few_ ? fits(kRunsFew, kWorkFew) : fits(kRuns, kWorkFull);
-    answer_.seconds = std::min(answer_.seconds, std::max(kShortest, most));
+    result_.seconds = std::min(result_.seconds, std::max(kShortest, most));
   }
 
-  Answer hopeless() {
-    answer_.tried = answer_.too_dear = 1;
-    answer_.all = {{{1, {}}, std::numeric_limits<double>::infinity(), own_ms_, own_ms_, true}};
-    return std::move(answer_);
+  Result hopeless() {
+    result_.tried = result_.too_dear = 1;
+    result_.all = {{{1, {}}, std::numeric_limits<double>::infinity(), own_ms_, own_ms_, true}};
+    return std::move(result_);
   }
 
   References references(double seconds) {
     tell("reference");
-    Trace full = player_.play(reference_setting(answer_.who, few_), seconds);
+    Trace full = player_.play(reference_setting(result_.who, few_), seconds);
     tell("half the reference");
-    return {std::move(full), player_.play(half_reference_setting(answer_.who, few_), seconds)};
+    return {std::move(full), player_.play(half_reference_setting(result_.who, few_), seconds)};
   }
 
   void find_references(bool halves) {
-    whole_ = references(answer_.seconds);
-    if (halves) first_part_ = references(kFirstPart * answer_.seconds);
-    answer_.spread = between(whole_, ErrorKind::pose);
+    whole_ = references(result_.seconds);
+    if (halves) first_part_ = references(kFirstPart * result_.seconds);
+    result_.spread = between(whole_, ErrorKind::pose);
   }
 
   double between(const References& r, ErrorKind kind) const {
@@ -173,7 +173,7 @@ class Search {
 
   void judge(Measured& m, const Trace& trace, const References& references) const {
     m.errors = errors_of(trace, references, question_.frame_rate);
-    m.error = m.errors[static_cast<std::size_t>(answer_.kind)];
+    m.error = m.errors[static_cast<std::size_t>(result_.kind)];
     m.offences = offences_of(trace, references);
     m.fallen = trace.fell ? std::max(1, fallen(trace, references)) : fallen(trace, references);
     m.ms = trace.ms, m.worst_ms = trace.worst_ms;
@@ -185,21 +185,21 @@ class Search {
     std::vector<Measured> all;
     for (const Setting& setting : settings) {
       if (late()) {
-        ++answer_.left_out;
+        ++result_.left_out;
         continue;
       }
       tell(setting.text());
       try {
         const bool own = setting == Setting{1, {}};
         const Trace trace = player_.play(setting, seconds, own ? kDear * question_.budget_ms : most_ms());
-        ++answer_.tried;
+        ++result_.tried;
         if (trace.dear) {
-          ++answer_.too_dear;
+          ++result_.too_dear;
           continue;
         }
         all.push_back({.setting = setting, .is_default = own});
         judge(all.back(), trace, references);
-        answer_.let_fall += all.back().fallen > 0;
+        result_.let_fall += all.back().fallen > 0;
       } catch (const Error&) {
         // A solver that does not know what this scene is made of.
       }
@@ -215,19 +215,19 @@ class Search {
       if (std::isfinite(m.error)) errors.push_back(m.error);
     // Also where the whole scene departs though its first part does not.
     const double apart = std::max(between(references, question_.kind), between(whole_, question_.kind));
-    answer_.chaotic = apart > kApart * median(errors) + kDistance;
-    if (!answer_.chaotic || question_.kind_chosen) return;
-    answer_.kind = ErrorKind::laws;
-    for (Measured& m : measured) m.error = m.errors[static_cast<std::size_t>(answer_.kind)];
+    result_.chaotic = apart > kApart * median(errors) + kDistance;
+    if (!result_.chaotic || question_.kind_chosen) return;
+    result_.kind = ErrorKind::laws;
+    for (Measured& m : measured) m.error = m.errors[static_cast<std::size_t>(result_.kind)];
   }
 
   /// Below it errors are not told apart.
   void find_floor() {
     const bool told_alone =
-        answer_.kind == ErrorKind::truth || answer_.kind == ErrorKind::gap || answer_.kind == ErrorKind::laws;
-    answer_.floor = told_alone ? 0 : between(whole_, answer_.kind);
-    if (answer_.kind == ErrorKind::pose || answer_.kind == ErrorKind::drift)
-      answer_.floor = std::max(answer_.floor, kDistance);
+        result_.kind == ErrorKind::truth || result_.kind == ErrorKind::gap || result_.kind == ErrorKind::laws;
+    result_.floor = told_alone ? 0 : between(whole_, result_.kind);
+    if (result_.kind == ErrorKind::pose || result_.kind == ErrorKind::drift)
+      result_.floor = std::max(result_.floor, kDistance);
   }
 
   /// By how many others beat each; the library's own setting stays in any case.
@@ -242,58 +242,58 @@ class Search {
 
   void look_closer(std::vector<Measured>& measured) {
     std::vector<Setting> near;
-    for (const Measured& m : front_of(measured, answer_.floor))
-      for (Setting& s : neighbours(m.setting, answer_.who))
+    for (const Measured& m : front_of(measured, result_.floor))
+      for (Setting& s : neighbours(m.setting, result_.who))
         if (std::none_of(measured.begin(), measured.end(), [&](const Measured& k) { return k.setting == s; }))
           near.push_back(std::move(s));
-    for (Measured& m : measure(near, answer_.seconds, whole_)) measured.push_back(std::move(m));
+    for (Measured& m : measure(near, result_.seconds, whole_)) measured.push_back(std::move(m));
   }
 
   /// For their times; and where all is chaos, for errors of more than one run.
   void run_front_again(std::vector<Measured>& measured) {
     for (Measured& m : measured) {
-      const bool on_front = std::any_of(answer_.front.begin(), answer_.front.end(),
+      const bool on_front = std::any_of(result_.front.begin(), result_.front.end(),
                                         [&](const Measured& f) { return f.setting == m.setting; });
       if (!on_front && !m.is_default) continue;
       std::vector<double> ms = {m.ms}, worst = {m.worst_ms}, errors = {m.error};
-      const double frames = answer_.seconds * question_.frame_rate;
+      const double frames = result_.seconds * question_.frame_rate;
       double timed = 1e-3 * m.ms * frames;  // s
       for (int k = 1; (k < question_.repeats || (timed < kTimed && k < kMostRepeats)) && (k == 1 || !late()); ++k) {
         tell("again: " + m.setting.text());
         Measured again = m;
-        judge(again, player_.play(m.setting, answer_.seconds, 1e300, nudge(k)), whole_);
+        judge(again, player_.play(m.setting, result_.seconds, 1e300, nudge(k)), whole_);
         ms.push_back(again.ms), worst.push_back(again.worst_ms), errors.push_back(again.error);
         timed += 1e-3 * again.ms * frames;
       }
       m.ms = median(ms), m.worst_ms = median(worst);
-      if (answer_.chaotic) m.error = median(errors);
+      if (result_.chaotic) m.error = median(errors);
     }
   }
 
-  double nudge(int k) const { return answer_.chaotic ? k * kNudge : 0; }
+  double nudge(int k) const { return result_.chaotic ? k * kNudge : 0; }
 
   void pick() {
-    for (std::size_t i = 0; i < answer_.front.size(); ++i)
-      if (answer_.front[i].ms <= question_.budget_ms) answer_.pick = static_cast<int>(i);  // later ones err less
-    if (answer_.pick < 0) return;
+    for (std::size_t i = 0; i < result_.front.size(); ++i)
+      if (result_.front[i].ms <= question_.budget_ms) result_.pick = static_cast<int>(i);  // later ones err less
+    if (result_.pick < 0) return;
     tell("the pick in a new world");
-    answer_.fresh = answer_.front[static_cast<std::size_t>(answer_.pick)];
-    const Setting& chosen = answer_.fresh.setting;
+    result_.fresh = result_.front[static_cast<std::size_t>(result_.pick)];
+    const Setting& chosen = result_.fresh.setting;
     Player fresh(engine_, question_);
     std::vector<double> ms;
     for (double timed = 0; ms.empty() || (timed < kTimed && ms.size() < kMostRepeats);) {
-      judge(answer_.fresh, fresh.play(chosen, answer_.seconds, 1e300, nudge(question_.repeats)), whole_);
-      ms.push_back(answer_.fresh.ms);
-      timed += 1e-3 * ms.back() * answer_.seconds * question_.frame_rate;
+      judge(result_.fresh, fresh.play(chosen, result_.seconds, 1e300, nudge(question_.repeats)), whole_);
+      ms.push_back(result_.fresh.ms);
+      timed += 1e-3 * ms.back() * result_.seconds * question_.frame_rate;
     }
-    answer_.fresh.ms = median(ms);
+    result_.fresh.ms = median(ms);
   }
 
   Engine& engine_;
   const Question& question_;
   const std::function<void(int, int, const std::string&)>& progress_;
   Player player_;
-  Answer answer_;
+  Result result_;
   References whole_, first_part_;
   const double begun_ = question_.threads == 1 ? cpu_time() : wall_time();
   double own_ms_ = 0;
@@ -303,7 +303,7 @@ class Search {
 
 }  // namespace
 
-Answer search(Engine& engine, const Question& question,
+Result search(Engine& engine, const Question& question,
               const std::function<void(int, int, const std::string&)>& progress) {
   return Search(engine, question, progress).run();
 }

@@ -51,7 +51,7 @@ struct Participants {
 };
 
 /// The settings that are tried first, the library's own before all others, and those beside one that is worth a closer
-/// look: none differs from another in what nobody takes part in.   @param few  for scenes that leave little time
+/// look: none differs from another in what no body takes part in.   @param few  for scenes that leave little time
 std::vector<Setting> first_candidates(const Participants& who, bool few = false);
 std::vector<Setting> neighbours(const Setting& setting, const Participants& who);
 /// Finer than any candidate; and the same with half as many steps. Of scenes that leave little time, rougher ones.
@@ -142,7 +142,7 @@ struct Measured {
   Errors errors = {};
 };
 
-struct Answer {
+struct Result {
   std::vector<Measured> all;    ///< at full length, by time
   std::vector<Measured> front;  ///< of them those that none beats in both, by time
   int pick = -1;                ///< index in front: the least error within the budget; -1: none is as cheap
@@ -159,7 +159,7 @@ struct Answer {
 };
 
 /// @param progress  called with (done, of about so many, what)   @throws Error
-Answer search(Engine& engine, const Question& question,
+Result search(Engine& engine, const Question& question,
               const std::function<void(int, int, const std::string&)>& progress);
 
 }  // namespace carom::tools::tune

@@ -51,17 +51,17 @@ Mesh tessellate(Engine& engine, const Part& part) {
   std::vector<double> directions = {0, 1, 0, 0, -1, 0};
   for (int band = 1; band < kBands; ++band)
     for (int m = 0; m < kMeridians; ++m) {
-      // Half a step off the axes: a box's corners answer, and no direction ties along a face.
+      // Half a step off the axes: a box's corners support, and no direction ties along a face.
       const double polar = kPi * band / kBands, turn = 2 * kPi * (m + 0.5) / kMeridians;
       directions.insert(directions.end(),
                         {std::sin(polar) * std::cos(turn), std::cos(polar), std::sin(polar) * std::sin(turn)});
     }
-  std::vector<double> answers(directions.size());
+  std::vector<double> support(directions.size());
   Call call;
-  call.done(carom_shape_support(engine.get(), shape, directions.data(), directions.size() / 3, answers.data(), call),
+  call.done(carom_shape_support(engine.get(), shape, directions.data(), directions.size() / 3, support.data(), call),
             "drawing a shape of plugin " + part.shape);
   std::vector<Vec> points;
-  for (std::size_t i = 0; i < answers.size(); i += 3) points.emplace_back(answers[i], answers[i + 1], answers[i + 2]);
+  for (std::size_t i = 0; i < support.size(); i += 3) points.emplace_back(support[i], support[i + 1], support[i + 2]);
   return convex_hull(points);
 }
 

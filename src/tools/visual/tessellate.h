@@ -1,5 +1,5 @@
-// Triangles for the eye from any shape: asked of its support function through the ABI, so that a plugin nobody has
-// seen before is drawn as well as a box.
+// Triangles for the eye from any shape: asked of its support function through the ABI, so that a plugin that no host
+// has seen before is drawn as well as a box.
 #pragma once
 
 #include "scenes/scene.h"

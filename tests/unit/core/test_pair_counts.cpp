@@ -21,7 +21,7 @@ static void it_holds_what_a_map_holds(void**) {
     const auto key = std::minmax(a, b);
     const Real what = random.uniform(0, 1);
     if (what < 0.5) {
-      set.make_room();
+      set.reserve();
       set.add(a, b);
       ++truth[key];
     } else if (what < 0.99) {

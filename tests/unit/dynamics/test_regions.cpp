@@ -154,7 +154,7 @@ void rows_of_regions_share_nobody(void**) {
       assert_int_equal(pair.first, w.first_point[k]);
       for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
         const std::uint32_t i = w.occupant[k * kLanes + lane];
-        if (i == kNobodysLane) continue;
+        if (i == kEmptyLane) continue;
         ++seen;
         small += level + 1 == levels;
         assert_int_equal(w.manifolds[i].pair, k);

@@ -2,7 +2,7 @@
 //
 // The participants are those of the effect `gyroscopic`: spheres and cubes keep their omega and are turned by the
 // exponential map. Under the dial values none, explicit and implicit everybody is; there the effect is a torque or a
-// flow of omega alone (force/gyroscopic.cpp). A method of this room carries orientation and omega together:
+// flow of omega alone (force/gyroscopic.cpp). A method of this folder integrates orientation and omega together:
 //
 //   q0, omega0  ->  L = q0 I q0^-1 omega0  ->  q1  ->  omega1 = q1 I^-1 q1^-1 L
 //

@@ -1,4 +1,4 @@
-// Books of islands that joints alone hold, a step at once.
+// Accounts of islands that joints alone hold, a step at once.
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/ledger/accounts.h"
 

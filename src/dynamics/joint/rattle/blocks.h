@@ -1,8 +1,8 @@
 // A sparse matrix of n x n blocks, one row of blocks a joint, and its factors L U in place, without pivoting.
 //
-// It is J1 M^-1 J0^T, rows of one pose answering impulses along those of another: symmetric where the two are the same
-// pose, and near it else. A row that others imply has nothing left on the diagonal: it bears nothing, and neither row
-// nor column of it count. Which rows these are is found where the matrix is symmetric.
+// It is J1 M^-1 J0^T, velocities along rows of one pose by impulses along those of another: symmetric where the two are
+// the same pose, and near it else. A row that others imply has nothing left on the diagonal: it bears nothing, and
+// neither row nor column of it count. Which rows these are is found where the matrix is symmetric.
 #pragma once
 
 #include "dynamics/joint/rattle/rattle.h"

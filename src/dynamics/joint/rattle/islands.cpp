@@ -175,7 +175,7 @@ void lay_out(const World& world, Rattle& r) {
   for (RattleIsland& island : r.islands) {
     if (!island.is_held) island.movers = island.joints = 0;
     island.body = body, island.joint = joint;
-    body += island.movers + island.joints, joint += island.joints;  // room; what is left over is nobody
+    body += island.movers + island.joints, joint += island.joints;  // reserved; what is left over is no body
     island.bodies = 0, island.joints = 0;
   }
   r.bodies.resize(body), r.joints.resize(joint);

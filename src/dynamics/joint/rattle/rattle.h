@@ -2,7 +2,7 @@
 //
 // A step is tried to the side before its solver is laid out (try_rattle()): from the state, in arrays of its own. What
 // went well is hidden from the rest of the step, and takes its place as the step ends (take_rattle()); what did not (a
-// limit, joints that can't be) has changed nothing, and is answered as without the dial.
+// limit, joints that can't be) has changed nothing, and is solved as without the dial.
 #pragma once
 
 #include "core/constant.h"
@@ -112,7 +112,7 @@ struct RattleRow {
 };
 
 struct RattleJoint {
-  std::uint32_t slot, a, b;  // a joint; bodies of this room
+  std::uint32_t slot, a, b;  // a joint; bodies of this module
   std::uint32_t row, rows;   // its rows: first, how many
   std::uint32_t parts;
   JointPart part[kMostParts];
@@ -131,7 +131,7 @@ struct RattleIsland {
   std::uint32_t body, bodies, movers;  // first, how many; the first so many are moved
   std::uint32_t joint, joints;
   std::uint32_t pair, pairs;
-  int block;                     // rows that a joint has room for in the matrix
+  int block;                     // rows that a joint may have in the matrix
   std::size_t diagonal, beside;  // of the matrix, where it begins
   Real reach;                    // m: the longest arm
   Real rounding;                 // m or rad, of errors, in this step
@@ -215,7 +215,7 @@ void try_accurately(const World& world, Rattle& r, Real dt, int least_order);
 void move_islands(const World& world, Rattle& r, Real dt, int substeps, int order);
 /// Lists of `held` bodies, and of the others.
 void list_held(const World& world, Rattle& r);
-/// What is hidden is there again. As a step begins: of one that was not carried through.
+/// What is hidden is there again. As a step begins: of one that was not completed.
 void come_back(const World& world);
 /// Whether a body is left to the solver in this step because its island moves too fast.
 bool is_given_up(const World& world, std::uint32_t body);

@@ -71,7 +71,7 @@ void follow_impulses(ConeProblem& problem) {
   for (ConeContact& c : problem.contacts) c.u0 = c.u + relative<&ConeBody::change>(problem.bodies, c);
 }
 
-/// Take the answer of stop(), within the cones, where it is no worse than a tolerance.
+/// Take the solution of stop(), within the cones, where it is no worse than a tolerance.
 void take_stop(ConeProblem& problem, Real tolerance) {
   Real outside = 0;  // m/s
   for (ConeContact& c : problem.contacts) {

@@ -247,7 +247,7 @@ void ConeGroup::find_from_nothing(Real goal, std::uint32_t most_steps) {
   solution_.factorisations += taken;
 }
 
-/// From the answer on: what is off by a little gives a little.
+/// From the solution on: what is off by a little gives a little.
 void ConeGroup::find_closer(Real goal, std::uint32_t most_steps) {
   const ConeSolution was = solution_;
   solution_ = solve_cones(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
@@ -283,8 +283,8 @@ bool ConeGroup::lies_still() const {
   return !is_joined() && fastest_any_way(problem_) < world_.scene.dials[Dial::velocity_tolerance];
 }
 
-/// What stood still and has drifted off its answer by a little: contacts that stick go on sticking, so that one factor sets
-/// it right, where Newton's method would begin with the question which do.
+/// What stood still and has drifted off its solution by a little: contacts that stick go on sticking, so that one
+/// factor sets it right, where Newton's method would begin with the question which do.
 bool ConeGroup::is_still_at_rest(Real goal) {
   if (is_joined() || !problem_.stood || !rest_.lies || !(solution_.residual < kRest * tolerance())) return false;
   solution_.factorisations = rest(problem_, goal);
@@ -292,7 +292,7 @@ bool ConeGroup::is_still_at_rest(Real goal) {
   return lasts_ = solution_.factorisations > 0 && solution_.reached && lies_still();
 }
 
-/// An answer in which all lies still, made one that lasts.
+/// A solution in which all lies still, made one that lasts.
 bool ConeGroup::comes_to_rest(Real goal) {
   if (lasts_) return true;
   if (!problem_.stood || !solution_.reached || solution_.factorisations == 0 || !lies_still()) return false;
@@ -342,7 +342,7 @@ bool ConeGroup::takes_all_of(std::uint64_t work) const {
   return rest_.is_bounded && !rest_.at_once && !is_joined() && work_ > work;
 }
 
-/// Where it gave up its impulses say little: from nothing on. Else two a substep, as soft contacts take; those answer it
+/// Where it gave up its impulses say little: from nothing on. Else two a substep, as soft contacts take; those solve it
 /// from the next step on.
 void ConeGroup::go_on_by_sweeps(Velocities& to) {
   if (rest_.gave_up)
@@ -355,15 +355,15 @@ void ConeGroup::go_on_by_sweeps(Velocities& to) {
   finish(to);
 }
 
-/// Whether its answer came nowhere near the law. Of what stood, or hangs on joints: if it leaves more of the loads than
-/// soft contacts and joints would, which are what would answer it then.
+/// Whether its solution came nowhere near the law. Of what stood, or hangs on joints: if it leaves more of the loads
+/// than soft contacts and joints would, which are what would solve it then.
 bool ConeGroup::is_far_off() const {
   const Real tolerable = world_.scene.dials[Dial::velocity_tolerance];
   return !solution_.reached &&
          solution_.residual > (problem_.stood || is_joined() ? std::max(tolerable, kUnborne * rest_.load) : tolerable);
 }
 
-/// Block products that this substep may take. With joints, where an answer that is cut short tears them: what there is
+/// Block products that this substep may take. With joints, where a solve that is cut short tears them: what there is
 /// for the step but for half of what each substep to come would have.
 std::uint64_t ConeGroup::work_of_substep(std::uint32_t substeps) const {
   if (rest_.at_once) return rest_.work;
@@ -410,7 +410,7 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
 bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && problem_.stood; }
 
 /// What lies still and is not solved within its work, or what was held so before, stays as it lies: at rest, on the
-/// best impulses there are, which balance the loads but for next to nothing. Else velocities that nobody sees would add
+/// best impulses there are, which balance the loads but for next to nothing. Else velocities too small to see would add
 /// up, grow by as much again in each substep, and throw down what stood.
 void ConeGroup::hold() {
   for (ConeBody& b : bodies_of(problem_)) b.v = Vec6::zero();

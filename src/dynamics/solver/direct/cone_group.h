@@ -11,7 +11,7 @@ class ConeGroup {
 
   /// Velocities with the impulses that the substep starts from; all there is to do where those are good enough.
   void begin(Velocities& to, Real h, std::uint64_t work);
-  /// Of one that asks for an answer.   @param substeps  @see solve_groups()
+  /// Of one that asks for a solve.   @param substeps  @see solve_groups()
   void solve(Velocities& to, Real h, int substeps);
   /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.
   void part(Poses& to, Real h);

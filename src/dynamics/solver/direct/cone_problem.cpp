@@ -123,7 +123,7 @@ class FrozenSlip {
   Real softness_;
 };
 
-/// Slips for the next problem: those that the last one gave, carried on by the secant of the last two. Where the next
+/// Slips for the next problem: those that the last one gave, extrapolated by the secant of the last two. Where the next
 /// is a share of the last this finds the end at once, and where it swings it finds the middle.
 /// @param noise  m/s: what slips less at first is taken to stick
 void update_slips(ConeProblem& problem, bool first, Real noise) {

@@ -43,14 +43,14 @@ struct ConeContact {
   Vec3 next_p;   // N s, p as the next one begins
   Real k;        // 1/kg, mean velocity at the point per impulse there
   Real give;     // 1/kg, by which it yields while forces are undetermined: @see least_force.h
-  Vec3 least_p;  // N s, of the answer with that
+  Vec3 least_p;  // N s, of the solution with that
   Vec3 p;        // N s, on B, world
   Vec3 u;        // m/s, relative velocity with p and all others acting
 
   // of a solve
   Real slip;                  // m/s, what stands for mu |u_t|
   Real old_slip, old_change;  // m/s, what the last slip but one gave, and how far that was from it
-  Vec3 best;                  // N s, of the best answer so far
+  Vec3 best;                  // N s, of the best solution so far
 
   // of a round
   Vec3 p0, u0;                                    // as it began
@@ -93,7 +93,7 @@ struct ConeProblem {
   bool stood = false;  // no body was faster, before this substep, than its loads alone make it
 };
 
-// ---- small parts that all files of this room share ----
+// ---- small parts that all files of this folder share ----
 
 /// What add_impulse() and relative() leave out where a contact is spread: moments of its normal impulse, and normal
 /// velocity by spins.
@@ -230,7 +230,7 @@ Real residual(const ConeProblem& problem);
 /// however large R, and of many that redundant contacts allow the one near the start is found), each a smooth convex
 /// problem in the velocities for Newton's method with an exact line search; mu |u_t| is that of the round's start.
 ///
-/// @param tolerance  m/s   @param most_steps  Newton steps in all; the answer of a capped solve is what it came to
+/// @param tolerance  m/s   @param most_steps  Newton steps in all; the solution of a capped solve is what it came to
 /// @source [DeSaxce1998], [Todorov2014] for the primal view; @oracle tests/oracle/test_direct
 ConeSolution solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
 

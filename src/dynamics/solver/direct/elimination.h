@@ -43,8 +43,8 @@ struct Elimination {
 /// Add a system: minimum degree on the quotient graph, ties to the lowest node.
 /// @param first, count  nodes of the system; nodes of earlier systems are below first
 /// @param edges  within the system; repeats are harmless
-/// @param most  block products: what takes more is not carried through, and its columns are empty
-/// @return block products that a factorisation takes; more than `most` where it was not carried through
+/// @param most  block products: what takes more is not completed, and its columns are empty
+/// @return block products that a factorisation takes; more than `most` where it was not completed
 /// @source [George1989]
 std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges, std::uint64_t most,
                         Elimination& out);

@@ -9,9 +9,9 @@
 namespace carom::dynamics {
 namespace {
 
-/// Room for some groups before there are any: a small world that settles goes on without allocating when one of its
-/// bodies comes to rest late, and that group is the first to be answered here.
-void make_room(DirectGroups& d) {
+/// Capacity for some groups before there are any: a small world that settles goes on without allocating when one of its
+/// bodies comes to rest late, and that group is the first to be solved here.
+void reserve_groups(DirectGroups& d) {
   constexpr std::size_t kSome = 64;
   if (d.contacts.capacity() >= kSome) return;
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
@@ -26,7 +26,7 @@ void make_room(DirectGroups& d) {
 /// Bodies, contacts and edges of each group.
 void gather(const World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
-  make_room(d);
+  reserve_groups(d);
   d.links.clear(), d.link_row.clear();
   d.rest.clear(), d.row.clear(), d.begin.clear();
   d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
@@ -79,7 +79,7 @@ void order(DirectGroups& d, std::uint64_t most_factor) {
 }
 
 /// Where in the factor each contact and each row of a joint couples its bodies. (Of a group that is too large to be
-/// factored that is nowhere, and nobody looks.)
+/// factored that is nowhere, and nothing reads it.)
 void place_contacts(DirectGroups& d) {
   const auto place = [&](auto& c) {
     c.below = kInvalid;

@@ -31,7 +31,7 @@ bool is_jerked(const World& world, ConeProblem& problem, const DirectGroups::Lin
 bool has_ring(const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// Velocities at rows, from the bodies'.
 void measure_links(ConeProblem& problem);
-/// Book the impulses under the step's.
+/// Add the impulses to the step's.
 void accumulate_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// Keep what the next substep starts from.
 void keep_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);

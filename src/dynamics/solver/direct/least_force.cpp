@@ -156,7 +156,7 @@ Real share_that_helps(const ConeProblem& problem) {
   return best < 0.5 ? std::max(best, Real(0)) : 1;
 }
 
-// Bodies gain G.(v + v')/2 by a momentum G, of which surfaces that are carried give -p.carried. Contacts and joints are
+// Bodies gain G.(v + v')/2 by a momentum G, of which surfaces give -p.surface. Contacts and joints are
 // taken together: what a joint pulls into a contact would else have its energy from there. What a lock may give is what
 // its target asks for; what a drive gives is its business.
 bool gives_energy(ConeProblem& problem, Real residual) {

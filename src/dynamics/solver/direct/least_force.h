@@ -1,4 +1,4 @@
-// Impulses that the law leaves undetermined, and answers that may not stand.
+// Impulses that the law leaves undetermined, and solutions that may not stand.
 //
 // A door that hangs on a hinge and touches the floor is borne by either: any load from none to infinite obeys the law,
 // and friction with it. Two surfaces that close on a body ask for what no velocity can do: their impulses grow without
@@ -7,7 +7,7 @@
 //  - **Least force.** Where joints and contacts share a load it is that of contacts which yield a little, u + e p in
 //    place of u: unique, finite, and as small as the load allows (kGiveOfContacts). The exact law is then solved from
 //    there, by rounds that move impulses no farther than they must.
-//  - **No gain.** Contacts and friction take energy, relative to the surfaces that carry them. An answer that gives is
+//  - **No gain.** Contacts and friction take energy, relative to the surfaces that carry them. A solution that gives is
 //    not one; neither are impulses that all but cancel each other (kWedged).
 #pragma once
 
@@ -33,7 +33,7 @@ bool throws(const ConeProblem& problem);
 /// @param problem  gradient: momentum that contacts give each body; before: velocities without   @return 0 to 1
 Real share_that_helps(const ConeProblem& problem);
 
-/// Whether contacts and joints gave energy, beyond what an answer within a residual may.
+/// Whether contacts and joints gave energy, beyond what a solution within a residual may.
 /// @param residual  m/s
 bool gives_energy(ConeProblem& problem, Real residual);
 
@@ -43,7 +43,7 @@ void drop_impulses(ConeProblem& problem);
 /// Joints as a problem of their own, whatever contacts bear.
 void hold_joints(ConeProblem& problem);
 
-/// An answer that cannot: from no impulses on, contact by contact, each of which takes energy or leaves it, with
+/// A solution that cannot: from no impulses on, contact by contact, each of which takes energy or leaves it, with
 /// contacts as soft as those of solver soft_step. As good as some sweeps are, and bounded.
 void solve_by_sweeps(ConeProblem& problem);
 

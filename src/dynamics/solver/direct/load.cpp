@@ -11,13 +11,13 @@
 namespace carom::dynamics {
 namespace {
 
-/// What a body's point does that impulses do not change: all of it where they move nobody, its spin where they don't
+/// What a body's point does that impulses do not change: all of it where they move no body, its spin where they don't
 /// turn the body.
-struct Carried {
+struct GivenMotion {
   bool turns;
   Vec3 v = Vec3::zero(), omega = Vec3::zero();  // m/s, rad/s
 
-  Carried(const World& world, const ConeBody* bodies, std::uint32_t body, std::uint32_t slot)
+  GivenMotion(const World& world, const ConeBody* bodies, std::uint32_t body, std::uint32_t slot)
       : turns(body != kInvalid && bodies[body].turns) {
     if (body == kInvalid) v = world.state.v[slot];
     if (!turns) omega = world.state.omega[slot];
@@ -60,7 +60,7 @@ Vec3 surface_spin(const Contacts& c, std::uint32_t row) {
 /// Let friction of a patch that slides act where its loads do: of each point nearer to their middle, or where they are
 /// not known to that of the points. Of what sticks it acts at the points.
 /// @param contacts  of the pair, which act at its points so far   @param r  m, from B's centre of mass
-void spread(const Contacts& c, const PairRows& pair, const Carried& a, const Carried& b, const Vec3* r,
+void spread(const Contacts& c, const PairRows& pair, const GivenMotion& a, const GivenMotion& b, const Vec3* r,
             ConeContact* contacts) {
   const Row* const rows = &c.rows[pair.row];
   if (!rows->one_normal || !lies_flat(c, pair, r)) return;
@@ -118,8 +118,8 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
   each_pair(c, rows, sources, world.wide->kernels->points.place, [&](const PairRows& pair, const PointPlaces& places) {
     const Row& first = c.rows[pair.row];
     const ConeContact& of = contacts[pair.at];
-    const Carried carried_a(world, bodies, of.a, first.a), carried_b(world, bodies, of.b, first.b);
-    const bool carries = carried_a.any() || carried_b.any();
+    const GivenMotion given_a(world, bodies, of.a, first.a), given_b(world, bodies, of.b, first.b);
+    const bool is_given = given_a.any() || given_b.any();
     const bool curved = what == LoadWhat::all && is_curved(world, c.geometry[pair.row]);
     for (std::uint32_t k = 0; k < pair.count; ++k) {
       ConeContact& contact = contacts[pair.at + k];
@@ -128,18 +128,18 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
       contact.is_curved = curved;
       contact.is_spread = false;
       contact.n = c.rows[pair.row + k].n;
-      contact.r_a = carried_a.turns ? r_a : Vec3::zero();
-      contact.r_b = carried_b.turns ? r_b : Vec3::zero();
+      contact.r_a = given_a.turns ? r_a : Vec3::zero();
+      contact.r_b = given_b.turns ? r_b : Vec3::zero();
       contact.k = places.response[k];
       contact.give = 0;
       contact.curve.set_zero();
-      contact.surface = carries ? Vec3(carried_b.at(r_b) - carried_a.at(r_a)) : Vec3::zero();
+      contact.surface = is_given ? Vec3(given_b.at(r_b) - given_a.at(r_a)) : Vec3::zero();
       if (!c.surface.empty()) contact.surface += c.surface[pair.row + k];
     }
     if (!first.slides) return;
     Vec3 at[kPairPoints];
     for (std::uint32_t k = 0; k < pair.count; ++k) at[k] = Vec3(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
-    spread(c, pair, carried_a, carried_b, at, contacts + pair.at);
+    spread(c, pair, given_a, given_b, at, contacts + pair.at);
   });
 }
 

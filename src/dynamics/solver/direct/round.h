@@ -81,7 +81,7 @@ void hold_locked(ConeProblem& problem);
 void solve_for_steps(ConeProblem& problem, Real sign);
 
 /// Impulses of locks that do what they do and are no larger than that takes. A ring of joints may hold itself more than
-/// once; what its joints then bear against each other moves nobody, is whatever rounds have left of it, and grows from
+/// once; what its joints then bear against each other moves no body, is whatever rounds have left of it, and grows from
 /// substep to substep. Those that bear little of that keep theirs.
 /// @accuracy  impulses: 1e-5, relative; velocities of bodies stay as they are
 void shed_self_stress(ConeProblem& problem);

@@ -1,15 +1,15 @@
 // cones_chain, cones_capsules, cones_stack, cones_kapla: problems of contact with friction, of the kinds that
-// collections for solvers hold, and how far from Coulomb's law their answers are.
+// collections for solvers hold, and how far from Coulomb's law their solutions are.
 #include <algorithm>
 #include <cmath>
 
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {
 
-/// What the direct solver says of itself after each step: how far its answer is from the law at the worst contact. That
-/// this is so is tested elsewhere (tests/oracle/test_direct). Where nobody was answered directly nothing can be said.
+/// What the direct solver says of itself after each step: how far its solution is from the law at the worst contact.
+/// That this is so is tested elsewhere (tests/oracle/test_direct). Where none was solved directly nothing can be said.
 class ConesTrial : public Trial {
  public:
   void watch(const Stage& stage, double) override {
@@ -119,7 +119,7 @@ std::unique_ptr<Observer> fill_stack(Stage& stage, const std::vector<double>& kn
   return solved_directly(stage);
 }
 
-/// A tower of planks that is struck at its foot.
+/// A tower of planks that is hit at its foot.
 std::unique_ptr<Observer> fill_kapla(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   add_ground(stage, 0.5);
   add_plank_tower(stage, static_cast<int>(knobs[0]));

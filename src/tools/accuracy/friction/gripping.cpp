@@ -6,7 +6,7 @@
 
 #include "accuracy/joints/links.h"
 #include "accuracy/reference.h"
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {

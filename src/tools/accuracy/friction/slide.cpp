@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "accuracy/reference.h"
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {

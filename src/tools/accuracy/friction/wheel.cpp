@@ -3,7 +3,7 @@
 
 #include "accuracy/linkages.h"
 #include "accuracy/reference.h"
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {

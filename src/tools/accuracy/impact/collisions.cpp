@@ -1,7 +1,7 @@
 // collisions: a cloud of boxes that hit one another where nothing else acts: momentum and angular momentum stay.
 #include <cmath>
 
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {

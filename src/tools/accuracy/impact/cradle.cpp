@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "accuracy/reference.h"
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {
@@ -37,7 +37,7 @@ std::unique_ptr<Observer> fill_cradle(Stage& stage, const std::vector<double>& k
   return std::make_unique<CradleTrial>(stage);
 }
 
-/// At 3:1 the lower ball gives all it has and lies on the ground; the upper one's speed is carried back along its
+/// At 3:1 the lower ball gives all it has and lies on the ground; the upper one's speed is passed back along its
 /// flight to the impact.
 class CannonTrial : public Trial {
  public:

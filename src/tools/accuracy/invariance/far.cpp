@@ -1,7 +1,7 @@
 // far: a column and a slide where the world begins, and the same ten and a thousand kilometres away.
 #include <cmath>
 
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {
@@ -11,13 +11,13 @@ constexpr double kFriction = 0.5, kSpeed = 5;  // m/s, of the block that slides
 const Vec kSlides(0.5, 0.1, 0.5);              // m, its half extents
 const Vec kFloor(6, 0.5, 6);                   // m, those of what all stands on
 
-/// How far bodies have gone from home, against those of the first room.
+/// How far bodies have gone from home, against those of the first copy.
 class FarTrial : public Trial {
  public:
-  FarTrial(const Stage& stage, std::size_t rooms) : crowd_(stage), rooms_(rooms), worst_(rooms, 0) {}
+  FarTrial(const Stage& stage, std::size_t copies) : crowd_(stage), copies_(copies), worst_(copies, 0) {}
   void watch(const Stage& stage, double) override {
     crowd_.look(stage);
-    const std::size_t each = crowd_.size() / rooms_;
+    const std::size_t each = crowd_.size() / copies_;
     for (std::size_t i = 0; i < crowd_.size(); ++i)
       worst_[i / each] = std::max(worst_[i / each], (way(i) - way(i % each)).norm());
   }
@@ -27,11 +27,11 @@ class FarTrial : public Trial {
   Vec way(std::size_t i) const { return crowd_.position(i) - crowd_.home(i); }
 
   Crowd crowd_;
-  std::size_t rooms_;
+  std::size_t copies_;
   std::vector<double> worst_;  // m
 };
 
-void add_room(Stage& stage, const Vec& at) {
+void add_copy(Stage& stage, const Vec& at) {
   Actor floor;
   floor.kind = "floor", floor.name = "floor " + std::to_string(stage.actors.size());
   floor.type = CAROM_BODY_STATIC;
@@ -47,7 +47,7 @@ void add_room(Stage& stage, const Vec& at) {
 std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>&, const std::string&) {
   const Vec away = Vec(3, 1, 2).normalized();  // no round numbers: places are rounded, by 1e-10 m at 1000 km
   const std::vector<double> distances = {0, 1e4, 1e6};
-  for (const double distance : distances) add_room(stage, distance * away);
+  for (const double distance : distances) add_copy(stage, distance * away);
   stage.bounds_min = Vec::Constant(-1e9), stage.bounds_max = Vec::Constant(1e9);
   stage.ground_half_width = 0;
   stage.camera_from = Vec(0, 4, 12);

@@ -1,7 +1,7 @@
 // pile, tumble: what collides at random is compared with its own run at a much finer step, while that can be done.
 #include <cmath>
 
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {
@@ -26,12 +26,12 @@ class FinerTrial : public Trial {
     for (; static_cast<double>(samples_ + 1) * kSample <= time + 1e-9; ++samples_) {
       const double share =
           std::min(1.0, (static_cast<double>(samples_ + 1) * kSample - time_) / std::max(1e-300, time - time_));
-      for (std::size_t k = 0; k < now.size(); ++k) answer_.push_back(place_[k] + share * (now[k] - place_[k]));
+      for (std::size_t k = 0; k < now.size(); ++k) solution_.push_back(place_[k] + share * (now[k] - place_[k]));
     }
     place_ = now, time_ = time;
   }
-  Answer answer() const override { return answer_; }
-  void compare_with(const Answer& truth) override { truth_ = truth; }
+  Solution solution() const override { return solution_; }
+  void compare_with(const Solution& truth) override { truth_ = truth; }
   std::vector<double> errors(const Stage&) const override {
     return {samples_ == 0 ? kNoBound : off(std::min(early_, samples_)), samples_ == 0 ? kNoBound : off(samples_)};
   }
@@ -59,9 +59,9 @@ class FinerTrial : public Trial {
   /// m, of a heap at the n-th sample, from 1 on
   double off(std::size_t n, std::size_t heap) const {
     const std::size_t all = 3 * crowd_.size(), each = all / heaps_, from = (n - 1) * all + heap * each;
-    if (truth_.size() < n * all || answer_.size() < n * all) return kNoBound;
+    if (truth_.size() < n * all || solution_.size() < n * all) return kNoBound;
     double sum = 0;
-    for (std::size_t k = from; k < from + each; ++k) sum += (answer_[k] - truth_[k]) * (answer_[k] - truth_[k]);
+    for (std::size_t k = from; k < from + each; ++k) sum += (solution_[k] - truth_[k]) * (solution_[k] - truth_[k]);
     return std::sqrt(3 * sum / static_cast<double>(each));
   }
   double off(std::size_t n) const {
@@ -74,7 +74,7 @@ class FinerTrial : public Trial {
   std::size_t heaps_, early_, samples_ = 0;
   double time_ = 0;
   std::vector<double> place_;
-  Answer answer_, truth_;
+  Solution solution_, truth_;
 };
 
 std::unique_ptr<Observer> fill_pile(Stage& stage, const std::vector<double>&, const std::string&) {

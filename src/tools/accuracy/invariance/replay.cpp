@@ -1,7 +1,7 @@
 // replay: the same scene a second time, and with a second thread: the same bits after every step.
 #include <cmath>
 
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {

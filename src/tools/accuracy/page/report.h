@@ -16,7 +16,7 @@ struct Extras {
   struct Tolerance {
     std::string pair;          ///< "box on box"
     double tolerance = 0;      ///< asked for, relative
-    double ns = 0, width = 0;  ///< of a query; m, of the bracket that it answers with
+    double ns = 0, width = 0;  ///< of a query; m, of the bracket that it returns
   };
   std::vector<Effect> effects;
   std::vector<Tolerance> tolerances;

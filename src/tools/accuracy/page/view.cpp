@@ -51,7 +51,7 @@ Lead worst_lead(const SceneView& scene) {
   for (const std::size_t i : theirs.front()) {
     const Point& p = theirs.points[i];
     const double bound = scene.challenge->metrics[0].bound;
-    if (bound > 0 && p.error > kNoAnswer * bound) continue;
+    if (bound > 0 && p.error > kNoSolution * bound) continue;
     const double ratio = lead_of(p, ours.points);
     if (worst.theirs && ratio <= worst.ratio) continue;
     worst = {ratio, theirs.rows[i], error_within(ours.points, p.cost), cost_within(ours.points, p.error)};

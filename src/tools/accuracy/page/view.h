@@ -11,9 +11,9 @@ namespace carom::tools::accuracy {
 
 /// Errors below this are rounding: who is nearer to zero there is nearer by luck.
 inline constexpr double kRounding = 1e-12;
-/// Times its bound, an error that is no answer: a chain whose links of 1 m gape by 0.6 m. Cheap as it may be, it leads
-/// nowhere.
-inline constexpr double kNoAnswer = 1000;
+/// Times its bound, an error that is no solution: a chain whose links of 1 m gape by 0.6 m. Cheap as it may be, it
+/// leads nowhere.
+inline constexpr double kNoSolution = 1000;
 /// A lead smaller than this is within what times differ by from run to run.
 inline constexpr double kClearLead = 1.25;
 inline constexpr const char* kOurs = "Carom";

@@ -6,7 +6,7 @@
 namespace carom::tools::accuracy {
 namespace {
 
-// A fifth of its mean radius thick: a line of thrust fits inside with room to spare, since 0.11 would just do
+// A fifth of its mean radius thick: a line of thrust fits inside with space to spare, since 0.11 would just do
 // [Heyman1969].
 constexpr double kInner = 1.8, kOuter = 2.2, kHalfDepth = 0.25, kSeconds = 60;  // m, s
 constexpr double kPi = 3.14159265358979324;

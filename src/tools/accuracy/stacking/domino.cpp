@@ -1,7 +1,7 @@
 // domino: a wave runs through a row of 40.
 #include <cmath>
 
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {
@@ -21,8 +21,8 @@ class DominoTrial : public Trial {
     reach(stage, time, row_[kTo], to_);
   }
   bool over() const override { return to_.when >= 0; }
-  Answer answer() const override { return {speed()}; }
-  void compare_with(const Answer& truth) override { truth_ = truth.at(0); }
+  Solution solution() const override { return {speed()}; }
+  void compare_with(const Solution& truth) override { truth_ = truth.at(0); }
   std::vector<double> errors(const Stage&) const override { return {std::fabs(speed() / truth_ - 1)}; }
   std::vector<std::string> tell(const Stage&) const override {
     return {"the wave runs at " + std::to_string(speed()) + " m/s, at the finest step at " + std::to_string(truth_)};

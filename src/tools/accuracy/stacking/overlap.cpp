@@ -1,7 +1,7 @@
 // overlap: a pyramid whose boxes a host has put into one another by half.
 #include <cmath>
 
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {

@@ -1,7 +1,7 @@
 // Things that ought to stand still: how far they sink and drift, and when they fall.
 #pragma once
 
-#include "accuracy/room.h"
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 

@@ -36,7 +36,7 @@ Slope fit_slope(const std::vector<std::pair<double, double>>& steps_and_errors, 
 
 /// Performance profiles (Dolan and More): what share of problems a solver solves within tau times the least cost that
 /// any takes.   @param costs  [solver][problem]; infinite: not solved
-/// @return  [solver] the ratios of problems that it solves, ascending; a problem that nobody solves counts for none
+/// @return  [solver] the ratios of problems that it solves, ascending; a problem that none solves counts for none
 std::vector<std::vector<double>> profile_ratios(const std::vector<std::vector<double>>& costs);
 /// Share of `problems` whose ratio is at most tau.
 double profile_at(const std::vector<double>& ratios, std::size_t problems, double tau);

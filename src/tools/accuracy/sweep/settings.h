@@ -16,7 +16,7 @@ enum Trait : unsigned {
   kJoined = 4,   ///< joints
   kFlies = 8,    ///< bodies in free flight
   kTurns = 16,   ///< bodies with unlike moments of inertia that turn about changing axes
-  kSolved = 32,  ///< problems for the direct solver alone, which says how well it answered them
+  kSolved = 32,  ///< problems for the direct solver alone, which says how well it solved them
   kAny = 31
 };
 

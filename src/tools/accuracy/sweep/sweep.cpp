@@ -85,7 +85,7 @@ Row row_of(const Line& line, double dt) {
 }
 
 /// Runs until the least time of a few is known: three where they are short.
-Row measure(Engine& engine, const Line& line, double dt, double patience, const std::optional<Answer>& truth) {
+Row measure(Engine& engine, const Line& line, double dt, double patience, const std::optional<Solution>& truth) {
   Row row = row_of(line, dt);
   Request request;
   request.dt = dt, request.seconds = line.seconds, request.patience = patience;
@@ -128,7 +128,7 @@ Sweep sweep(Engine& engine, const SweepPlan& plan, const std::function<void(cons
     // What earlier scenes left over is for those that follow.
     const double share = (plan.seconds - clock.seconds()) / static_cast<double>(jobs.size() - j);
     const Clock spent;
-    std::optional<Answer> truth;
+    std::optional<Solution> truth;
     bool truth_known = false;
     for (std::size_t s = 0; s < plan.steps.size(); ++s)
       for (std::size_t l = 0; l < jobs[j].lines.size(); ++l) {

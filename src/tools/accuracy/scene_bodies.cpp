@@ -1,5 +1,5 @@
-// What rooms of accuracy scenes are furnished with.
-#include "accuracy/room.h"
+// What accuracy scenes are built of.
+#include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-// What rooms of accuracy scenes are furnished with: balls, boxes, and a look at many bodies at once.
+// What accuracy scenes are built of: balls, boxes, and a look at many bodies at once.
 #pragma once
 
 #include "accuracy/challenge.h"
