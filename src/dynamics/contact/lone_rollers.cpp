@@ -76,59 +76,79 @@ bool advance(TouchingMotion& motion, TouchingMotion::At& at, Real dt, int steps,
   return true;
 }
 
-bool is_still(const FlatTouch& touch) { return touch.surface_spin.is_zero() && touch.surface_v.is_zero(); }
-
-/// A body's step. @return false: it is the solver's
-bool roll(const World& world, const TouchingBody& of, Real dt, TouchingMotion& motion, TouchingMotion::At& at) {
-  const State& s = world.state;
-  at = {of.x, of.v, of.omega, of.q};
-  Real pull = 0, friction = 1;  // m/s^2, the most along a normal
-  bool slides = false, rests = true;
+/// What a step asks of a body's touches.
+struct Asked {
+  Real pull = 0;      // m/s^2, the most along a normal
+  Real friction = 1;  // the least of what is held, 1 at most
+  bool slides = false, surfaces_rest = true;
+};
+Asked asked_of(const TouchingBody& of, const TouchingMotion& motion) {
+  Asked to;
   for (int k = 0; k < of.count; ++k) {
     const FlatTouch& touch = of.touches[k];
-    pull = std::max(pull, std::fabs(of.accel.dot(touch.n)));
-    rests = rests && is_still(touch);
+    to.pull = std::max(to.pull, std::fabs(of.accel.dot(touch.n)));
+    to.surfaces_rest = to.surfaces_rest && touch.surface_spin.is_zero() && touch.surface_v.is_zero();
     if (motion.grip(k) == Grip::holds)
-      friction = std::min(friction, touch.friction);
+      to.friction = std::min(to.friction, touch.friction);
     else
-      slides = true;
+      to.slides = true;
   }
-  const Real settled = kRollSettle * motion.mass() * pull * dt;
-  const Real least_slip = kRollSettle * pull * dt;
-  if (slides && !motion.note_slips(at, least_slip)) return false;
-  if (of.count > 1) motion.open_what_parts(at);
-  if (!motion.touches_anything()) return false;
-  if (!motion.settle(at, friction * settled) || (slides && !motion.note_slips(at, least_slip))) return false;
+  return to;
+}
+
+bool gains_energy(const TouchingBody& of, const TouchingMotion& motion, const TouchingMotion::At& begun,
+                  const TouchingMotion::At& ended) {
+  const Real had = motion.energy(begun), work = motion.mass() * of.accel.dot(ended.x - begun.x);
+  return motion.energy(ended) - had - work > kRollGain * (had + std::fabs(work));
+}
+
+/// m: how far ends are to be from their surfaces: as they were, or as the solver left them if that is nearer.
+/// @return false: it turns back, is through a surface that it came off, or the solver's pose touches elsewhere
+bool find_gaps(const World& world, const TouchingBody& of, const TouchingMotion& motion,
+               const TouchingMotion::At& begun, const TouchingMotion::At& ended, Real gaps[TouchingMotion::kMostEnds]) {
+  const State& s = world.state;
   Vec3 r_begun[TouchingMotion::kMostEnds], r_solved[TouchingMotion::kMostEnds];
-  Real pace = 0;
-  if (!motion.ends(at.q, r_begun) || !motion.pace(at, pace)) return false;
-  const Real wanted = std::ceil(dt / (kRollStep * pace));
-  if (!(wanted <= kRollSteps)) return false;
-  const TouchingMotion::At begun = at;
-  if (!advance(motion, at, dt, std::max(1, static_cast<int>(wanted)), settled)) return false;
-  if (rests) {
-    const Real had = motion.energy(begun), work = motion.mass() * of.accel.dot(at.x - begun.x);
-    if (motion.energy(at) - had - work > kRollGain * (had + std::fabs(work))) return false;
-  }
+  if (!motion.ends(begun.q, r_begun)) return false;
   const bool is_solved = motion.ends(s.q[of.body], r_solved);
   if (!is_solved && of.count == 1 && !of.touches[0].is_line()) return false;
-  Real want[TouchingMotion::kMostEnds] = {};
   for (int k = 0; k < of.count; ++k) {
     const FlatTouch& touch = of.touches[k];
-    if (turns_back(touch, begun.omega, at.omega)) return false;
+    if (turns_back(touch, begun.omega, ended.omega)) return false;
     if (motion.grip(k) == Grip::opened) {
       Real gap = 0, before = 0;
-      if (!motion.clearance(begun, k, before) || !motion.clearance(at, k, gap) || !(gap >= std::min(Real(0), before)))
+      if (!motion.clearance(begun, k, before) || !motion.clearance(ended, k, gap) ||
+          !(gap >= std::min(Real(0), before)))
         return false;
       continue;
     }
     for (int i = 2 * k; i < 2 * k + (touch.is_line() ? 2 : 1); ++i) {
-      const Real before = motion.gap(of.x, r_begun[i], k);
+      const Real before = motion.gap(begun.x, r_begun[i], k);
       const Real solved = is_solved ? motion.gap(s.x[of.body], r_solved[i], k) : before;
-      want[i] = std::fabs(before) < std::fabs(solved) ? before : solved;
+      gaps[i] = std::fabs(before) < std::fabs(solved) ? before : solved;
     }
   }
-  return motion.correct(at, want);
+  return true;
+}
+
+/// A body's step, as its touches grip. @return false: it is the solver's
+bool roll(const World& world, const TouchingBody& of, Real dt, TouchingMotion& motion, TouchingMotion::At& at) {
+  at = {of.x, of.v, of.omega, of.q};
+  const Asked asked = asked_of(of, motion);
+  const Real least_slip = kRollSettle * asked.pull * dt, settled = least_slip * motion.mass();
+  if (asked.slides && !motion.note_slips(at, least_slip)) return false;
+  if (of.count > 1) motion.open_what_parts(at);
+  if (!motion.touches_anything()) return false;
+  if (!motion.settle(at, asked.friction * settled) || (asked.slides && !motion.note_slips(at, least_slip)))
+    return false;
+  Real pace = 0;
+  if (!motion.pace(at, pace)) return false;
+  const Real wanted = std::ceil(dt / (kRollStep * pace));
+  if (!(wanted <= kRollSteps)) return false;
+  const TouchingMotion::At begun = at;
+  Real gaps[TouchingMotion::kMostEnds] = {};
+  return advance(motion, at, dt, std::max(1, static_cast<int>(wanted)), settled) &&
+         !(asked.surfaces_rest && gains_energy(of, motion, begun, at)) &&
+         find_gaps(world, of, motion, begun, at, gaps) && motion.correct(at, gaps);
 }
 
 /// Whether the solver met it: what came off in the step before is near, and moves away.
@@ -138,12 +158,13 @@ bool presses(const World& world, const FlatTouch& touch) {
   return false;
 }
 
-/// By one surface it is held, or it slides on it; on two it slides.
 bool may_hold(const TouchingBody& of) {
   int touching = 0;
   for (int k = 0; k < of.count; ++k) touching += of.touches[k].is_open ? 0 : of.touches[k].friction > 0 ? 1 : 2;
   return touching == 1;
 }
+
+/// By one surface it is held, or it slides on it; on two it slides.
 bool roll(const World& world, const TouchingBody& of, Real dt, TouchingMotion::At& at, Vec3 impulse[]) {
   for (const Grip grip : {Grip::holds, Grip::slides}) {
     if (grip == Grip::holds && !may_hold(of)) continue;
