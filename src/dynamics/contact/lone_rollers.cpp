@@ -41,12 +41,8 @@ bool is_centred_ball(const World& world, std::uint32_t collider) {
   return shape_of(world, collider).form == Form::sphere && world.plan->local[collider].p.is_zero();
 }
 
-/// Whether what touches is known all step long as it is: round about a core, or about an axis.   @param is_line  touches
-bool gains_nothing(const World& world, std::uint32_t collider, std::uint32_t other, bool is_line) {
-  const Shape& shape = shape_of(world, collider);
-  if (world.scene.type[other] == BodyType::kinematic) return false;
-  return is_line ? shape.core_radius > 0 || shape.form == Form::cylinder : is_centred_ball(world, collider);
-}
+/// Whether the line on which it lies is known all step long as it is: about a core, or about an axis.
+bool keeps_its_line(const Shape& shape) { return shape.core_radius > 0 || shape.form == Form::cylinder; }
 
 using Grip = TouchingMotion::Grip;
 
@@ -285,7 +281,8 @@ void gather(const World& world, LoneRollers& l) {
     const std::uint32_t body = m.moves_a ? m.a : m.b, other = m.moves_a ? m.b : m.a;
     const Stand stand = stand_of(*world.contacts, m);
     if (l.touches[body] > TouchingBody::kMost ||
-        (l.touches[body] == 1 && gains_nothing(world, world.scene.first_collider[body], other, stand.is_line)))
+        (l.touches[body] == 1 && stand.is_line && world.scene.type[other] != BodyType::kinematic &&
+         keeps_its_line(shape_of(world, world.scene.first_collider[body]))))
       continue;
     if (l.place[body] == kInvalid) {
       l.place[body] = static_cast<std::uint32_t>(l.bodies.size());

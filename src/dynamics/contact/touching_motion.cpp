@@ -321,6 +321,11 @@ bool TouchingMotion::run(At& at, Real h, Rate& mean, Ends& begun) const {
   return at.x.all_finite() && at.omega.all_finite();
 }
 
+void TouchingMotion::note_impulses(const Rate& mean, Real h) {
+  for (int i = 0; i < kMostEnds; ++i)
+    if (is_active(i)) impulse_[i] += h * mean.force[i];
+}
+
 TouchingMotion::Outcome TouchingMotion::advance(At& at, Real h, int& opened) {
   At next = at;
   Rate mean;
@@ -334,8 +339,7 @@ TouchingMotion::Outcome TouchingMotion::advance(At& at, Real h, int& opened) {
     if (is_active(i) && !((r[i] - (begun.r[i] + h * begun.travel[i])).norm() <=
                           kRollJump * (h * begun.travel[i].norm() + kRollStep * size_)))
       return Outcome::fails;
-  for (int i = 0; i < kMostEnds; ++i)
-    if (is_active(i)) impulse_[i] += h * mean.force[i];
+  note_impulses(mean, h);
   at = next;
   return Outcome::moved;
 }
@@ -357,8 +361,7 @@ bool TouchingMotion::advance_to_opening(At& at, Real& h, int opened) {
   Rate mean;
   Ends begun;
   if (!run(at, h, mean, begun)) return false;
-  for (int i = 0; i < kMostEnds; ++i)
-    if (is_active(i)) impulse_[i] += h * mean.force[i];
+  note_impulses(mean, h);
   return true;
 }
 

@@ -159,6 +159,7 @@ class TouchingMotion {
   bool rate(const At& at, const Ends& ends, Rate& to) const;
   bool friction_bears(const Rows& rows, const Real force[6]) const;
   bool run(At& at, Real h, Rate& mean, Ends& begun) const;
+  void note_impulses(const Rate& mean, Real h);
   int pulled(const Real load[TouchingBody::kMost]) const;
 
   const TouchingBody& of_;
