@@ -15,7 +15,7 @@ constexpr double kStart = 1;              // m/s, of the upper ends, which stand
 /// classical fourth-order method in steps of 0.1 ms; its own error in 10 s is below 1e-10 rad.
 class FourbarTrial : public Trial {
  public:
-  /// @param bar  the first that stands; then, window by window, the one across and the next that stands
+  /// @param bar  the first that stands; then, window by window, the next that stands and the one across
   FourbarTrial(std::size_t bar, int windows, Mechanism mechanism)
       : bar_(bar), windows_(windows), mechanism_(std::move(mechanism)) {
     const double n = windows, weigh = (n + 1) / 2 + n, resist = (n + 1) / 3 + n;
@@ -45,9 +45,9 @@ class FourbarTrial : public Trial {
     const Vec along = turned * Vec(kLength, 0, 0);
     std::vector<TruePose> poses = {{bar_, along / 2, turned}};
     for (int i = 1; i <= windows_; ++i) {
-      const std::size_t across = bar_ + 2 * static_cast<std::size_t>(i) - 1;
-      poses.push_back({across, along + Vec(kLength * (i - 0.5), 0, 0), Quat::Identity()});
-      poses.push_back({across + 1, along / 2 + Vec(kLength * i, 0, 0), turned});
+      const std::size_t next = bar_ + 2 * static_cast<std::size_t>(i) - 1;
+      poses.push_back({next, along / 2 + Vec(kLength * i, 0, 0), turned});
+      poses.push_back({next + 1, along + Vec(kLength * (i - 0.5), 0, 0), Quat::Identity()});
     }
     return poses;
   }
