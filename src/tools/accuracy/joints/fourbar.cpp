@@ -42,7 +42,7 @@ class FourbarTrial : public Trial {
   std::vector<double> errors(const Stage&) const override { return {energy_, place_, gap_}; }
   std::vector<TruePose> truth(double) const override {
     const Quat turned(Eigen::AngleAxisd(angle_, Vec::UnitZ()));
-    const Vec along = turned * Vec(kLength, 0, 0);
+    const Vec along = kLength * Vec(std::cos(angle_), std::sin(angle_), 0);
     std::vector<TruePose> poses = {{bar_, along / 2, turned}};
     for (int i = 1; i <= windows_; ++i) {
       const std::size_t next = bar_ + 2 * static_cast<std::size_t>(i) - 1;

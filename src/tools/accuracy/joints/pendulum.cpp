@@ -36,7 +36,7 @@ class PendulumTrial : public Trial {
   std::vector<double> errors(const Stage&) const override { return {place_, energy_, gap_}; }
   std::vector<TruePose> truth(double) const override {
     const Quat turned(Eigen::AngleAxisd(angle_, Vec::UnitZ()));
-    return {{rod_, turned * Vec(length_ / 2, 0, 0), turned}};
+    return {{rod_, length_ / 2 * Vec(std::cos(angle_), std::sin(angle_), 0), turned}};
   }
 
  private:
