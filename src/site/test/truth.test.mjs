@@ -64,7 +64,7 @@ test("the distance is that from the closed form", { skip, timeout: 120000 }, asy
   await page.close();
 });
 
-test("ghosts go by their switch, and where the truth ends; a body that is deleted is left out", { skip, timeout: 120000 }, async () => {
+test("ghosts go by their switch, where the truth ends, and with their body", { skip, timeout: 120000 }, async () => {
   const page = await browser.visit("?scene=accuracy_slide&step=10");
   await page.evaluate(() => (caromViewer.state.pictures[0].shown.truth = false));
   assert.equal((await look(page)).visible, false);
