@@ -3,6 +3,8 @@
 #include <carom/carom.h>
 #include <unistd.h>
 
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -45,6 +47,34 @@ static void packed_scenes_go_on_as_told(void**) {
   fs::remove_all(own);
 }
 
+/// True poses stand in a file of their own. Freefall is exact to rounding, so its world is where its truth is.
+static void truths_are_packed(void**) {
+  const fs::path folder = fs::temp_directory_path() / ("carom_truth_" + std::to_string(getpid()));
+  assert_int_equal(run_carom("pack " + folder.string() + " accuracy/freefall accuracy/stack10 accuracy/coin").code, 0);
+  const nlohmann::json index = nlohmann::json::parse(bytes_of(folder / "index.json"));
+  const nlohmann::json &fall = index[0]["truth"], &stack = index[1]["truth"];
+  assert_int_equal(fall["frames"], 601);  // 10 s at 60 Hz, and the start
+  assert_int_equal(stack["frames"], 1);   // it stands
+  assert_int_equal(stack["bodies"].size(), 10);
+  assert_false(index[2].contains("truth"));  // the coin's is a time
+  const std::vector<char> poses = bytes_of(folder / fall["file"].get<std::string>());
+  assert_int_equal(poses.size(), 601 * 7 * sizeof(double));
+  carom::tools::Engine engine{carom::tools::PluginPath({CAROM_PLUGIN_DIR})};
+  engine.load_all();
+  carom::tools::World world(engine);
+  world.restore(bytes_of(folder / index[0]["world"].get<std::string>()), "freefall");
+  for (std::size_t step = 0; step <= 600; ++step) {
+    double truth[7];
+    std::memcpy(truth, poses.data() + step * sizeof truth, sizeof truth);
+    std::vector<double> place;
+    world.read(CAROM_FIELD_POSITION, {world.bodies().at(0)}, place);
+    for (int k = 0; k < 3; ++k) assert_true(std::fabs(place[k] - truth[k]) < 1e-9);
+    assert_true(std::isnan(truth[3]));  // a ball's turn says nothing
+    world.step(1.0 / 60);
+  }
+  fs::remove_all(folder);
+}
+
 static void what_cannot_be_packed_is_told(void**) {
   const Outcome unknown =
       run_carom("pack " + (fs::temp_directory_path() / "carom_pack_none").string() + " no_such_scene");
@@ -56,7 +86,7 @@ static void what_cannot_be_packed_is_told(void**) {
 }
 
 int main() {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(packed_scenes_go_on_as_told),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(packed_scenes_go_on_as_told), cmocka_unit_test(truths_are_packed),
                                      cmocka_unit_test(what_cannot_be_packed_is_told)};
   return cmocka_run_group_tests_name("tools/pack", tests, nullptr, nullptr);
 }

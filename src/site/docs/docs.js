@@ -51,3 +51,19 @@ function choose(name, keep = true) {
 }
 // A start page is in the language of its readers; elsewhere what was chosen last counts.
 choose(location.pathname.includes("/start/") ? null : localStorage.getItem(REMEMBERED), false);
+
+// Versions that are kept side by side: versions.mjs. A page that another version does not have leads to its first one.
+const told = document.querySelector("header .version");
+const versions = await (await fetch(new URL("../versions.json", root))).json();
+if (versions.length > 1) {
+  const select = document.createElement("select");
+  select.setAttribute("aria-label", "Version of the documentation");
+  for (const { version, path } of versions) select.add(new Option(version, path));
+  select.selectedIndex = versions.findIndex(({ version }) => version === told.textContent);
+  select.onchange = async () => {
+    const docs = new URL(`../${select.value}docs/`, root),
+      same = new URL(location.pathname.slice(root.pathname.length), docs);
+    location.href = (await fetch(same, { method: "HEAD" })).ok ? same : docs;
+  };
+  told.replaceChildren(select);
+}

@@ -54,6 +54,8 @@ export default function (eleventy) {
     }
     for (const file of ["docs.css", "docs.js"]) cpSync(new URL(file, import.meta.url).pathname, OUT + file);
     writeFileSync(`${OUT}llms.txt`, listed(all));
+    // One version alone, until versions.mjs keeps several side by side.
+    writeFileSync(`${OUT}../versions.json`, JSON.stringify([{ version, path: "" }]) + "\n");
   });
   return {
     dir: { input: "docs/start", includes: "../layout", output: relative(".", OUT) },

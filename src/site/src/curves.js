@@ -34,6 +34,18 @@ export function plot(canvas, title, unit, series, at) {
   (g.beginPath(), g.moveTo(x(Math.min(at, length - 1)), 18), g.lineTo(x(Math.min(at, length - 1)), h - 4), g.stroke());
 }
 
+/** All curves that stand under "Curves".   @param state  of the page   @param canvas (id) => canvas */
+export function plotAll(state, canvas) {
+  const { sims } = state,
+    { step } = sims[0];
+  const energies = sims.map((s) => s.energy),
+    costs = sims.map((s) => s.seconds.map((x) => 1e3 * x));
+  plot(canvas("energy"), "kinetic energy", "J", energies, step);
+  plot(canvas("cost"), "time of a step", "ms", costs, step);
+  if (sims.length === 2) plot(canvas("difference"), "A and B apart", "m (rms)", [state.difference], step);
+  if (state.row.truth) plot(canvas("error"), "off the truth", "m", sims.map((s) => s.errors), step);
+}
+
 /** What causes gave up to each step, J; the largest of them, with their sums in a table.
  *  @param causes  Map: name -> J by step */
 export function plotCauses(canvas, table, causes, at) {

@@ -1,4 +1,12 @@
-// A scene of other numbers, as `carom view` makes it.
+// The scenes that there are, and one of other numbers, as `carom view` makes it.
+import { Truth } from "./truth.js";
+
+/** Scenes in their order, those whose truth is known as a group of their own. */
+export function listScenes(select, rows) {
+  const known = Object.assign(document.createElement("optgroup"), { label: "The truth is known" });
+  for (const { name, truth } of rows) (truth ? known : select).append(new Option(name, name));
+  if (known.children.length) select.append(known);
+}
 
 /** @param values  by knob   @returns { row, start }   @throws Error that says why it was not made */
 export async function made(name, values) {
@@ -10,5 +18,7 @@ export async function made(name, values) {
   const bytes = new Uint8Array(await response.arrayBuffer()),
     n = new DataView(bytes.buffer).getUint32(0, true);
   const row = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + n)));
-  return { row: { ...row, made: values }, start: bytes.slice(4 + n) };
+  const end = bytes.length - (row.truth?.bytes ?? 0);
+  if (row.truth) row.truth = new Truth(row.truth, bytes.slice(end).buffer);
+  return { row: { ...row, made: values }, start: bytes.slice(4 + n, end) };
 }

@@ -1,9 +1,9 @@
 // The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
 import { load, Recording } from "carom";
 import { AccuracyPanel } from "./accuracy.js";
-import { plot, plotCauses } from "./curves.js";
+import { plotAll, plotCauses } from "./curves.js";
 import { readLink, writeLink } from "./link.js";
-import { made } from "./made.js";
+import { listScenes, made } from "./made.js";
 import { opened } from "./opened.js";
 import { Panel } from "./panel.js";
 import { Picture, SHOWN } from "./picture.js";
@@ -11,6 +11,7 @@ import { PlanPanel } from "./plan.js";
 import { Pointer } from "./pointer.js";
 import { apart, Simulation } from "./simulation.js";
 import { Stage } from "./stage.js";
+import { offTruth, Truth } from "./truth.js";
 
 const $ = (id) => document.getElementById(id);
 const BUDGET = 20; // ms of a frame for steps
@@ -90,6 +91,7 @@ function show() {
   if (panel.row !== state.row) ((panel.row = state.row), panel.show(state.row.knobs));
   panel.refresh();
   $("difference").hidden = !two;
+  $("error").hidden = !state.row.truth;
   $("label-a").textContent = two ? "A" : "";
   $("label-b").textContent = two ? "B" : "";
   redraw();
@@ -137,23 +139,9 @@ function redraw() {
   $("at").textContent = sim.step;
   $("scrub").max = Math.max(sim.newest, sim.step);
   $("scrub").value = sim.step;
-  if ($("curves-box").open) {
-    plot(
-      $("energy"),
-      "kinetic energy",
-      "J",
-      state.sims.map((s) => s.energy),
-      sim.step,
-    );
-    plot(
-      $("cost"),
-      "time of a step",
-      "ms",
-      state.sims.map((s) => s.seconds.map((x) => 1e3 * x)),
-      sim.step,
-    );
-    if (state.sims.length === 2) plot($("difference"), "A and B apart", "m (rms)", [state.difference], sim.step);
-  }
+  state.pictures.forEach(({ sim: s }, i) => (s.errors[s.step] = state.pictures[i].error()));
+  $("off").textContent = state.row.truth ? state.sims.map((s) => offTruth(s.errors[s.step])).join("  ") : "";
+  if ($("curves-box").open) plotAll(state, $);
   sim.account($("causes-box").open);
   if ($("causes-box").open) plotCauses($("causes"), $("causes-table"), sim.causes, sim.step);
   if ($("plan-box").open) plan.update(sim.world.plan());
@@ -190,6 +178,12 @@ function frame(now) {
   redraw();
 }
 
+async function truthOf(told) {
+  const response = await fetch(`scenes/${told.file}`);
+  if (!response.ok) throw new Error(`scenes/${told.file} is missing: build the page again`);
+  return new Truth(told, await response.arrayBuffer());
+}
+
 async function open(name, sides = [{ settings: [], log: [] }]) {
   const row = rows.find((r) => r.name === name);
   if (!row) throw new Error(`there is no scene "${name}"; choose one of ${rows.map((r) => r.name).join(", ")}`);
@@ -197,7 +191,8 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
   if (!response.ok) throw new Error(`scenes/${row.world} is missing: build the page again`);
   const bytes = new Uint8Array(await response.arrayBuffer());
   const file = row.world.endsWith(".rec") ? await opened(carom, row.world, bytes) : { start: bytes };
-  begin({ ...row, ...file.row }, file.start, sides);
+  const truth = row.truth ? { truth: await truthOf(row.truth) } : {};
+  begin({ ...row, ...file.row, ...truth }, file.start, sides);
   $("scene").value = name;
   $("about").textContent = `${row.summary} Look for: ${row.look_for}.`;
   row.camera ? stage.look(row) : stage.paint();
@@ -335,7 +330,7 @@ async function start() {
   const index = fetch("scenes/index.json");
   carom = await load(new URL("carom.wasm", document.baseURI));
   rows = await (await index).json();
-  for (const row of rows) $("scene").add(new Option(row.name, row.name));
+  listScenes($("scene"), rows);
   stage = new Stage($("view"));
   plan = new PlanPanel($("stages"), $("plan"), (effect, mode) => act({ do: "effect", effect, mode }));
   accuracy = new AccuracyPanel($("accuracy-box"), {

@@ -4,6 +4,7 @@ import { Shape } from "carom";
 import { DRAW } from "./simulation.js";
 import { geometryOf } from "./geometry.js";
 import { FIXED, KINDS } from "./palette.js";
+import { Ghosts } from "./truth.js";
 
 const ASLEEP = 0.45; // of its brightness
 
@@ -16,6 +17,7 @@ export const SHOWN = {
   frames: false,
   islands: false,
   sleep: true,
+  truth: true,
 };
 
 export class Picture {
@@ -39,22 +41,37 @@ export class Picture {
     this.structure = -1;
   }
 
+  numberOf(body) {
+    return Number(BigInt.asUintN(32, this.sim.bodies[body].user));
+  }
   kindOf(body) {
-    const user = Number(BigInt.asUintN(32, this.sim.bodies[body].user));
-    return this.row.bodies?.[user]?.[1] ?? "thrown";
+    return this.row.bodies?.[this.numberOf(body)]?.[1] ?? "thrown";
   }
   nameOf(body) {
-    const user = Number(BigInt.asUintN(32, this.sim.bodies[body].user));
-    return this.row.bodies?.[user]?.[0] ?? `body ${body}`;
+    return this.row.bodies?.[this.numberOf(body)]?.[0] ?? `body ${body}`;
+  }
+
+  /** What bodies look like: their colliders, and of those that touch nothing, what the scene says. */
+  #parts() {
+    const places = new Map(this.sim.bodies.map((_, body) => [this.numberOf(body), body]));
+    const looks = (this.row.looks ?? []).filter((look) => places.has(look.body));
+    return this.sim.parts.concat(
+      looks.map((look) => ({
+        ...look,
+        body: places.get(look.body),
+        shape: this.sim.engine.shape(look.shape, look.params).handle,
+      })),
+    );
   }
 
   #rebuild() {
     for (const mesh of this.meshes ?? []) (this.group.remove(mesh), mesh.dispose(), mesh.material.dispose());
     this.meshes = [];
     this.structure = this.sim.structure;
-    const sets = new Map();
+    const sets = new Map(),
+      all = this.#parts();
     this.types = this.sim.bodies.map((b) => b.type);
-    for (const part of this.sim.parts) {
+    for (const part of all) {
       const fixed = this.types[part.body] !== "dynamic";
       const key = `${part.shape}/${fixed ? "" : this.kindOf(part.body)}`;
       if (!sets.has(key)) sets.set(key, { shape: part.shape, fixed, kind: this.kindOf(part.body), parts: [] });
@@ -79,6 +96,17 @@ export class Picture {
       this.meshes.push(mesh);
       this.group.add(mesh);
     }
+    this.ghosts?.dispose();
+    this.ghosts = null;
+    if (!this.row.truth) return;
+    const { bodies } = this.sim;
+    this.ghosts = new Ghosts(this.row.truth, all, this.geometries, bodies.length, (body) => this.numberOf(body));
+    this.group.add(this.ghosts.group);
+  }
+
+  /** m: how far the farthest body is from its true place; NaN where that is not known. */
+  error() {
+    return this.ghosts ? this.row.truth.error(this.sim, this.ghosts.places) : NaN;
   }
 
   update() {
@@ -103,6 +131,10 @@ export class Picture {
       mesh.instanceMatrix.needsUpdate = true;
       mesh.instanceColor.needsUpdate = true;
       mesh.boundingSphere = null; // of before
+    }
+    if (this.ghosts) {
+      this.ghosts.update(this.sim.step, poses);
+      this.ghosts.group.visible &&= this.shown.truth;
     }
     this.#draw();
   }
@@ -147,6 +179,7 @@ export class Picture {
 
   dispose() {
     for (const mesh of this.meshes ?? []) (mesh.dispose(), mesh.material.dispose());
+    this.ghosts?.dispose();
     for (const geometry of this.geometries.values()) geometry?.dispose();
     for (const object of [this.lines, this.points]) (object.geometry.dispose(), object.material.dispose());
     this.group.removeFromParent();

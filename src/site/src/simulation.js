@@ -21,6 +21,7 @@ export class Simulation {
     this.newest = 0; // the farthest step that was reached
     this.energy = []; // J, kinetic, by step
     this.seconds = []; // s of computing, by step
+    this.errors = []; // m off the truth, by step: of those that were drawn
     this.accounts = false; // kept of energy by cause?
     this.causes = new Map(); // name -> J that it gave, by step
     this.#build(start);
@@ -84,6 +85,7 @@ export class Simulation {
     this.newest = this.step;
     this.energy.length = Math.min(this.energy.length, this.step);
     this.seconds.length = Math.min(this.seconds.length, this.step);
+    this.errors.length = Math.min(this.errors.length, this.step + 1);
     for (const list of this.causes.values()) list.length = Math.min(list.length, this.step);
     this.lastAction = Math.max(-1, ...this.actions.keys());
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,13 @@ struct Push {
 /// What a run is compared by where the truth is a finer run: one number, or many.
 using Solution = std::vector<double>;
 
+/// Where a body ought to be.
+struct TruePose {
+  std::size_t actor;                ///< index into stage.actors
+  Vec position;                     ///< m, world: origin of the body frame
+  std::optional<Quat> orientation;  ///< body -> world, up to a turn about an axis of symmetry; none: it isn't known
+};
+
 /// Watches a run and knows the truth. fill() of an accuracy scene returns one of these.
 class Trial : public Observer {
  public:
@@ -37,6 +45,9 @@ class Trial : public Observer {
   virtual bool over() const { return fell(); }
   /// What drives the scene, before each step.
   virtual std::vector<Push> pushes() const { return {}; }
+  /// The truth as poses, of scenes that know it so and go their way unaided: no pushes(), and watch() changes nothing.
+  /// @param time  s, of the last watch(), or 0 before the first
+  virtual std::vector<TruePose> truth(double /*time*/) const { return {}; }
   /// For scenes whose truth is their own run at a much finer step: the quantities that are compared, and the truth for
   /// them.
   virtual Solution solution() const { return {}; }

@@ -16,8 +16,8 @@ Course thrown_into_air(double t, double speed, double rate, double g);
 /// @param rate  1/m: kg/m over kg
 Course fallen_through_air(double t, double rate, double g);
 
-/// Height of a ball that was let go at `drop` and bounces with restitution e < 1 until it lies: the sum of flights is
-/// finite.
+/// Height of a ball that was let go at `drop` and bounces with restitution e: below 1 until it lies, as the sum of
+/// flights is finite; at 1 for ever.
 /// @param t s, >= 0   @param drop m   @return m
 double bounce_height(double t, double drop, double e, double g);
 /// When bounce_height() is above `level` for the last time, s.   @param level m, in (0, drop)

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "cli/packed_scene.h"
+#include "cli/packed_truth.h"
 #include "host/files.h"
 #include "scenefile/scenefile.h"
 
@@ -43,12 +44,16 @@ void pack(const PackOptions& options, Context& context) {
   std::filesystem::create_directories(options.folder, ignored);
   nlohmann::json index = nlohmann::json::array();
   std::vector<std::string> names = options.scenes;
-  if (names.empty())
+  if (names.empty()) {
     for (const Scene& scene : all_scenes()) names.push_back(scene.name);
+    for (std::string& name : scenes_with_true_poses(context)) names.push_back(std::move(name));
+  }
   for (const std::string& name : names) {
     PackedScene packed = packed_scene(choice_of(name), options.steps, context);
     if (!is_scene_file(name)) packed.rename(name);
     write_file(options.folder + "/" + packed.file, packed.content);
+    if (!packed.truth.empty())
+      write_file(options.folder + "/" + packed.row["truth"]["file"].get<std::string>(), packed.truth);
     index.push_back(std::move(packed.row));
     std::printf("%s\n", name.c_str());
   }
@@ -63,8 +68,10 @@ void add_pack_command(CLI::App& app, Context& context) {
   CLI::App* command =
       app.add_subcommand("pack", "Write scenes for the page of src/site: worlds as bytes, names, hashes of each step");
   command->add_option("DIR", options->folder, "Folder to write into")->required();
-  command->add_option("SCENE", options->scenes,
-                      "Scenes, as falling or falling:n=64,layers=2, or files; default: all of `carom list`");
+  command->add_option(
+      "SCENE", options->scenes,
+      "Scenes, as falling or falling:n=64,layers=2, accuracy/slide, or files; default: all of `carom list`, "
+      "and of `carom accuracy list` all whose truth is poses");
   command->add_option("--steps", options->steps.most, "Steps whose hashes are written")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 
+#include "cli/packed_truth.h"
 #include "host/files.h"
 #include "scenefile/scenefile.h"
 
@@ -41,6 +42,16 @@ nlohmann::json hashes_of(World& world, double dt, const HashedSteps& steps) {
   return hashes;
 }
 
+/// Of a body that touches nothing, and so has no collider that a page could find.
+nlohmann::json looks_of(std::size_t body, const Part& part) {
+  const auto& turn = part.orientation.coeffs();
+  return {{"body", body},
+          {"shape", part.shape},
+          {"params", part.params},
+          {"position", three(part.position)},
+          {"orientation", {turn.x(), turn.y(), turn.z(), turn.w()}}};
+}
+
 /// The scene's own numbers, with the values that it was made of.
 nlohmann::json knobs_of(const Scene& scene, const SceneChoice& choice) {
   nlohmann::json knobs = nlohmann::json::array();
@@ -65,10 +76,12 @@ nlohmann::json knobs_of(const Scene& scene, const SceneChoice& choice) {
 void PackedScene::rename(const std::string& name) {
   row["name"] = plain(name);
   row["world"] = file = plain(name) + (content.starts_with("CAROMREC") ? ".rec" : ".world");
+  if (!truth.empty()) row["truth"]["file"] = plain(name) + ".truth";
 }
 
 PackedScene packed_scene(const SceneChoice& choice, const HashedSteps& steps, Context& context) {
-  const Scene& scene = chosen_scene(choice.scene);
+  const bool has_truth = is_accuracy_scene(choice.scene);
+  const Scene& scene = has_truth ? accuracy_scene(choice.scene) : chosen_scene(choice.scene);
   const double dt = choice.dt.value_or(scene.dt);
   Engine engine(context.plugins());
   engine.set_threads(choice.threads);
@@ -87,10 +100,18 @@ PackedScene packed_scene(const SceneChoice& choice, const HashedSteps& steps, Co
   if (stage.water_level) packed.row["water"] = *stage.water_level;
   for (const Actor& actor : stage.actors)
     if (actor.particles == CAROM_NULL_HANDLE) packed.row["bodies"].push_back({actor.name, actor.kind});
+  for (std::size_t i = 0; i < stage.actors.size(); ++i)
+    for (const Part& part : stage.actors[i].parts)
+      if (part.collider == CAROM_NULL_HANDLE) packed.row["looks"].push_back(looks_of(i, part));
+  if (has_truth) {
+    PackedTruth truth = packed_truth(stage, *observer, dt, packed.row["seconds"]);
+    packed.truth = std::move(truth.content);
+    if (!packed.truth.empty()) packed.row["truth"] = std::move(truth.row);
+  }
   packed.row["particles"] = stage.particle_count();
   packed.row["knobs"] = knobs_of(scene, choice);
   packed.row["hashes"] = hashes_of(stage.world, dt, steps);
-  packed.rename(is_scene_file(choice.scene) ? stem_of(choice.scene) : scene.name);
+  packed.rename(is_scene_file(choice.scene) ? stem_of(choice.scene) : choice.scene);
   return packed;
 }
 

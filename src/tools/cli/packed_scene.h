@@ -12,6 +12,7 @@ namespace carom::tools {
 struct PackedScene {
   std::string file;     ///< "wall.world": a name, no path
   std::string content;  ///< of that file
+  std::string truth;    ///< "" or true poses: packed_truth.h; the row says under which name they are to be written
   nlohmann::json row;   ///< of the page's index: names of bodies, camera, step, hashes
 
   void rename(const std::string& name);  ///< in file and row; of other letters than a-z, 0-9, - and _ becomes _
@@ -23,7 +24,7 @@ struct HashedSteps {
   double seconds = 1e9;  ///< of computing; then no more are taken
 };
 
-/// @throws Error
+/// A scene of `carom list`, of a file, or as "accuracy/slide" one of `carom accuracy list`.   @throws Error
 PackedScene packed_scene(const SceneChoice& choice, const HashedSteps& steps, Context& context);
 
 /// A recorded session (`carom run --record`), as it is: the page makes its calls again.   @throws Error

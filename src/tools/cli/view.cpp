@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/packed_scene.h"
+#include "cli/packed_truth.h"
 #include "host/files.h"
 #include "serve/serve.h"
 
@@ -76,21 +77,23 @@ void open_browser(const std::string& address) {
   if (failed) std::fprintf(stderr, "carom: xdg-open is not there to open a browser; open the address by hand\n");
 }
 
-/// "?scene=pyramid&set=n=12": length of the row (4 bytes, little-endian), row, world.   @throws Error
+/// "?scene=pyramid&set=n=12": length of the row (4 bytes, little-endian), row, world, truth.   @throws Error
 std::string made_scene(const serve::Question& question, Context& context) {
   SceneChoice choice;
   const auto [from, to] = question.equal_range("set");
   for (auto set = from; set != to; ++set) choice.sets.push_back(set->second);
   const auto scene = question.find("scene");
   if (scene == question.end()) throw Error("no scene is named", "ask for ?scene=NAME&set=PARAMETER=VALUE");
-  find_scene(scene->second);  // of the library alone: a page names no files
   choice.scene = scene->second;
-  const PackedScene packed = packed_scene(choice, {240, 1}, context);
+  if (choice.scene.starts_with("accuracy_")) choice.scene[8] = '/';                           // as the page has it
+  is_accuracy_scene(choice.scene) ? accuracy_scene(choice.scene) : find_scene(choice.scene);  // a page names no files
+  PackedScene packed = packed_scene(choice, {240, 1}, context);
+  if (!packed.truth.empty()) packed.row["truth"]["bytes"] = packed.truth.size();
   const std::string row = packed.row.dump();
   const std::size_t n = row.size();
   std::string bytes;
   for (int byte = 0; byte < 4; ++byte) bytes += static_cast<char>(n >> (8 * byte) & 255);
-  return bytes + row + packed.content;
+  return bytes + row + packed.content + packed.truth;
 }
 
 void view(ViewOptions& options, Context& context) {
@@ -101,6 +104,8 @@ void view(ViewOptions& options, Context& context) {
                                                             : packed_scene(options.choice, options.steps, context);
     packed.row["first"] = true;
     site.in_place["/scenes/" + packed.file] = std::move(packed.content);
+    if (!packed.truth.empty())
+      site.in_place["/scenes/" + packed.row["truth"]["file"].get<std::string>()] = std::move(packed.truth);
     site.in_place["/scenes/index.json"] = index_with(packed.row, site.folder);
   }
   site.make = [&context](const serve::Question& question) { return made_scene(question, context); };

@@ -14,8 +14,10 @@ const Vec kThrown(3, 1, 4);      // m/s
 class FlightTrial : public Trial {
  public:
   void watch(const Stage& stage, double time) override {
-    place_ = std::max(place_,
-                      (stage.position(0) - Vec(-0.5 * kGravity * time * time * Vec::UnitY() + kThrown * time)).norm());
+    place_ = std::max(place_, (stage.position(0) - truth(time)[0].position).norm());
+  }
+  std::vector<TruePose> truth(double time) const override {
+    return {{0, -0.5 * kGravity * time * time * Vec::UnitY() + kThrown * time, {}}};
   }
   std::vector<double> errors(const Stage&) const override { return {place_}; }
 
@@ -38,14 +40,19 @@ class DragTrial : public Trial {
       : thrown_(thrown), fallen_(fallen), linear_(linear), quadratic_(quadratic) {}
 
   void watch(const Stage& stage, double time) override {
-    const Course x = thrown_into_air(time, kThrown.x(), linear_, 0), z = thrown_into_air(time, kThrown.z(), linear_, 0),
-                 y = thrown_into_air(time, kThrown.y(), linear_, -kGravity);
-    slow_ = std::max(slow_, (stage.position(thrown_) - Vec(x.way, y.way, z.way)).norm());
+    const std::vector<TruePose> poses = truth(time);
+    slow_ = std::max(slow_, (stage.position(thrown_) - poses[0].position).norm());
+    fast_ = std::max(fast_, (stage.position(fallen_) - poses[1].position).norm());
     const Course down = fallen_through_air(time, quadratic_, kGravity);
-    fast_ = std::max(fast_, (stage.position(fallen_) - kBeside + down.way * Vec::UnitY()).norm());
     last_ = std::fabs(-stage.velocity(fallen_).y() / down.speed - 1);
   }
   std::vector<double> errors(const Stage&) const override { return {slow_, fast_, last_}; }
+  std::vector<TruePose> truth(double time) const override {
+    const Course x = thrown_into_air(time, kThrown.x(), linear_, 0), z = thrown_into_air(time, kThrown.z(), linear_, 0),
+                 y = thrown_into_air(time, kThrown.y(), linear_, -kGravity);
+    const Course down = fallen_through_air(time, quadratic_, kGravity);
+    return {{thrown_, Vec(x.way, y.way, z.way), {}}, {fallen_, kBeside - down.way * Vec::UnitY(), {}}};
+  }
 
   static const Vec kBeside;  // m, where the second one starts: they never meet
 

@@ -19,18 +19,22 @@ class HeavyTopTrial : public Trial {
 
   void watch(const Stage& stage, double time) override {
     const int steps = std::max(1, static_cast<int>(std::ceil((time - time_) / 1e-4)));
-    for (int i = 0; i < steps; ++i) truth_ = runge_kutta(truth_, (time - time_) / steps, HeavyTop::rate);
+    for (int i = 0; i < steps; ++i) state_ = runge_kutta(state_, (time - time_) / steps, HeavyTop::rate);
     time_ = time;
-    place_ = std::max(place_, (stage.position(disk_) - HeavyTop::middle(truth_)).norm());
+    place_ = std::max(place_, (stage.position(disk_) - HeavyTop::middle(state_)).norm());
     energy_ = std::max(energy_, std::fabs(mechanism_.energy(stage) / start_ - 1));
     gap_ = std::max(gap_, mechanism_.worst_gap(stage));
   }
   std::vector<double> errors(const Stage&) const override { return {place_, energy_, gap_}; }
+  std::vector<TruePose> truth(double) const override {
+    const Vec middle = HeavyTop::middle(state_);
+    return {{disk_, middle, turn_between(Vec::UnitX(), middle)}};
+  }
 
  private:
   std::size_t disk_;
   Mechanism mechanism_;
-  Vec truth_ = HeavyTop::start();
+  Vec state_ = HeavyTop::start();
   double start_, time_ = 0, place_ = 0, energy_ = 0, gap_ = 0;
 };
 

@@ -51,10 +51,14 @@ class TopTrial : public Trial {
         std::fabs(energy(last_.place.y(), last_.speed, last_.spin) / energy(0, start_.speed, start_.spin) - 1));
   }
   std::vector<double> errors(const Stage&) const override {
-    const Quat off = FreeTop(inertia_, start_.spin).orientation(time_).conjugate() * last_.turned;
+    const TruePose at_end = truth(time_)[0];
+    const Quat off = at_end.orientation->conjugate() * last_.turned;
     const double turn = 2 * std::atan2(off.vec().norm(), std::fabs(off.w()));
-    const Vec truth = start_.speed * time_ - start_.g * time_ * time_ / 2 * Vec::UnitY();
-    return {turn, momentum_error_, energy_error_, (last_.place - truth).norm()};
+    return {turn, momentum_error_, energy_error_, (last_.place - at_end.position).norm()};
+  }
+  std::vector<TruePose> truth(double time) const override {
+    return {{0, start_.speed * time - start_.g * time * time / 2 * Vec::UnitY(),
+             FreeTop(inertia_, start_.spin).orientation(time)}};
   }
 
  private:
@@ -74,23 +78,24 @@ class FlipTrial : public Trial {
  public:
   explicit FlipTrial(const Throw& start)
       : inertia_(start.inertia()),
-        truth_(inertia_, start.spin),
-        spin_(start.spin[truth_.middle()]),
+        top_(inertia_, start.spin),
+        spin_(start.spin[top_.middle()]),
         rate_(rate(start.spin)) {}
 
   void watch(const Stage& stage, double time) override {
     const Vec w = motion_of(stage).spin;
-    const double spin = w[truth_.middle()], now = rate(w);
+    const double spin = w[top_.middle()], now = rate(w);
     if ((spin > 0) != (spin_ > 0)) flips_.push_back(time_ + (time - time_) * crossing(spin, now, time - time_));
     spin_ = spin, rate_ = now, time_ = time;
   }
   /// A flip that ought to have been, and was not, is as late as the run is long after it.
   std::vector<double> errors(const Stage&) const override {
     double worst = 0;
-    for (std::size_t n = 0; n < flips_.size() || truth_.zero(static_cast<int>(n)) < time_; ++n)
-      worst = std::max(worst, std::fabs((n < flips_.size() ? flips_[n] : time_) - truth_.zero(static_cast<int>(n))));
+    for (std::size_t n = 0; n < flips_.size() || top_.zero(static_cast<int>(n)) < time_; ++n)
+      worst = std::max(worst, std::fabs((n < flips_.size() ? flips_[n] : time_) - top_.zero(static_cast<int>(n))));
     return {worst};
   }
+  std::vector<TruePose> truth(double time) const override { return {{0, Vec::Zero(), top_.orientation(time)}}; }
   std::vector<std::string> tell(const Stage&) const override {
     return {"it flipped " + std::to_string(flips_.size()) + " times"};
   }
@@ -98,7 +103,7 @@ class FlipTrial : public Trial {
  private:
   double rate(const Vec& w) const {  // rad/s^2, of the spin about the middle axis
     const Vec torque = inertia_.cwiseProduct(w).cross(w);
-    return torque[truth_.middle()] / inertia_[truth_.middle()];
+    return torque[top_.middle()] / inertia_[top_.middle()];
   }
   /// Share of the step.
   double crossing(double spin, double now, double h) const {
@@ -113,7 +118,7 @@ class FlipTrial : public Trial {
   }
 
   Vec inertia_;
-  FreeTop truth_;
+  FreeTop top_;
   double spin_, rate_, time_ = 0;
   std::vector<double> flips_;  // s
 };

@@ -25,6 +25,15 @@ class ConeTrial : public Trial {
     worst_ = std::max(worst_, std::fabs(std::atan2(axis.z(), axis.x()) - state_.x()));
   }
   std::vector<double> errors(const Stage&) const override { return {worst_}; }
+  std::vector<TruePose> truth(double) const override {
+    const Vec axis = axis_at(cone_, state_.x());
+    return {{body_, cone_.height / 2 * axis, turn_between(Vec::UnitY(), -axis)}};
+  }
+  /// From the apex, which is at the origin, to the base.
+  static Vec axis_at(const SlopeCone& cone, double angle) {
+    return {std::cos(cone.half_angle) * std::cos(angle), std::sin(cone.half_angle),
+            std::cos(cone.half_angle) * std::sin(angle)};
+  }
 
  private:
   std::size_t body_;
@@ -42,8 +51,7 @@ std::unique_ptr<Observer> fill_cone(Stage& stage, const std::vector<double>& kno
   add_ground(stage, 1);
   Actor actor;
   actor.kind = actor.name = "cone";
-  const Vec axis(std::cos(cone.half_angle) * std::cos(kFrom), std::sin(cone.half_angle),
-                 std::cos(cone.half_angle) * std::sin(kFrom));
+  const Vec axis = ConeTrial::axis_at(cone, kFrom);
   actor.position = cone.height / 2 * axis;
   actor.orientation = Quat::FromTwoVectors(Vec::UnitY(), -axis);
   actor.mass = 1;
@@ -58,23 +66,28 @@ std::unique_ptr<Observer> fill_cone(Stage& stage, const std::vector<double>& kno
 /// The middle of the rod.
 class LadderTrial : public Trial {
  public:
-  LadderTrial(std::size_t body, const Ladder& ladder, double from) : body_(body), ladder_(ladder), truth_(from) {}
+  LadderTrial(std::size_t body, const Ladder& ladder, double from) : body_(body), ladder_(ladder), motion_(from) {}
 
   void watch(const Stage& stage, double time) override {
-    if (truth_.angle() < kFlat) return;
+    if (motion_.angle() < kFlat) return;
     const int parts = std::max(1, static_cast<int>(std::ceil((time - time_) / kPart)));
-    for (int i = 0; i < parts; ++i) truth_.step(ladder_, (time - time_) / parts, kGravity);
+    for (int i = 0; i < parts; ++i) motion_.step(ladder_, (time - time_) / parts, kGravity);
     time_ = time;
-    if (truth_.angle() < kFlat) return;
-    worst_ = std::max(worst_, (stage.position(body_) - truth_.middle(ladder_)).norm());
+    if (motion_.angle() < kFlat) return;
+    worst_ = std::max(worst_, (stage.position(body_) - motion_.middle(ladder_)).norm());
   }
   std::vector<double> errors(const Stage&) const override { return {worst_}; }
+  std::vector<TruePose> truth(double) const override {
+    if (motion_.angle() < kFlat) return {};
+    const Vec along(-std::cos(motion_.angle()), std::sin(motion_.angle()), 0);
+    return {{body_, motion_.middle(ladder_), turn_between(Vec::UnitY(), along)}};
+  }
 
  private:
   static constexpr double kFlat = 0.1;  // rad: up to where it is followed
   std::size_t body_;
   Ladder ladder_;
-  Ladder::Motion truth_;
+  Ladder::Motion motion_;
   double time_ = 0, worst_ = 0;
 };
 

@@ -60,8 +60,14 @@ class SkidTrial : public Trial {
     if (slip > 1e-3 * speed_) onset_ = time + slip / (3.5 * mu_ * kGravity);
   }
   std::vector<double> errors(const Stage&) const override {
-    const Skid truth = skid(speed_, mu_, kGravity);
-    return {std::fabs(final_ - truth.final_speed), std::fabs(onset_ - truth.onset)};
+    const Skid rolls = skid(speed_, mu_, kGravity);
+    return {std::fabs(final_ - rolls.final_speed), std::fabs(onset_ - rolls.onset)};
+  }
+  std::vector<TruePose> truth(double time) const override {
+    const Skid rolls = skid(speed_, mu_, kGravity);
+    const double slid = std::min(time, rolls.onset);
+    const double way = (speed_ - mu_ * kGravity * slid / 2) * slid + rolls.final_speed * (time - slid);
+    return {{ball_, Vec(way, kRadius, 0), {}}};
   }
 
  private:

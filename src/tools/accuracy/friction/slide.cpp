@@ -15,8 +15,14 @@ const Vec kHalf(0.5, 0.1, 0.5);
 /// a square or a pyramid of directions and not in a circle, the second one stops elsewhere and drifts sideways.
 class SlideTrial : public Trial {
  public:
-  SlideTrial(const Stage& stage, std::vector<Vec> headings, double distance)
-      : crowd_(stage), headings_(std::move(headings)), distance_(distance) {}
+  /// @param first  actor: the blocks are it and those after it   @param speed m/s
+  SlideTrial(const Stage& stage, std::size_t first, std::vector<Vec> headings, double speed, double mu)
+      : crowd_(stage),
+        first_(first),
+        headings_(std::move(headings)),
+        distance_(stopping_distance(speed, mu, kGravity)),
+        speed_(speed),
+        mu_(mu) {}
   void watch(const Stage& stage, double) override { crowd_.look(stage); }
   std::vector<double> errors(const Stage&) const override {
     double along = 0, across = 0;
@@ -27,22 +33,35 @@ class SlideTrial : public Trial {
     }
     return {along, across};
   }
+  std::vector<TruePose> truth(double time) const override {
+    const double brake = mu_ * kGravity, slid = std::min(time, speed_ / brake);
+    std::vector<TruePose> poses;
+    for (std::size_t i = 0; i < crowd_.size(); ++i) {
+      const Vec way = (speed_ - brake * slid / 2) * slid * headings_[i];
+      poses.push_back({first_ + i, crowd_.home(i) + way, Quat::Identity()});
+    }
+    return poses;
+  }
 
  private:
   Crowd crowd_;
+  std::size_t first_;
   std::vector<Vec> headings_;
-  double distance_;
+  double distance_, speed_, mu_;
 };
 
 std::unique_ptr<Observer> fill_slide(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   const double speed = knobs[0], mu = knobs[1];
   const std::vector<Vec> headings = {Vec(1, 0, 0), Vec(kCosine, 0, kSine)};
   add_ground(stage, mu);
+  const std::size_t first = stage.actors.size();
   for (std::size_t i = 0; i < headings.size(); ++i)
     add_box(stage, Vec(0, kHalf.y(), 3.0 * static_cast<double>(i)), kHalf, 1, {mu, 0}, speed * headings[i]);
   stage.camera_from = Vec(1.5, 3, 9);
-  return std::make_unique<SlideTrial>(stage, headings, stopping_distance(speed, mu, kGravity));
+  return std::make_unique<SlideTrial>(stage, first, headings, speed, mu);
 }
+
+const Vec kDown(kCosine, -kSine, 0);  // a slope of 30 degrees
 
 /// A slope of 30 degrees that falls towards +x, and a block at rest on it.
 std::size_t add_slope(Stage& stage, double mu) {
@@ -60,17 +79,24 @@ std::size_t add_slope(Stage& stage, double mu) {
 class SlopeTrial : public Trial {
  public:
   SlopeTrial(const Stage& stage, std::size_t block, double mu)
-      : block_(block), home_(stage.position(block)), mu_(std::min(mu, kSine / kCosine)) {}
+      : block_(block),
+        home_(stage.position(block)),
+        turned_(stage.orientation(block)),
+        mu_(std::min(mu, kSine / kCosine)) {}
   void watch(const Stage&, double time) override { time_ = time; }
   std::vector<double> errors(const Stage& stage) const override {
-    const Vec way = stage.position(block_) - home_, down(kCosine, -kSine, 0);
-    const double off = way.dot(down) - slope_distance(time_, mu_, kSine, kCosine, kGravity);
+    const Vec way = stage.position(block_) - home_;
+    const double off = way.dot(kDown) - slope_distance(time_, mu_, kSine, kCosine, kGravity);
     return {std::hypot(off, way.z())};
+  }
+  std::vector<TruePose> truth(double time) const override {
+    return {{block_, home_ + slope_distance(time, mu_, kSine, kCosine, kGravity) * kDown, turned_}};
   }
 
  private:
   std::size_t block_;
   Vec home_;
+  Quat turned_;
   double mu_, time_ = 0;
 };
 

@@ -12,12 +12,15 @@ namespace {
 class CircleTrial : public Trial {
  public:
   /// @param round  rad/s about +y   @param middle, start  m: of the circle; where the body begins
-  CircleTrial(std::size_t body, double round, const Vec& middle, const Vec& start)
-      : body_(body), round_(round), middle_(middle), start_(start) {}
+  CircleTrial(const Stage& stage, std::size_t body, double round, const Vec& middle, const Vec& start)
+      : body_(body), round_(round), middle_(middle), start_(start), turned_(stage.orientation(body)) {}
 
   void watch(const Stage& stage, double time) override {
-    const Vec truth = middle_ + Eigen::AngleAxisd(round_ * time, Vec::UnitY()) * (start_ - middle_);
-    worst_ = std::max(worst_, (stage.position(body_) - truth).norm());
+    worst_ = std::max(worst_, (stage.position(body_) - truth(time)[0].position).norm());
+  }
+  std::vector<TruePose> truth(double time) const override {  // spin about its own axis left out
+    const Quat gone(Eigen::AngleAxisd(round_ * time, Vec::UnitY()));
+    return {{body_, middle_ + gone * (start_ - middle_), gone * turned_}};
   }
   std::vector<double> errors(const Stage&) const override { return {worst_}; }
 
@@ -25,6 +28,7 @@ class CircleTrial : public Trial {
   std::size_t body_;
   double round_;
   Vec middle_, start_;
+  Quat turned_;
   double worst_ = 0;
 };
 
@@ -48,7 +52,7 @@ std::unique_ptr<Observer> fill_wheel(Stage& stage, const std::vector<double>& kn
   const Vec start = actor.position, middle = middle_of(start, actor.linear_velocity, wheel.round);
   const std::size_t body = stage.add(std::move(actor));
   stage.camera_from = Vec(0, 3, 8), stage.camera_to = middle;
-  return std::make_unique<CircleTrial>(body, wheel.round, middle, start);
+  return std::make_unique<CircleTrial>(stage, body, wheel.round, middle, start);
 }
 
 std::unique_ptr<Observer> fill_turntable(Stage& stage, const std::vector<double>& knobs, const std::string&) {
@@ -69,7 +73,7 @@ std::unique_ptr<Observer> fill_turntable(Stage& stage, const std::vector<double>
             "setting the ball rolling");
   stage.camera_from = Vec(0, 4, 6), stage.camera_to = Vec::Zero();
   const double round = turntable_round(rate);
-  return std::make_unique<CircleTrial>(ball, round, middle_of(start, velocity, round), start);
+  return std::make_unique<CircleTrial>(stage, ball, round, middle_of(start, velocity, round), start);
 }
 
 }  // namespace

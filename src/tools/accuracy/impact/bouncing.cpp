@@ -10,13 +10,32 @@ namespace {
 
 constexpr double kRadius = 0.1, kMass = 10;  // m, kg
 
+/// Balls that keep their energy come back to where they fell from, again and again.
+class LosslessTrial : public EnergyTrial {
+ public:
+  /// @param drop  m, of the balls, which are all that the stage has but for the ground
+  LosslessTrial(const Stage& stage, double drop) : EnergyTrial(stage, kRadius, kMass), drop_(drop) {
+    for (std::size_t i = 0; i < stage.actors.size(); ++i)
+      if (stage.actors[i].type == CAROM_BODY_DYNAMIC) homes_.push_back({i, stage.position(i), {}});
+  }
+  std::vector<TruePose> truth(double time) const override {
+    std::vector<TruePose> poses = homes_;
+    for (TruePose& pose : poses) pose.position.y() = kRadius + bounce_height(time, drop_, 1, kGravity);
+    return poses;
+  }
+
+ private:
+  double drop_;
+  std::vector<TruePose> homes_;
+};
+
 std::unique_ptr<Observer> fill_bouncing(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   add_ground(stage, 0);
   for (int i = 0; i < 49; ++i)  // a metre apart: they never meet
     add_ball(stage, Vec(i % 7, knobs[0] + kRadius, i / 7), kRadius, kMass, {0, 1});
   stage.camera_from = Vec(3, 6, 25);
   stage.camera_to = Vec(3, 2.5, 3);
-  return std::make_unique<EnergyTrial>(stage, kRadius, kMass);
+  return std::make_unique<LosslessTrial>(stage, knobs[0]);
 }
 
 /// Height over time against the closed form, and when the ball was last seen above two millimetres.
@@ -33,6 +52,9 @@ class BounceTrial : public Trial {
   }
   std::vector<double> errors(const Stage&) const override {
     return {std::sqrt(sum_ / samples_), std::fabs(last_above_ - bounce_last_above(kLevel, drop_, e_, kGravity))};
+  }
+  std::vector<TruePose> truth(double time) const override {
+    return {{ball_, Vec(0, kRadius + bounce_height(time, drop_, e_, kGravity), 0), {}}};
   }
 
  private:

@@ -32,6 +32,7 @@ class BulletTrial : public Trial {
   struct Shot {
     std::size_t ball;
     double start, front;  // m, along x: of its centre, as it starts and as it touches
+    double z;             // m
   };
   BulletTrial(double speed, double e, std::vector<Shot> shots) : speed_(speed), e_(e), shots_(std::move(shots)) {}
 
@@ -44,6 +45,12 @@ class BulletTrial : public Trial {
     double through = 0;
     for (const Shot& s : shots_) through += stage.position(s.ball).x() > s.front + kFar;
     return {through / static_cast<double>(shots_.size()), worst_};
+  }
+  std::vector<TruePose> truth(double time) const override {
+    std::vector<TruePose> poses;
+    for (const Shot& s : shots_)
+      poses.push_back({s.ball, Vec(s.front - turned_back(time, s.front - s.start, speed_, e_), 0, s.z), {}});
+    return poses;
   }
 
  private:
@@ -60,7 +67,7 @@ std::unique_ptr<Observer> fill_bullet(Stage& stage, const std::vector<double>& k
   for (int i = 0; i < kPhases; ++i) {
     const double front = -kWall - kRadius, start = front - kAway - speed * kStep * i / kPhases, z = 2 * i;
     add_post(stage, "box", {kWall, 0.5, 0.5}, Vec(0, 0, z), e);
-    shots.push_back({add_ball(stage, Vec(start, 0, z), kRadius, 1, {0, e}, Vec(speed, 0, 0)), start, front});
+    shots.push_back({add_ball(stage, Vec(start, 0, z), kRadius, 1, {0, e}, Vec(speed, 0, 0)), start, front, z});
   }
   stage.ground_half_width = 0;
   stage.camera_from = Vec(-20, 10, 15), stage.camera_to = Vec(0, 0, 15);

@@ -12,14 +12,23 @@ constexpr double kRadius = 0.1;  // m
 /// One ball flies at 1 m/s into four that touch; afterwards the last one flies and all others rest.
 class CradleTrial : public Trial {
  public:
-  explicit CradleTrial(const Stage& stage) : crowd_(stage) {}
+  explicit CradleTrial(const Stage& stage) : crowd_(stage) {}  // of balls alone
   void watch(const Stage& stage, double) override { crowd_.look(stage); }
   std::vector<double> errors(const Stage&) const override {
     double worst = 0;
     for (std::size_t i = 0; i < crowd_.size(); ++i)
-      worst = std::max(worst, (crowd_.velocity(i) - (i + 1 < crowd_.size() ? 0 : 1) * Vec::UnitX()).norm());
+      worst = std::max(worst, (crowd_.velocity(i) - (i + 1 < crowd_.size() ? 0 : kSpeed) * Vec::UnitX()).norm());
     return {worst};
   }
+  std::vector<TruePose> truth(double time) const override {
+    std::vector<TruePose> poses;
+    for (std::size_t i = 0; i < crowd_.size(); ++i) poses.push_back({i, crowd_.home(i), {}});
+    const double met = kGap / kSpeed;
+    poses.front().position.x() += kSpeed * std::min(time, met);
+    poses.back().position.x() += kSpeed * std::max(0.0, time - met);
+    return poses;
+  }
+  static constexpr double kGap = 0.05, kSpeed = 1;  // m, m/s: of the first
 
  private:
   Crowd crowd_;
@@ -29,8 +38,8 @@ std::unique_ptr<Observer> fill_cradle(Stage& stage, const std::vector<double>& k
   set_gravity(stage, 0);  // no strings: the balls float in a row
   const int balls = static_cast<int>(knobs[0]);
   for (int i = 0; i < balls; ++i)
-    add_ball(stage, Vec(2 * kRadius * i - (i == 0 ? 0.05 : 0), 0, 0), kRadius, 1, {0, 1},
-             i == 0 ? Vec(1, 0, 0) : Vec(0, 0, 0));
+    add_ball(stage, Vec(2 * kRadius * i - (i == 0 ? CradleTrial::kGap : 0), 0, 0), kRadius, 1, {0, 1},
+             i == 0 ? Vec(CradleTrial::kSpeed, 0, 0) : Vec(0, 0, 0));
   stage.ground_half_width = 0;
   stage.camera_from = Vec(0.5, 0.5, 3);
   stage.camera_to = Vec(0.5, 0, 0);
@@ -50,6 +59,17 @@ class CannonTrial : public Trial {
     const double light = stage.velocity(light_).y() + kGravity * flight - truth.light;
     const double heavy = stage.velocity(heavy_).y() - truth.heavy;
     return {std::max(std::fabs(light), std::fabs(heavy)) / speed_};
+  }
+
+  std::vector<TruePose> truth(double time) const override {
+    const double impact = speed_ / kGravity, after = time - impact;
+    const Rebound up = cannon(speed_, kRatio);
+    const auto height = [&](double speed) {
+      return after < 0 ? (speed_ * speed_ / kGravity - kGravity * time * time) / 2
+                       : speed * after - kGravity * after * after / 2;
+    };
+    const Vec light(0, 3 * kRadius + height(up.light), 0), heavy(0, kRadius + std::max(0.0, height(up.heavy)), 0);
+    return {{heavy_, heavy, {}}, {light_, light, {}}};
   }
 
   static constexpr double kRatio = 3;  // of the masses

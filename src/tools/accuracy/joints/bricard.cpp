@@ -25,6 +25,13 @@ class BricardTrial : public Trial {
     gap_ = std::max(gap_, mechanism_.worst_gap(stage));
   }
   std::vector<double> errors(const Stage&) const override { return {energy_, place_, gap_}; }
+  std::vector<TruePose> truth(double) const override {
+    const BricardPose pose = bricard(motion_[0]);
+    std::vector<TruePose> poses;
+    for (std::size_t k = 0; k < bars_.size(); ++k)
+      poses.push_back({bars_[k], pose.bars[k].middle, Quat(pose.bars[k].axes)});
+    return poses;
+  }
 
  private:
   std::array<std::size_t, 5> bars_;

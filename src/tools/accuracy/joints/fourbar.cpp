@@ -15,7 +15,9 @@ constexpr double kStart = 1;              // m/s, of the upper ends, which stand
 /// classical fourth-order method in steps of 0.1 ms; its own error in 10 s is below 1e-10 rad.
 class FourbarTrial : public Trial {
  public:
-  FourbarTrial(std::size_t bar, int windows, Mechanism mechanism) : bar_(bar), mechanism_(std::move(mechanism)) {
+  /// @param bar  the first that stands; then, window by window, the next that stands and the one across
+  FourbarTrial(std::size_t bar, int windows, Mechanism mechanism)
+      : bar_(bar), windows_(windows), mechanism_(std::move(mechanism)) {
     const double n = windows, weigh = (n + 1) / 2 + n, resist = (n + 1) / 3 + n;
     pull_ = kGravity * weigh / (kLength * resist);
     energy_then_ = kMass * (resist * kStart * kStart / 2 + weigh * kGravity * kLength);
@@ -33,15 +35,26 @@ class FourbarTrial : public Trial {
       spin_ += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
     }
     time_ = time;
-    const Vec truth = kLength / 2 * Vec(std::cos(angle_), std::sin(angle_), 0);
-    place_ = std::max(place_, (stage.position(bar_) - truth).norm());
+    place_ = std::max(place_, (stage.position(bar_) - truth(time)[0].position).norm());
     energy_ = std::max(energy_, std::fabs(mechanism_.energy(stage) - energy_then_));
     gap_ = std::max(gap_, mechanism_.worst_gap(stage));
   }
   std::vector<double> errors(const Stage&) const override { return {energy_, place_, gap_}; }
+  std::vector<TruePose> truth(double) const override {
+    const Quat turned(Eigen::AngleAxisd(angle_, Vec::UnitZ()));
+    const Vec along = kLength * Vec(std::cos(angle_), std::sin(angle_), 0);
+    std::vector<TruePose> poses = {{bar_, along / 2, turned}};
+    for (int i = 1; i <= windows_; ++i) {
+      const std::size_t next = bar_ + 2 * static_cast<std::size_t>(i) - 1;
+      poses.push_back({next, along / 2 + Vec(kLength * i, 0, 0), turned});
+      poses.push_back({next + 1, along + Vec(kLength * (i - 0.5), 0, 0), Quat::Identity()});
+    }
+    return poses;
+  }
 
  private:
   std::size_t bar_;
+  int windows_;
   double pull_ = 0, energy_then_ = 0;
   double angle_ = std::numbers::pi / 2, spin_ = -kStart / kLength, time_ = 0, place_ = 0, energy_ = 0, gap_ = 0;
   Mechanism mechanism_;

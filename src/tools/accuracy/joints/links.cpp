@@ -26,6 +26,7 @@ std::size_t add_link(Stage& stage, const std::string& kind, const Vec& position,
   for (int k = 0; k < 3; ++k) desc.position[k] = position[k], desc.inertia[4 * k] = inertia[k];
   for (int k = 0; k < 4; ++k) desc.orientation[k] = orientation.coeffs()[k];
   desc.mass = mass;
+  desc.user = stage.actors.size();
   desc.fields = CAROM_BODY_FIELD_MASS | CAROM_BODY_FIELD_INERTIA;
   call.done(carom_body_create(stage.world.get(), &desc, &actor.body, call), "making " + actor.name);
   actor.parts.push_back(looks);

@@ -29,12 +29,15 @@ class PendulumTrial : public Trial {
       spin_ += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
     }
     time_ = time;
-    const Vec truth = length_ / 2 * Vec(std::cos(angle_), std::sin(angle_), 0);
-    place_ = std::max(place_, (stage.position(rod_) - truth).norm());
+    place_ = std::max(place_, (stage.position(rod_) - truth(time)[0].position).norm());
     energy_ = std::max(energy_, std::fabs(mechanism_.energy(stage)) / (kMass * kGravity * length_ / 2));
     gap_ = std::max(gap_, mechanism_.worst_gap(stage));
   }
   std::vector<double> errors(const Stage&) const override { return {place_, energy_, gap_}; }
+  std::vector<TruePose> truth(double) const override {
+    const Quat turned(Eigen::AngleAxisd(angle_, Vec::UnitZ()));
+    return {{rod_, length_ / 2 * Vec(std::cos(angle_), std::sin(angle_), 0), turned}};
+  }
 
  private:
   std::size_t rod_;

@@ -5,6 +5,12 @@
 
 namespace carom::tools::accuracy {
 
+StandTrial::StandTrial(const Stage& stage, double fallen, double seconds)
+    : crowd_(stage), fallen_(fallen), seconds_(seconds) {
+  for (std::size_t i = 0; i < stage.actors.size(); ++i)
+    if (stage.actors[i].type == CAROM_BODY_DYNAMIC) homes_.push_back({i, stage.position(i), stage.orientation(i)});
+}
+
 void StandTrial::watch(const Stage& stage, double time) {
   crowd_.look(stage);
   for (std::size_t i = 0; i < crowd_.size(); ++i)

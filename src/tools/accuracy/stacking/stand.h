@@ -10,14 +10,16 @@ namespace carom::tools::accuracy {
 class StandTrial : public Trial {
  public:
   /// Of all dynamic bodies that the stage has now.   @param fallen m   @param seconds how long it should stand
-  StandTrial(const Stage& stage, double fallen, double seconds) : crowd_(stage), fallen_(fallen), seconds_(seconds) {}
+  StandTrial(const Stage& stage, double fallen, double seconds);
   void watch(const Stage& stage, double time) override;
   std::vector<double> errors(const Stage& stage) const override;
+  std::vector<TruePose> truth(double) const override { return homes_; }
 
   static std::vector<Metric> metrics(double sink_bound, double drift_bound, double short_bound);
 
  private:
   Crowd crowd_;
+  std::vector<TruePose> homes_;
   double fallen_, seconds_;
 };
 
