@@ -127,7 +127,7 @@ struct carom_difference { uint32_t struct_size; uint32_t differs; uint64_t first
 struct carom_residuals { uint32_t struct_size; uint32_t ledger_is_kept; uint64_t contact_points; uint64_t joints; double max_penetration; double mean_penetration; double joint_gap; double joint_angle; double complementarity; double cone; double slip; double energy; double energy_drift; };
 struct carom_mesh_desc { uint32_t struct_size; uint32_t flags; const double *vertices; uint64_t vertex_count; const uint32_t *triangles; uint64_t triangle_count; };
 struct carom_height_field_desc { uint32_t struct_size; uint32_t flags; uint32_t columns; uint32_t rows; const double *heights; double spacing[2]; };
-struct carom_scenery_info { uint32_t struct_size; uint32_t flags; uint64_t pieces; uint64_t vertices; uint64_t dropped; uint64_t rims; uint64_t bytes; };
+struct carom_scenery_info { uint32_t struct_size; uint32_t flags; uint64_t triangles; uint64_t vertices; uint64_t dropped; uint64_t boundary_edges; uint64_t bytes; };
 struct carom_shape_info { uint32_t struct_size; uint32_t form; uint32_t is_half_space; uint32_t mass_exact; carom_plugin plugin; uint64_t param_count; double core_radius; double bounding_radius; double aabb_min[3]; double aabb_max[3]; double volume; double volume_min; double volume_max; double centroid[3]; double centroid_error; double inertia[9]; double inertia_error; uint32_t is_scenery; uint32_t reserved; };
 struct carom_world_desc { uint32_t struct_size; uint32_t reserved; double gravity[3]; uint64_t body_capacity; };
 struct carom_step_report { uint32_t struct_size; uint32_t stage_count; double stage_seconds[16]; double total_seconds; uint64_t steps; double time; uint64_t bodies; uint64_t dynamic_bodies; uint64_t colliders; uint64_t broad_pairs; uint64_t contact_pairs; uint64_t contact_points; uint64_t groups; uint64_t largest_group; uint64_t gjk_calls; uint64_t epa_calls; uint64_t support_calls; uint64_t velocity_impulses; uint64_t position_moves; uint64_t quarantined_bodies; uint64_t faults; double max_penetration; double mean_penetration; double max_closing_speed; double linear_energy; double angular_energy; uint64_t asleep_bodies; uint64_t fell_asleep; uint64_t woke_up; uint64_t direct_groups; double solver_residual; uint64_t particles; uint64_t quarantined_particles; uint64_t swept_bodies; uint64_t sweep_hits; uint64_t wedged_groups; uint64_t rejected_solutions; };
@@ -135,7 +135,7 @@ struct carom_contact { carom_collider collider_a; carom_collider collider_b; car
 struct carom_group { carom_body body; uint32_t bodies; uint32_t points; uint32_t solver; uint32_t reason; double mass_ratio; double sink; };
 struct carom_fault { uint32_t kind; uint32_t reserved; carom_shape shape; carom_body body; double dir[3]; double out[3]; carom_particles particles; uint64_t particle; };
 struct carom_query_desc { uint32_t struct_size; uint32_t flags; uint64_t category; uint64_t mask; carom_body ignore; double tolerance; double target; uint32_t iterations; uint32_t reserved; };
-struct carom_world_hit { uint32_t outcome; uint32_t status; uint64_t question; carom_collider collider; carom_body body; double time; double lower; double upper; double separation; double normal[3]; double point[3]; double point_own[3]; };
+struct carom_world_hit { uint32_t outcome; uint32_t status; uint64_t query; carom_collider collider; carom_body body; double time; double lower; double upper; double separation; double normal[3]; double point[3]; double point_own[3]; };
 struct carom_query_shapes { uint32_t struct_size; uint32_t scalar; uint64_t count; const carom_shape *shapes; const void *positions; const void *orientations; const void *motions; uint64_t shape_stride; uint64_t position_stride; uint64_t orientation_stride; uint64_t motion_stride; };
 struct carom_world_hits { uint32_t struct_size; uint32_t scalar; carom_world_hit *records; uint32_t *outcomes; carom_collider *colliders; void *times; void *normals; void *points; uint64_t record_stride; uint64_t outcome_stride; uint64_t collider_stride; uint64_t time_stride; uint64_t normal_stride; uint64_t point_stride; };
 int32_t carom_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
@@ -234,7 +234,7 @@ int32_t carom_world_get_fault_events(carom_world *world, carom_fault_event *dst,
 int32_t carom_collider_set_filter(carom_world *world, carom_collider collider, uint64_t category, uint64_t mask, int32_t group, carom_error *error);
 int32_t carom_collider_get_filter(carom_world *world, carom_collider collider, uint64_t *category, uint64_t *mask, int32_t *group, carom_error *error);
 int32_t carom_body_set_filter(carom_world *world, carom_body body, uint64_t category, uint64_t mask, int32_t group, carom_error *error);
-int32_t carom_body_hold_apart(carom_world *world, carom_body body_a, carom_body body_b, uint32_t apart, carom_error *error);
+int32_t carom_body_ignore_collision(carom_world *world, carom_body body_a, carom_body body_b, uint32_t ignored, carom_error *error);
 int32_t carom_collider_set_sensor(carom_world *world, carom_collider collider, uint32_t sensor, carom_error *error);
 int32_t carom_collider_is_sensor(carom_world *world, carom_collider collider, uint32_t *sensor, carom_error *error);
 int32_t carom_body_add_force_at(carom_world *world, carom_body body, const double *force, const double *point, carom_error *error);
@@ -527,7 +527,7 @@ return {
   CAROM_MANIFOLD_CACHE = 1,
   CAROM_MANIFOLD_PATCH = 2,
   CAROM_MANIFOLD_CLIP = 3,
-  CAROM_SWEEP_NOBODY = 0,
+  CAROM_SWEEP_NONE = 0,
   CAROM_SWEEP_FLAGGED = 1,
   CAROM_SWEEP_FAST = 2,
   CAROM_PRECISION_FLOAT = 0,

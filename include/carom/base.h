@@ -14,7 +14,7 @@
  *    struct_size    sizeof the struct, as the caller knows it
  *    reserved       0
  *    n              number of elements in the arrays
- *    capacity       number of elements that dst has room for
+ *    capacity       number of elements that fit into dst
  *    count          number of elements
  *    dst            where the elements are written, NULL if capacity is 0
  *    stride         bytes from one element to the next
@@ -122,7 +122,7 @@ typedef uint64_t carom_spring;
 #define CAROM_SCALAR_F32 0u /* float, 4 bytes */
 #define CAROM_SCALAR_F64 1u /* double, 8 bytes */
 
-/** Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
+/** Version of the library that is running (the CAROM_VERSION_* macros are the header's).
  *  @param major, minor, patch as CAROM_VERSION_*
  *  @status OK; NULL_ARGUMENT */
 CAROM_API int32_t carom_version(uint32_t *major, uint32_t *minor, uint32_t *patch);

@@ -221,7 +221,7 @@ CAROM_API int32_t carom_body_get_locks(carom_world *world, carom_body body, uint
 #define CAROM_ATTRIBUTE_MAGNETIC_MOMENT 4u  /* A m^2, axes of the body: magnetic fields turn it, see
                                                CAROM_FORCE_FIELD_MAGNETIC */
 #define CAROM_ATTRIBUTE_COUNT 5u
-#define CAROM_ATTRIBUTE_NUMBERS 4u          /* what every attribute has room for */
+#define CAROM_ATTRIBUTE_NUMBERS 4u          /* the most that an attribute can have */
 /* clang-format on */
 
 /** What an attribute is. Strings have static storage. */
@@ -256,7 +256,7 @@ CAROM_API int32_t carom_body_get_attribute(carom_world *world, carom_body body, 
                                            carom_error *error);
 
 /* ---- sleep, if CAROM_DIAL_SLEEP is on (by default it is off) ----
- * An island (dynamic bodies that hang together through contacts, or one by itself) whose bodies were all slower than
+ * An island (dynamic bodies connected by contacts, or one by itself) whose bodies were all slower than
  * CAROM_DIAL_SLEEP_SPEED for CAROM_DIAL_SLEEP_TIME falls asleep at the end of a step: its velocities become 0, and from
  * then on it costs nothing. Its poses and all that is remembered of its contacts are kept to the bit, so that when it
  * wakes it goes on as if no time had passed. The whole island wakes
@@ -284,14 +284,14 @@ CAROM_API int32_t carom_body_wake(carom_world *world, carom_body body, carom_err
  *  - a host names it here.
  * A swept body stops at the first thing in its way. The impact is solved there with the restitution and friction of the
  * two materials, and the body goes on. Other bodies cost nothing. Sensors are not swept. A swept body that meets a body
- * asleep wakes it. Contact events tell of such impacts. */
+ * asleep wakes it. Contact events report such impacts. */
 
 #define CAROM_CONTINUOUS_AUTO 0u   /* in steps in which it is fast for its size (default) */
 #define CAROM_CONTINUOUS_ALWAYS 1u /* in every step */
 #define CAROM_CONTINUOUS_NEVER 2u  /* in none: cheap debris that may pass through walls */
 
 /** Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
- *  says otherwise: under NOBODY no body is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
+ *  says otherwise: under CAROM_SWEEP_NONE no body is swept, under CAROM_SWEEP_FLAGGED only CAROM_CONTINUOUS_ALWAYS.
  *  @param mode CAROM_CONTINUOUS_*
  *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_continuous(carom_world *world, carom_body body, uint32_t mode, carom_error *error);
@@ -323,7 +323,7 @@ typedef struct carom_collider_desc {
   uint64_t category;       /**< bits, default CAROM_FILTER_CATEGORY: carom_collider_set_filter() */
   uint64_t mask;           /**< bits, default CAROM_FILTER_MASK */
   int32_t group;           /**< default 0: none */
-  uint32_t sensor;         /**< 1: tells what overlaps it and touches nothing; default 0: carom_collider_set_sensor() */
+  uint32_t sensor; /**< 1: reports what overlaps it and touches nothing; default 0: carom_collider_set_sensor() */
   double surface_linear[3];  /**< m/s, axes of the shape, default 0: carom_collider_set_surface_velocity() */
   double surface_angular[3]; /**< rad/s, axes of the shape, about its origin, default 0 */
 } carom_collider_desc;
@@ -341,7 +341,7 @@ CAROM_API int32_t carom_collider_create(carom_world *world, carom_body body, con
 /** The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the
  *  same parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
  *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
- *  friction 0.5, its restitution 0. carom_body_get_colliders() tells its collider.
+ *  friction 0.5, its restitution 0. carom_body_get_colliders() gives its collider.
  *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
  *  @param params [count] as carom_shape_create_named()   @param count number of params
  *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
@@ -374,9 +374,9 @@ CAROM_API int32_t carom_collider_set_pose(carom_world *world, carom_collider col
  *  what touches it to the velocity of the surface,
  *    v_body(x) + R (linear + angular x (R^T (x - p))),   the part of it in the plane of the contact,
  *  with R the orientation and p the origin of the shape in the world: axes and origin are the shape's own, so that a
- *  belt turns with its body. Nothing moves but by friction: a surface without any carries nothing. On a body that moves
- *  it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves does not
- *  fall asleep.
+ *  belt turns with its body. Nothing moves but by friction: a surface without friction moves nothing. On a body that
+ *  moves it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves
+ *  does not fall asleep.
  *  @param linear  [3] m/s, axes of the shape; 0 when a collider is created
  *  @param angular [3] rad/s, axes of the shape, about its origin
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;

@@ -1,9 +1,9 @@
 /** @file cast.h
  *  Where and when: rays, moving and turning shapes against shapes at given poses, overlap; without a world.
  *
- *  Every answer is a bracket. Contact begins at a time in [lower, upper]: before `lower` the separation is proven to
+ *  Every result is a bracket. Contact begins at a time in [lower, upper]: before `lower` the separation is proven to
  *  exceed the target, and within the bracket it comes down to target + slack or less. (For the closest points of two
- *  shapes at rest ask carom_shape_distance().)
+ *  shapes at rest call carom_shape_distance().)
  *  @thread engine: any thread, also while worlds of the engine step (engine.h).
  */
 #ifndef CAROM_CAST_H
@@ -36,11 +36,11 @@ typedef struct carom_cast_desc {
   double target; /**< m, 0 to 1e9, default 0: separation that counts as contact (a ray becomes a ball of this radius) */
 } carom_cast_desc;
 
-/** The answer. Numbers of a fault (status CAROM_QUERY_FAULT) mean nothing. */
+/** The result. Numbers of a fault (status CAROM_QUERY_FAULT) mean nothing. */
 typedef struct carom_cast {
   uint32_t struct_size;
   uint32_t outcome;    /**< CAROM_CAST_* */
-  uint32_t status;     /**< CAROM_QUERY_*: is the bracket as narrow as was asked */
+  uint32_t status;     /**< CAROM_QUERY_*: is the bracket as narrow as desc wants */
   uint32_t iterations; /**< of the search for the time */
   double time;         /**< in [lower, upper]; fraction of the direction or motion, s for a time of impact */
   double lower;        /**< a miss: end of the motion */
@@ -162,7 +162,7 @@ typedef struct carom_ray_hit {
   double point[3];  /**< m, world, on the shape's surface */
 } carom_ray_hit;
 
-/** Where answers go: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly packed. */
+/** Where results go: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly packed. */
 typedef struct carom_ray_hits {
   uint32_t struct_size;
   uint32_t scalar;        /**< CAROM_SCALAR_* of times, normals and points */
@@ -181,7 +181,7 @@ typedef struct carom_ray_hits {
 } carom_ray_hits;
 
 /** Cast many rays against one or more shapes: the first hit of each. A bad ray, or one for which a support function
- *  misbehaves (status CAROM_QUERY_FAULT, `shape` says whose), spoils no other. Nothing is allocated per ray.
+ *  misbehaves (status CAROM_QUERY_FAULT, that of `shape`), spoils no other. Nothing is allocated per ray.
  *  @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
  *  @param desc   may be NULL: defaults
  *  @param shape_count number of shapes

@@ -44,7 +44,7 @@ extern "C" {
 #define CAROM_DIAL_WARM_START 24u         /* choice: 0 solve each step from zero, 1 start from the last step's
                                              impulses */
 #define CAROM_DIAL_CARRY_OVER 25u         /* relative width up to which an earlier bracket, widened by the motion
-                                             since, stands in for a query of the generic path; 0: always ask afresh */
+                                             since, stands in for a query of the generic path; 0: off */
 #define CAROM_DIAL_CONTACT_FREQUENCY 26u  /* Hz: stiffness of soft contacts */
 #define CAROM_DIAL_CONTACT_DAMPING 27u    /* damping ratio of soft contacts */
 #define CAROM_DIAL_PUSH_SPEED 28u         /* m/s: overlap of a contact is undone at this speed at most (soft,
@@ -67,8 +67,8 @@ extern "C" {
                                              9 stages a substep, gaps at rounding (odd: the next); above 2 also of
                                              bodies that springs, drag and fields alone move; 0: as joints in contact
                                              are, under CAROM_INTEGRATOR_RK4 to order 4 */
-#define CAROM_DIAL_ACCURACY_PLACE 41u     /* m per second of motion that a host bears to be off, see accuracy.h; 0:
-                                             not asked for */
+#define CAROM_DIAL_ACCURACY_PLACE 41u     /* m per second of motion: tolerance of places, see accuracy.h;
+                                             0: none */
 #define CAROM_DIAL_ACCURACY_TURN 42u      /* rad per second, likewise */
 #define CAROM_DIAL_ACCURACY_SUBSTEPS 43u  /* bound of work: substeps of an island in a step */
 #define CAROM_DIAL_COUNT 44u
@@ -126,7 +126,7 @@ extern "C" {
                                     for */
 /* clang-format on */
 
-#define CAROM_SWEEP_NOBODY 0u  /* bodies that move farther in a step than they are large may pass through things */
+#define CAROM_SWEEP_NONE 0u    /* bodies that move farther in a step than they are large may pass through things */
 #define CAROM_SWEEP_FLAGGED 1u /* bodies of CAROM_CONTINUOUS_ALWAYS */
 #define CAROM_SWEEP_FAST 2u    /* also what moves far for its size in a step */
 

@@ -43,11 +43,11 @@ typedef struct carom_draw_line {
   double from[3], to[3]; /**< m, world */
   uint32_t colour;       /**< 0xRRGGBBAA */
   uint32_t kind;         /**< one CAROM_DRAW_* bit */
-  carom_body body;       /**< whose it is; of a contact that of B; CAROM_NULL_HANDLE: the world's */
+  carom_body body;       /**< that it belongs to; of a contact B; CAROM_NULL_HANDLE: the world's */
 } carom_draw_line;
 
-/** All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left
- *  out, and so are bodies in quarantine. The same world gives the same lines.
+/** All lines of the kinds that desc names, kind by kind in the order of the bits. Shapes whose support function fails
+ *  are left out, and so are bodies in quarantine. The same world gives the same lines.
  *  @param desc     NULL: defaults
  *  @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
  *  @param count    out: lines there are; more than capacity: the first `capacity` of them were written

@@ -60,7 +60,7 @@ typedef struct carom_jobs_desc {
   /** Or the host's own threads (threads is then 0): see to it that job(context, begin, end) is called for ranges that
    *  cover [0, count), on any threads at once, and return when all these calls have returned. Called on the thread that
    *  steps, and tens of times a step: waking a thread should not take longer than some microseconds. Parts that are
-   *  left out are done when it returns, those that are asked for twice are done once. Calls of carom_* from inside a
+   *  left out are done when it returns, those that come twice are done once. Calls of carom_* from inside a
    *  part, or from run itself, are REENTRANT. */
   void (*run)(void *user, carom_job_fn job, void *context, uint32_t count);
   void *user; /**< handed to run */
@@ -70,7 +70,7 @@ typedef struct carom_jobs_desc {
 CAROM_API int32_t carom_jobs_desc_init(carom_jobs_desc *desc, uint32_t struct_size);
 
 /** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support
- *  functions are then called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked
+ *  functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
  *  on the stepping one.
  *  @param desc may be NULL: the stepping thread alone
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
@@ -78,8 +78,8 @@ CAROM_API int32_t carom_jobs_desc_init(carom_jobs_desc *desc, uint32_t struct_si
 CAROM_API int32_t carom_engine_set_jobs(carom_engine *engine, const carom_jobs_desc *desc, carom_error *error);
 
 /** Load a shape plugin from a shared object. @param path absolute.
- *  The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
- *  bounds allow. Loading the same path twice is ALREADY_EXISTS.
+ *  The plugin is checked before anything is called, then by its support points in 256 directions, with parameters that
+ *  the bounds allow. Loading the same path twice is ALREADY_EXISTS.
  *  @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY */
 CAROM_API int32_t carom_plugin_load(carom_engine *engine, const char *path, carom_plugin *plugin, carom_error *error);
 

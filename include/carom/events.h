@@ -1,6 +1,6 @@
 /** @file events.h
  *  What happened in the last step, as arrays: contacts that began, ended or were hit, sensors entered and left, bodies
- *  that fell asleep or woke, joints that broke, faults. A world collects only the kinds that a host asked for.
+ *  that fell asleep or woke, joints that broke, faults. A world collects only the kinds that a host chose.
  *
  *  Arrays are replaced by the next step. Their order is that of slots, and the same for any number of threads. What was
  *  destroyed keeps its handle in them, which is stale by then. Where it takes memory, a step asks for it before it
@@ -98,7 +98,7 @@ typedef struct carom_joint_event {
   carom_joint joint; /**< that broke */
   carom_body body_a; /**< CAROM_NULL_HANDLE: the world */
   carom_body body_b; /**< as in carom_joint_desc */
-  double force[3];   /**< N, world, on B: mean over the step in which it broke, as carom_joint_state tells it */
+  double force[3];   /**< N, world, on B: mean over the step in which it broke, as in carom_joint_state */
   double torque[3];  /**< N m, world, on B about its point, likewise */
   uint64_t step;     /**< which step that was: carom_step_report.steps after it */
 } carom_joint_event;
@@ -107,9 +107,9 @@ typedef struct carom_joint_event {
 CAROM_API int32_t carom_world_get_joint_events(carom_world *world, carom_joint_event *dst, uint64_t stride,
                                                uint64_t capacity, uint64_t *count, carom_error *error);
 
-/** A support function that answered falsely: its shape is disabled from the next step on. Or a body or particles whose
- *  state was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
- *  that keep their names when what they name is destroyed. */
+/** A support function that returned a false point: its shape is disabled from the next step on. Or a body or particles
+ *  whose state was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by
+ *  handles that keep their names when what they name is destroyed. */
 typedef struct carom_fault_event {
   uint32_t kind; /**< CAROM_FAULT_* */
   uint32_t reserved;

@@ -28,16 +28,16 @@ CAROM_API int32_t carom_collider_get_filter(carom_world *world, carom_collider c
 CAROM_API int32_t carom_body_set_filter(carom_world *world, carom_body body, uint64_t category, uint64_t mask,
                                         int32_t group, carom_error *error);
 
-/** Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. Calls are
+/** Let two bodies make no contacts with each other, whatever their filters say, or restore their contacts. Calls are
  *  counted: undo each one. Undoing more does nothing.
- *  @param apart 1 or 0
- *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
-CAROM_API int32_t carom_body_hold_apart(carom_world *world, carom_body body_a, carom_body body_b, uint32_t apart,
-                                        carom_error *error);
+ *  @param ignored 1 or 0
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (ignored; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
+CAROM_API int32_t carom_body_ignore_collision(carom_world *world, carom_body body_a, carom_body body_b,
+                                              uint32_t ignored, carom_error *error);
 
-/** Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It
- *  obeys its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
- *  before.
+/** Make a collider a sensor: it reports what overlaps it (carom_world_get_sensor_events()) and is touched by nothing.
+ *  It obeys its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts
+ *  as before.
  *  @param sensor 1 or 0
  *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_collider_set_sensor(carom_world *world, carom_collider collider, uint32_t sensor,

@@ -77,7 +77,7 @@ typedef struct carom_force_field_desc {
   double reach;          /**< m, > 0, may be infinite (default): beyond that distance there is nothing */
   int32_t falloff;       /**< [-2, 8]: 0 the same everywhere, 1 a line's, 2 (default) a point's, -1 a spring's */
   uint32_t reserved;     /**< 0 */
-  uint64_t user;         /**< the host's; carried along */
+  uint64_t user;         /**< the host's; the engine does not read it */
 } carom_force_field_desc;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
@@ -106,8 +106,8 @@ CAROM_API int32_t carom_body_get_force_field_mask(carom_world *world, carom_body
 /* ---- springs ---- */
 
 /** A spring as a force, F = stiffness (length - rest) + damping d(length)/dt along the line between two points: what it
- *  does between two steps is as exact as the integrator. A substep h carries stiffness only up to where its frequency w
- *  has w h = 1; one that is stiffer is taken to be as stiff as that (carom_world_get_plan() says how many are). For
+ *  does between two steps is as exact as the integrator. A substep h resolves stiffness only up to where its frequency
+ *  w has w h = 1; one that is stiffer is taken to be as stiff as that (carom_world_get_plan() says how many are). For
  *  those, and for rods and ropes, there is CAROM_JOINT_DISTANCE, which solves. Fill with carom_spring_desc_init(). */
 typedef struct carom_spring_desc {
   uint32_t struct_size;
@@ -119,7 +119,7 @@ typedef struct carom_spring_desc {
   double rest;         /**< m, [0, 1e9] */
   double stiffness;    /**< N/m, [0, 1e30] */
   double damping;      /**< N s/m, [0, 1e30], default 0 */
-  uint64_t user;       /**< the host's; carried along */
+  uint64_t user;       /**< the host's; the engine does not read it */
 } carom_spring_desc;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */

@@ -3,7 +3,7 @@
  *  what is left may be limited, driven by a motor and pulled by a spring.
  *
  *  A joint has a frame on each body. Its x axis is the axis of a hinge and of a slider, and the one that twist and
- *  swing are told by. Coordinates, forces and torques are those of B relative to A.
+ *  swing are measured by. Coordinates, forces and torques are those of B relative to A.
  *
  *  Solver CAROM_SOLVER_SEVERITY knows no joints: a world with that dial refuses them, and a world with joints refuses
  *  that dial (CAROM_E_UNSUPPORTED).
@@ -117,7 +117,7 @@ typedef struct carom_joint_desc {
   double length;           /**< m, [0, 1e9]: of a distance joint */
   double break_force;      /**< N, mean over a step, above which the joint breaks; 0: never */
   double break_torque;     /**< N m, likewise */
-  uint64_t user;           /**< the host's; carried along */
+  uint64_t user;           /**< the host's; the engine does not read it */
 } carom_joint_desc;
 
 /** A coordinate kept within bounds. */
@@ -272,7 +272,7 @@ CAROM_API int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, 
                                          carom_joint_spring *spring, carom_error *error);
 
 /** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a
- *  pulley's distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they
+ *  pulley's distance requires is in metres of the rope. A gear holds from where its wheels stand now, as often as they
  *  may turn: turns are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in
  *  one; a pose that the host sets between steps is no turn.
  *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and

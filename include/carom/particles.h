@@ -1,6 +1,6 @@
 /** @file particles.h
  *  Point masses by the thousand: position, velocity, a mass, gravity and drag, and nothing else. They touch nothing,
- *  do not rotate and have no handle each: a set has one, and its particles are told apart by their place in it. A step
+ *  do not rotate and have no handle each: a set has one, and each particle is known by its index in it. A step
  *  takes a nanosecond or a few for each; one is 48 bytes, where a body without a shape is 730.
  *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
@@ -84,8 +84,8 @@ CAROM_API int32_t carom_particles_write(carom_world *world, carom_particles set,
                                         carom_error *error);
 
 /** A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still
- *  where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells
- *  of the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
+ *  where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults()
+ *  reports the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call all that are held now, ascending.
  *  @param indices [capacity] out; may be NULL if capacity is 0
  *  @param count   out: how many there are (may exceed capacity; capacity are written)
  *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */

@@ -29,11 +29,11 @@ extern "C" {
 #define CAROM_EFFECT_SLEEP 11u               /* islands at rest are not stepped */
 #define CAROM_EFFECT_PARTICLES 12u           /* sets of particles */
 #define CAROM_EFFECT_FILTER 13u              /* categories, masks and groups of colliders */
-#define CAROM_EFFECT_SENSOR 14u              /* colliders that only tell what overlaps them */
+#define CAROM_EFFECT_SENSOR 14u              /* colliders that only report what overlaps them */
 #define CAROM_EFFECT_JOINTS 15u              /* joints: what they lock */
 #define CAROM_EFFECT_SCENERY 16u             /* meshes and height fields */
 #define CAROM_EFFECT_CONTINUOUS 17u          /* fast bodies are swept */
-#define CAROM_EFFECT_SURFACE_VELOCITY 18u    /* surfaces that move: belts */
+#define CAROM_EFFECT_SURFACE_VELOCITY 18u    /* surfaces that move: conveyors */
 #define CAROM_EFFECT_AXIS_LOCKS 19u          /* locked axes of bodies */
 #define CAROM_EFFECT_DRAG 20u                /* drag of bodies */
 #define CAROM_EFFECT_WIND 21u                /* wind on bodies with drag */
@@ -45,7 +45,7 @@ extern "C" {
                                      contact points */
 #define CAROM_EFFECT_JOINT_LIMITS 26u /* limits of joints */
 #define CAROM_EFFECT_JOINT_MOTORS 27u /* motors and springs of joints */
-#define CAROM_EFFECT_EVENTS 28u       /* events that a host asked for */
+#define CAROM_EFFECT_EVENTS 28u       /* events that a host collects */
 #define CAROM_EFFECT_LEDGER 29u       /* accounts of energy and momentum */
 #define CAROM_EFFECT_MAGNETISM 30u    /* magnetic moments in magnetic fields */
 #define CAROM_EFFECT_COUNT 31u

@@ -76,7 +76,7 @@ typedef struct carom_geometry {
   uint32_t core_radius_param; /**< index into params of the core radius, or CAROM_NO_PARAM: no core radius. With an
                                    index, the support function is that of the CORE, and the shape is the core
                                    swollen by that radius (a sphere is a point with a radius, a capsule a segment) */
-  uint32_t mass_form;   /**< CAROM_FORM_* whose volume, centre and inertia the shape has; NONE: derive from support */
+  uint32_t mass_form;   /**< CAROM_FORM_*: the shape has its volume, centre and inertia; NONE: derive from support */
   uint32_t mass_arg[4]; /**< indices into params for mass_form */
 } carom_geometry;
 
@@ -102,7 +102,7 @@ typedef struct carom_shape_plugin {
   const carom_param_rule *rules;  /**< [rule_count] or NULL */
   uint32_t rule_count;            /**< at most 64 */
   uint32_t reserved;              /**< 0 */
-  /** handed to support: what a closure of the host holds, or NULL. The function must stay pure: same answer for
+  /** handed to support: what a closure of the host holds, or NULL. The function must stay pure: same point for
    *  the same user, params and dir, as long as the plugin is there */
   void *user;
 } carom_shape_plugin;

@@ -1,5 +1,5 @@
 /** @file query.h
- *  Questions about two shapes at given poses, without a world.
+ *  Queries about two shapes at given poses, without a world.
  *  @thread engine: any thread, also while worlds of the engine step (engine.h).
  */
 #ifndef CAROM_QUERY_H
@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define CAROM_QUERY_EXACT_ENOUGH 0u /* the bracket is as narrow as was asked */
+#define CAROM_QUERY_EXACT_ENOUGH 0u /* the bracket is as narrow as the tolerance wants */
 #define CAROM_QUERY_CAPPED 1u       /* the iteration cap came first; the bracket still holds */
 #define CAROM_QUERY_ROUNDING 2u     /* rounding stopped it; the bracket still holds */
 #define CAROM_QUERY_FAULT 3u        /* a support function misbehaved; nothing else is meaningful */
@@ -28,7 +28,7 @@ typedef struct carom_distance_desc {
   uint32_t epa_iterations; /**< cap, default 256 */
 } carom_distance_desc;
 
-/** The answer: signed distance (negative: depth of the smallest separating translation) and its bracket. */
+/** The result: signed distance (negative: depth of the smallest separating translation) and its bracket. */
 typedef struct carom_distance {
   uint32_t struct_size;
   uint32_t status;         /**< CAROM_QUERY_* */

@@ -8,7 +8,7 @@
  *
  *  All queries of a world support scenery (world_query.h). carom_ray_cast, carom_shape_cast,
  *  carom_shape_time_of_impact, carom_shape_overlap and carom_shape_distance do too, with the scenery as the second
- *  shape where one moves. Functions that need convex shapes (carom_shape_support, carom_rays_cast; shapes that ask a
+ *  shape where one moves. Functions that need convex shapes (carom_shape_support, carom_rays_cast; query shapes of a
  *  world) say UNSUPPORTED.
  *  @thread engine: any thread, also while worlds of the engine step (engine.h).
  */
@@ -68,19 +68,19 @@ CAROM_API int32_t carom_shape_create_height_field(carom_engine *engine, const ca
 
 /** Counts of a surface: what the engine keeps of the arrays that made it. */
 typedef struct carom_scenery_info {
-  uint32_t struct_size; /**< sizeof(carom_scenery_info), set by the caller */
-  uint32_t flags;       /**< CAROM_SCENERY_* bits, as given */
-  uint64_t pieces;      /**< number of triangles: indices of triangles run from 0 to `pieces - 1`. Of a mesh those that
+  uint32_t struct_size;    /**< sizeof(carom_scenery_info), set by the caller */
+  uint32_t flags;          /**< CAROM_SCENERY_* bits, as given */
+  uint64_t triangles;      /**< how many there are: their indices run from 0 to `triangles - 1`. Of a mesh those that
                              are left: triangle_count - dropped. Of a height field 2 (columns - 1) (rows - 1): the two
                              triangles of a cell count whether they are there or a hole */
-  uint64_t vertices;    /**< of a mesh: vertices after equal ones were made one; of a height field columns rows, NaN
+  uint64_t vertices;       /**< of a mesh: vertices after equal ones were made one; of a height field columns rows, NaN
                              ones included */
-  uint64_t dropped;     /**< triangles of the mesh that were left out, because they have no area (least height below
+  uint64_t dropped;        /**< triangles of the mesh that were left out, because they have no area (least height below
                              1e-12 of the longest side); 0 for a height field */
-  uint64_t rims;        /**< boundary sides: sides of a triangle with no triangle beyond. 0 for a closed surface. Many
+  uint64_t boundary_edges; /**< sides of a triangle with no triangle beyond. 0 for a closed surface. Many
                              in a surface that should be closed: its triangles do not share corners, and bodies will
                              feel the gaps */
-  uint64_t bytes;       /**< of memory, about */
+  uint64_t bytes;          /**< of memory, about */
 } carom_scenery_info;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape) */
@@ -90,7 +90,7 @@ CAROM_API int32_t carom_shape_get_scenery_info(carom_engine *engine, carom_shape
 /** Copy out triangles of scenery, for drawing: each by its three corners, as its surface faces. Holes are left out.
  *  @param first   number of the first triangle wanted
  *  @param corners [9 count] m, shape frame, or NULL to count
- *  @param count   in: room for how many; out: how many were written (with NULL: how many there are from `first` on)
+ *  @param count   in: how many fit; out: how many were written (with NULL: how many there are from `first` on)
  *  @param next    out: the number of the triangle to go on from; the number of triangles when all have been seen
  *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape) */
 CAROM_API int32_t carom_shape_get_triangles(carom_engine *engine, carom_shape shape, uint64_t first, double *corners,

@@ -47,7 +47,7 @@ typedef struct carom_shape_info {
   uint32_t is_half_space; /**< 1: the built-in half-space */
   uint32_t mass_exact;    /**< 1: mass properties come from a verified closed form, brackets have zero width */
   carom_plugin plugin;    /**< CAROM_NULL_HANDLE for the half-space */
-  uint64_t param_count;   /**< as carom_shape_get_params() tells */
+  uint64_t param_count;   /**< as carom_shape_get_params() gives it */
   double core_radius;     /**< m */
   double bounding_radius; /**< m, about the shape's origin */
   double aabb_min[3];     /**< m, exact to rounding */

@@ -51,7 +51,7 @@ extern "C" {
 
 /** Write a snapshot, between steps. Reads only: other readers may be at work.
  *  @param flags    CAROM_SNAPSHOT_*
- *  @param buffer   [capacity] bytes, or NULL to ask for the size
+ *  @param buffer   [capacity] bytes, or NULL to get the size alone
  *  @param capacity bytes; 0 if buffer is NULL
  *  @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
  *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
@@ -62,9 +62,9 @@ CAROM_API int32_t carom_world_save(carom_world *world, uint32_t flags, void *buf
  *  anything of the world changes.
  *  An empty world is rebuilt from a snapshot that is whole; `user` values come with it, a ledger
  *  begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's,
- *  as if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one
+ *  as if the host had made them (carom_collider_get() gives their handles). Any other world takes its state, as of one
  *  that is not whole.
- *  @param bytes [size], of any alignment   @param size as carom_world_save() told
+ *  @param bytes [size], of any alignment   @param size as carom_world_save() gave it
  *  @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a
  *  newer
  *          format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of

@@ -40,7 +40,7 @@ CAROM_API int32_t carom_world_destroy(carom_world *world, carom_error *error);
  *  @param dt s, in [1e-9, 1]
  *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
  *  Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
- *  A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells. */
+ *  A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() reports it. */
 CAROM_API int32_t carom_world_step(carom_world *world, double dt, carom_error *error);
 
 /** @param value within the dial's bounds; whole for choices and integers
@@ -103,7 +103,7 @@ typedef struct carom_step_report {
   uint64_t fell_asleep;        /**< of them, in this step */
   uint64_t woke_up;            /**< bodies that woke in this step or since the one before */
   uint64_t direct_groups;      /**< of the groups, those that CAROM_SOLVER_AUTO gave to the direct solver */
-  double solver_residual;      /**< m/s, how far the direct solver's answer is from Coulomb's law at the worst contact
+  double solver_residual;      /**< m/s, how far the direct solver's solution is from Coulomb's law at the worst contact
                                     point and substep; 0 where it had nothing to do */
   uint64_t particles;          /**< in all sets */
   uint64_t quarantined_particles; /**< of them, held still since their state left the world */

@@ -1,15 +1,15 @@
 /** @file world_query.h
- *  Questions to a world between steps: what rays and moving shapes meet, what overlaps a shape, what is nearest to it;
+ *  Queries of a world between steps: what rays and moving shapes meet, what overlaps a shape, what is nearest to it;
  *  one by one or many in one call.
  *
- *  All colliders are asked, asleep or awake, static or not, at the poses that bodies have now; not those of bodies and
- *  shapes in quarantine, nor particles, and sensors only if they are asked for. Answers do not depend on the broad
- *  phase, on threads or on what was asked before. Each collider's own answer is the one of cast.h (or query.h) for it
- *  alone, with the same brackets and proofs; first is what has the least `time` (or separation), of equals the collider
- *  in the lower slot (the low 24 bits of its handle). A collider whose support function misbehaves is reported where
- *  its bounds are, with status CAROM_QUERY_FAULT.
+ *  All colliders are searched, asleep or awake, static or not, at the poses that bodies have now; not those of bodies
+ *  and shapes in quarantine, nor particles, and sensors only with CAROM_ASK_SENSORS. Results do not depend on the broad
+ *  phase, on threads or on earlier queries. Each collider's own result is the one of cast.h (or query.h) for it alone,
+ *  with the same brackets and proofs; first is what has the least `time` (or separation), of equals the collider in the
+ *  lower slot (the low 24 bits of its handle). A collider whose support function misbehaves is reported where its
+ *  bounds are, with status CAROM_QUERY_FAULT.
  *
- *  All are readers. The first question after a change brings an index up to date, in time proportional to what moved;
+ *  All are readers. The first query after a change brings an index up to date, in time proportional to what moved;
  *  others that come meanwhile wait for it.
  *  @thread world: a call that is named get, is or read is a reader of its world, any other call its writer (world.h).
  */
@@ -37,7 +37,7 @@ extern "C" {
 typedef struct carom_query_desc {
   uint32_t struct_size;
   uint32_t flags;      /**< CAROM_ASK_* bits, default 0 */
-  uint64_t category;   /**< of the question, default all bits: a collider's mask must have a bit of it */
+  uint64_t category;   /**< of the query, default all bits: a collider's mask must have a bit of it */
   uint64_t mask;       /**< default all bits: a collider's categories must have a bit of it (by default it has bit 0) */
   carom_body ignore;   /**< its colliders are passed over; default CAROM_NULL_HANDLE: none */
   double tolerance;    /**< as in carom_cast_desc; of distances as in carom_distance_desc; default 1e-6 */
@@ -46,25 +46,25 @@ typedef struct carom_query_desc {
   uint32_t reserved;   /**< 0 */
 } carom_query_desc;
 
-/** One collider's answer. Of casts: as in carom_cast. Of overlaps: outcome OVERLAP with a point in both, or UNDECIDED
+/** One collider's result. Of casts: as in carom_cast. Of overlaps: outcome OVERLAP with a point in both, or UNDECIDED
  *  within rounding. Of the nearest: separation, lower and upper as in carom_distance, time 0; outcome OVERLAP if it is
  *  negative, else HIT. */
 typedef struct carom_world_hit {
   uint32_t outcome;        /**< CAROM_CAST_*; a MISS (or BAD_RAY) has no collider */
   uint32_t status;         /**< CAROM_QUERY_* */
-  uint64_t question;       /**< index in the call's arrays */
-  carom_collider collider; /**< CAROM_NULL_HANDLE: none; with status FAULT: it was the asking shape that misbehaved */
+  uint64_t query;          /**< index in the call's arrays */
+  carom_collider collider; /**< CAROM_NULL_HANDLE: none; with status FAULT: the query shape misbehaved */
   carom_body body;         /**< the collider's */
   double time;             /**< as in carom_cast */
   double lower;            /**< as in carom_cast; of a distance m */
   double upper;            /**< as in carom_cast; of a distance m */
   double separation;       /**< m */
-  double normal[3];        /**< unit, world, from the ray or the asking shape to the collider */
+  double normal[3];        /**< unit, world, from the ray or the query shape to the collider */
   double point[3];         /**< m, world, on the collider's surface */
-  double point_own[3];     /**< m, world, on the asking shape's surface, or where the ray is */
+  double point_own[3];     /**< m, world, on the query shape's surface, or where the ray is */
 } carom_world_hit;
 
-/** Shapes that ask, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and
+/** Query shapes, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and
  *  scalar set by the caller, what is not set zero. */
 typedef struct carom_query_shapes {
   uint32_t struct_size;
@@ -80,7 +80,7 @@ typedef struct carom_query_shapes {
   uint64_t motion_stride;
 } carom_query_shapes;
 
-/** Where answers to rays go, one each: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0:
+/** Where results of rays go, one each: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0:
  *  tightly packed. */
 typedef struct carom_world_hits {
   uint32_t struct_size;
@@ -132,7 +132,8 @@ CAROM_API int32_t carom_world_cast_rays_all(carom_world *world, const carom_rays
  *  @param shapes every shape, position, orientation and motion must be good, else nothing is written
  *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
  *  @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE;
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space as query shape); UNKNOWN_ENUM; *_HANDLE;
+ *  NOT_FINITE;
  *          NOT_UNIT; OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader */
 CAROM_API int32_t carom_world_cast_shapes(carom_world *world, const carom_query_shapes *shapes, uint32_t want,
                                           const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride,

@@ -47,7 +47,7 @@ constexpr ResultRow kResults[] = {
     ROW(CAROM_E_CORRUPT, "take the bytes again from where they were saved, all of them and unchanged"),
     ROW(CAROM_E_MISMATCH,
         "restore into a world that was made by the same calls as the one that was saved, or save it whole and restore into a new one"),
-    ROW(CAROM_E_WRITE_FAILED, "see that what the write function writes to has room, and record anew"),
+    ROW(CAROM_E_WRITE_FAILED, "see that what the write function writes to has space, and record anew"),
     ROW(CAROM_E_READ_ONLY, "leave it: this number is fixed, carom_constant_get_info() says why; set a dial instead"),
 };
 #undef ROW

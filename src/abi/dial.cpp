@@ -41,8 +41,7 @@ static_assert(
     same(Dial::joint_order, CAROM_DIAL_JOINT_ORDER) && same(Dial::accuracy_place, CAROM_DIAL_ACCURACY_PLACE) &&
     same(Dial::accuracy_turn, CAROM_DIAL_ACCURACY_TURN) &&
     same(Dial::accuracy_substeps, CAROM_DIAL_ACCURACY_SUBSTEPS) && same(Dial::count, CAROM_DIAL_COUNT));
-static_assert(kSweepNone == CAROM_SWEEP_NOBODY && kSweepFlagged == CAROM_SWEEP_FLAGGED &&
-              kSweepFast == CAROM_SWEEP_FAST);
+static_assert(kSweepNone == CAROM_SWEEP_NONE && kSweepFlagged == CAROM_SWEEP_FLAGGED && kSweepFast == CAROM_SWEEP_FAST);
 static_assert(static_cast<std::uint32_t>(Precision::in_float) == CAROM_PRECISION_FLOAT &&
               static_cast<std::uint32_t>(Precision::by_size) == CAROM_PRECISION_AUTO &&
               static_cast<std::uint32_t>(Precision::in_double) == CAROM_PRECISION_DOUBLE);
@@ -124,7 +123,7 @@ int32_t carom_dial_find(const char* name, uint32_t* dial, carom_error* error) {
       }
     call.fail(CAROM_E_NOT_FOUND, 1, "there is no dial \"%.120s\"; did you mean %s?", name, nearest_dial(name));
     call.advise(
-        "names are those of carom/dial.h in small letters, without CAROM_DIAL_; carom_dial_get_info() tells them");
+        "names are those of carom/dial.h in small letters, without CAROM_DIAL_; carom_dial_get_info() gives them");
   });
 }
 

@@ -1,4 +1,4 @@
-// Who may touch whom: filters, bodies held apart, sensors.
+// Which colliders may touch: filters, ignored pairs, sensors.
 #include <carom/filter.h>
 
 #include "abi/record_calls.h"
@@ -39,21 +39,21 @@ int32_t carom_body_set_filter(carom_world* world, carom_body body, uint64_t cate
   });
 }
 
-int32_t carom_body_hold_apart(carom_world* world, carom_body body_a, carom_body body_b, uint32_t apart,
-                              carom_error* error) {
+int32_t carom_body_ignore_collision(carom_world* world, carom_body body_a, carom_body body_b, uint32_t ignored,
+                                    carom_error* error) {
   return guarded(error, [&](Call& call) {
-    const Recorded changing(call, world, record::body_hold_apart(body_a, body_b, apart));
+    const Recorded changing(call, world, record::body_ignore_collision(body_a, body_b, ignored));
     if (!changing || !resolve(call, 2, "body_a", changing->scene.bodies, body_a) ||
-        !resolve(call, 3, "body_b", changing->scene.bodies, body_b) || !in_range(call, 4, "apart", apart, 0, 1))
+        !resolve(call, 3, "body_b", changing->scene.bodies, body_b) || !in_range(call, 4, "ignored", ignored, 0, 1))
       return;
     if (body_a == body_b) {
       call.fail(CAROM_E_OUT_OF_RANGE, 3, "a body and itself: it never touches itself");
       return;
     }
-    if (apart)
-      changing->hold_apart(handle_slot(body_a), handle_slot(body_b));
+    if (ignored)
+      changing->ignore_collision(handle_slot(body_a), handle_slot(body_b));
     else
-      changing->let_go(handle_slot(body_a), handle_slot(body_b));
+      changing->restore_collision(handle_slot(body_a), handle_slot(body_b));
   });
 }
 

@@ -60,7 +60,7 @@ bool make_jobs(Call& call, const carom_jobs_desc& desc, Memory* memory, Owned<Jo
   if (desc.threads > kMostThreads)
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->threads is %u, must be at most %u", desc.threads, kMostThreads);
   if (desc.run && desc.threads > 1)
-    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->threads is %u but desc->run is given: whose threads?",
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->threads is %u, and desc->run is given: only one may be",
                      desc.threads);
   if (desc.run) {
     jobs = make_owned<Jobs, HostJobs>(memory, desc);

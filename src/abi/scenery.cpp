@@ -155,10 +155,10 @@ int32_t carom_shape_get_scenery_info(carom_engine* engine, carom_shape shape, ca
     if (!s) return;
     carom_scenery_info full{};
     full.flags = s->two_sided ? CAROM_SCENERY_TWO_SIDED : 0;
-    full.pieces = s->triangles();
+    full.triangles = s->triangles();
     full.vertices = s->is_field() ? s->heights.size() : s->vertex.size();
     full.dropped = s->dropped;
-    full.rims = boundary_edges_of(*s);
+    full.boundary_edges = boundary_edges_of(*s);
     full.bytes = s->bytes();
     write_struct(full, info);
   });

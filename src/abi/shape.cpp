@@ -294,7 +294,7 @@ int32_t carom_shape_get_params(carom_engine* engine, carom_shape shape, double* 
     const std::uint64_t capacity = *count;
     if (capacity < own.size()) {
       *count = own.size();
-      call.fail(CAROM_E_BUFFER_TOO_SMALL, 4, "room for %llu parameters, the shape has %zu",
+      call.fail(CAROM_E_BUFFER_TOO_SMALL, 4, "capacity for %llu parameters, the shape has %zu",
                 static_cast<unsigned long long>(capacity), own.size());
       return;
     }

@@ -66,7 +66,7 @@ void log_faults(const carom_world& world) {
                                fault.body);
     else
       world.engine.log_message(
-          CAROM_LOG_WARNING, "support fault %u at dir (%g, %g, %g), answer (%g, %g, %g): shape 0x%016llx in quarantine",
+          CAROM_LOG_WARNING, "support fault %u at dir (%g, %g, %g), point (%g, %g, %g): shape 0x%016llx in quarantine",
           static_cast<unsigned>(fault.support.kind), fault.support.dir[0], fault.support.dir[1], fault.support.dir[2],
           fault.support.out[0], fault.support.out[1], fault.support.out[2],
           static_cast<unsigned long long>(fault.support.shape->handle));
@@ -90,7 +90,7 @@ bool check_dial(Call& call, std::uint32_t dial, double value) {
   if (!known(call, 2, "dial", dial, kDialCount)) return false;
   const DialRow& row = dial_table()[dial];
   if (!in_range(call, 3, row.name, value, row.min, row.max))
-    return call.advise("pass a number within the bounds of the dial; carom_dial_get_info() tells them");
+    return call.advise("pass a number within the bounds of the dial; carom_dial_get_info() gives them");
   return row.kind == DialRow::number || value == std::floor(value) ||
          call.fail(CAROM_E_OUT_OF_RANGE, 3, "%s is %.17g, must be a whole number", row.name, value);
 }

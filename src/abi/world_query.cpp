@@ -28,12 +28,12 @@ bool read_desc(Call& call, int argument, const World& world, const carom_query_d
   return true;
 }
 
-carom_world_hit hit_of(const World& world, std::uint64_t question, const WorldHit& hit) {
+carom_world_hit hit_of(const World& world, std::uint64_t query, const WorldHit& hit) {
   const CastResult& r = hit.cast;
   carom_world_hit out{};
   out.outcome = static_cast<std::uint32_t>(r.outcome);
   out.status = static_cast<std::uint32_t>(r.status);
-  out.question = question;
+  out.query = query;
   if (hit.collider != kInvalid) {
     out.collider = world.scene.collider_slots.handle(hit.collider);
     out.body = world.scene.bodies.handle(world.scene.colliders.body[hit.collider]);
@@ -49,10 +49,10 @@ carom_world_hit hit_of(const World& world, std::uint64_t question, const WorldHi
   return out;
 }
 
-carom_world_hit bad_ray(std::uint64_t question) {
+carom_world_hit bad_ray(std::uint64_t query) {
   carom_world_hit out{};
   out.outcome = CAROM_CAST_BAD_RAY;
-  out.question = question;
+  out.query = query;
   return out;
 }
 

@@ -104,7 +104,7 @@ Verdict verify_support(const Shape& shape) {
   for (int i = 0; i < kDirections; ++i)
     for (int j = 0; j < kDirections; ++j)
       if (!(dirs[i].dot(points[j] - points[i]) <= tolerance))
-        return lie("not the support of a convex set: another answer lies farther along the direction", dirs[i],
+        return lie("not the support of a convex set: another support point lies farther along the direction", dirs[i],
                    points[i]);
   return {};
 }

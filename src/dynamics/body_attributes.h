@@ -1,5 +1,5 @@
 // What a host may say of a body beside its descriptor, one row each: a name, numbers, bounds, what bodies have that no
-// host spoke of. CONTRIBUTING.md tells how to add one.
+// host spoke of. CONTRIBUTING.md says how to add one.
 //
 // The row is all there is to write. A column grows when the first body gets something else; bodies that come have the usual
 // value; whoever gets another wakes; snapshots hold it, and with them forks and recordings; the plan counts its memory to its
@@ -38,7 +38,7 @@ struct AttributeRow {
   const char* name = nullptr;
   const char* unit = nullptr;  // of its numbers, one after the other
   const char* what = nullptr;
-  EffectId effect{};  // whose participants have it
+  EffectId effect{};  // its participants have it
   std::uint32_t numbers = 1;
   Real min = 0, max = 0;             // of each
   StoredAs stored = StoredAs::real;  // what is stored as a whole number is one

@@ -53,7 +53,7 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            kSearches, 1),
     choice(Dial::groups, "groups", "resolve each contact group by itself, or all contacts as one", kOffOn, 1),
     choice(Dial::broad_phase, "broad_phase",
-           "which bounds overlap: all pairs, sorted axes, cells, or a tree; same answer", kBroadPhases, 3),
+           "which bounds overlap: all pairs, sorted axes, cells, or a tree; same pairs", kBroadPhases, 3),
     number(Dial::grid_cell, "grid_cell", "m", "cell size of the uniform grid; 0 chooses it from the scene", 0, 1e6, 0),
     number(Dial::contact_distance, "contact_distance", "m", "pairs nearer than this make contacts before they touch", 0,
            10, 0.01),
@@ -61,7 +61,7 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            kOffOn, 1),
     choice(Dial::narrow_phase, "narrow_phase",
            "generic path: GJK on margin shells with EPA for deep contact, or exact GJK and EPA", kNarrowPhases, 1),
-    choice(Dial::simplex, "simplex", "sub-algorithm of GJK; same answers, different cost", kSimplices, 2),
+    choice(Dial::simplex, "simplex", "sub-algorithm of GJK; same results, different cost", kSimplices, 2),
     number(Dial::gjk_tolerance, "gjk_tolerance", "",
            "bracket width, relative to the pair's size, at which a query stops", 1e-14, 1e-1, 1e-6),
     integer(Dial::gjk_iterations, "gjk_iterations", "cap of GJK; a capped query still returns its bracket", 4, 10000,
@@ -80,7 +80,7 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
     choice(Dial::warm_start, "warm_start", "solve each step from zero (the paper's), or from the last step's impulses",
            kOffOn, 1),
     number(Dial::carry_over, "carry_over", "",
-           "bracket width, relative to the pair's size, up to which an earlier answer stands in for a query; 0: never",
+           "bracket width, relative to the pair's size, up to which an earlier result stands in for a query; 0: never",
            0, 1e-1, 0),
     number(Dial::contact_frequency, "contact_frequency", "Hz",
            "stiffness of soft contacts: more sinks less and settles later; a quarter of the substep rate at most", 0,
@@ -89,8 +89,7 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            "damping ratio of soft contacts: above 1 they do not swing; more recovers slower from overlap", 0, 1e3, 10),
     number(Dial::push_speed, "push_speed", "m/s",
            "overlap of a contact is undone at this speed at most, by soft contacts and the direct solver", 0, 1e3, 0.5),
-    choice(Dial::sleep, "sleep", "islands that came to rest stop being simulated until something touches them", kOffOn,
-           0),
+    choice(Dial::sleep, "sleep", "islands that came to rest are not simulated until something touches them", kOffOn, 0),
     number(Dial::sleep_speed, "sleep_speed", "m/s", "no point of a body that falls asleep moves faster than this", 0,
            10, 0.05),
     number(Dial::sleep_time, "sleep_time", "s", "for how long an island has been slow when it falls asleep", 0, 1e3,
@@ -111,8 +110,7 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            "buckle; 0: at once",
            0, 1, 0.02),
     number(Dial::joint_frequency, "joint_frequency", "Hz",
-           "stiffness of joints, where they are not answered directly; a quarter of the substep rate at most", 0, 1e4,
-           1000),
+           "stiffness of joints outside the direct solver; a quarter of the substep rate at most", 0, 1e4, 1000),
     number(Dial::joint_damping, "joint_damping", "",
            "damping ratio of joints: more undoes a gap slower, less may swing", 0, 1e3, 1),
     choice(
@@ -131,15 +129,14 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
         "substep (odd: the next), above 2 also of bodies that springs, drag and fields alone move; 0: as joints in contact "
         "are",
         0, 6, 2),
-    number(
-        Dial::accuracy_place, "accuracy_place", "m/s",
-        "error of places that a host bears, a second of motion: islands take the substeps that their estimates ask for; "
-        "0: not asked for",
-        0, 1e6, 0),
+    number(Dial::accuracy_place, "accuracy_place", "m/s",
+           "tolerance of places a second of motion: islands take the substeps that their error estimates call for; "
+           "0: none",
+           0, 1e6, 0),
     number(Dial::accuracy_turn, "accuracy_turn", "rad/s", "likewise of turns; both 0: all take the dial's substeps", 0,
            1e6, 0),
     integer(Dial::accuracy_substeps, "accuracy_substeps",
-            "bound of work: substeps that an island may take in a step where an accuracy is asked for", 2, 4096, 256),
+            "bound of work: substeps that an island may take in a step where an accuracy is set", 2, 4096, 256),
 }};
 
 constexpr bool in_order() {

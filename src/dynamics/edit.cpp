@@ -271,14 +271,14 @@ void World::set_attribute(std::uint32_t body, AttributeId id, const AttributeVal
   ++scene.revision;
 }
 
-void World::hold_apart(std::uint32_t a, std::uint32_t b) {
+void World::ignore_collision(std::uint32_t a, std::uint32_t b) {
   scene.apart.reserve();
   mark_touched_by_host(*this, a), mark_touched_by_host(*this, b);
   scene.apart.add(a, b);
   ++scene.revision;
 }
 
-void World::let_go(std::uint32_t a, std::uint32_t b) {
+void World::restore_collision(std::uint32_t a, std::uint32_t b) {
   mark_touched_by_host(*this, a), mark_touched_by_host(*this, b);
   scene.apart.remove(a, b);
   ++scene.revision;

@@ -1,4 +1,4 @@
-// The plan of a step, made from the table: who are the participants of what, and what serves them.
+// The plan of a step, made from the table: the participants of each effect, and what serves them.
 #include <algorithm>
 #include <atomic>
 #include <cstring>
@@ -87,7 +87,7 @@ void plan_bodies(const World& world, Plan& plan) {
   plan.scratch_rotations.resize(plan.integrator->rotations * slots, Quat::identity());
 }
 
-/// Who can be touched, and whose axes a step needs in the world's.
+/// Which bodies can be touched, and for which a step needs the axes in the world's frame.
 void plan_solid(const World& world, Plan& plan) {
   plan.solid.clear(), plan.oriented.clear();
   const auto wears = [&](std::uint32_t i) { return world.scene.first_collider[i] != kInvalid; };
@@ -251,7 +251,7 @@ SupportFault find_bounds(const World& world, Colliders& c, const Plan& plan, std
     c.reach[slot] = std::min(motion, shape.bounding_radius);
   SupportFault fault;
   const FloatGuard guard;
-  if ((c.disabled[slot] & Colliders::kFaulty) && finite(shape.bounding_radius)) {  // who is disabled is asked nothing
+  if ((c.disabled[slot] & Colliders::kFaulty) && finite(shape.bounding_radius)) {  // a disabled shape is not queried
     const Vec3 all = Vec3::constant(shape.bounding_radius);
     c.bounds[slot] = {c.frame[slot].p - all, c.frame[slot].p + all};
   } else {
@@ -320,7 +320,7 @@ void place_colliders(const World& world, Colliders& c, PlacedPoses& placed, Plan
 }
 
 /// An explicit method is stable only for rate * h below a small number (2 for Euler, 2.8 for RK4); well before, decay
-/// is exact. Each body's own rate decides: who else is in the row changes nothing.
+/// is exact. Each body's own rate decides: other bodies of the row change nothing.
 void part_with_stiff(const World& world, PlannedEffect& row, Real h) {
   const Effect& effect = *row.effect;
   if (row.decays) row.decays->stiff.clear();

@@ -1,4 +1,4 @@
-// Reasons in words, and what memory is whose.
+// Reasons in words, and the memory of each effect.
 #include "dynamics/plan_view.h"
 
 #include <algorithm>
@@ -82,7 +82,7 @@ const char* unit_of(ParticipantKind kind) {
   return kUnits[static_cast<std::size_t>(kind)];
 }
 
-/// Who works within the loops of a stage, in whose time its own is.
+/// Effects within the loops of a stage: their time is part of the stage's.
 bool is_in_stage(std::size_t row) {
   for (const std::size_t inside :
        {+EffectId::friction, +EffectId::spinning_resistance, +EffectId::surface_velocity, +EffectId::response,
@@ -164,7 +164,7 @@ void explain(const World& world, std::size_t row, const PlannedEffect& effect, P
   if (line.mode == EffectMode::force)
     return count("forced by the host, but there is nothing it can act on: %s", e.missing);
   if (row == +EffectId::springs && line.runs && world.scene.springs.softened > 0)
-    return count("%llu springs, %llu stiffer than a substep carries: softened; more substeps, or joints", participants,
+    return count("%llu springs, %llu stiffer than a substep resolves: softened; more substeps, or joints", participants,
                  static_cast<unsigned long long>(world.scene.springs.softened));
   if (line.runs && of_bodies && wanted > participants)
     return count("%s: %llu of %llu, the host forbids it to the others", e.called_by, participants, wanted);
@@ -175,14 +175,15 @@ void explain(const World& world, std::size_t row, const PlannedEffect& effect, P
 }
 
 PlanLine stage_line(const World& world, std::size_t index) {
+  static constexpr const char* kNoTwo = "no two colliders of which one can move and that their filters let touch";
   static constexpr const char* kWhy[kStageCount][2] = {
       {"every step: what takes part in which effect", ""},
-      {"colliders of which two can touch", "no two colliders of which one can move and one notices"},
-      {"pairs that may touch", "no two colliders of which one can move and one notices"},
-      {"contacts and joints hang together in groups", "nothing can touch, and no joint holds a body that is awake"},
+      {"colliders of which two can touch", kNoTwo},
+      {"pairs that may touch", kNoTwo},
+      {"contacts and joints form islands", "nothing can touch, and no joint holds a body that is awake"},
       {"bodies and particles that move", "nothing moves"},
-      {"contacts or joints to be answered", "nothing can touch, and no joint holds a body that is awake"},
-      {"positions at contacts and joints to be put right", "no position to be put right"},
+      {"contacts or joints to be solved", "nothing can touch, and no joint holds a body that is awake"},
+      {"position errors at contacts and joints", "no position errors"},
       {"every step: what happened", ""}};
   PlanLine line;
   line.stage = static_cast<Stage>(index);
@@ -216,7 +217,7 @@ PlanLine plan_line(const World& world, std::size_t index) {
   }
   line.runs = ran(world, effect);
   line.participants = line.runs ? effect.participants.count : 0;
-  // Who is found in contacts, or is fast for its size, was not counted before.
+  // What is found in contacts, or is fast for its size, was not counted before.
   line.wanted = line.mode == EffectMode::force ? effect.wanted : std::max(effect.wanted, line.participants);
   line.evaluations = effect.evaluations;
   line.seconds = line.timing == Timing::own ? effect.seconds : 0;

@@ -1,4 +1,4 @@
-// The plan of the last step as a host reads it: what ran, for whom, why, and what was left out.
+// The plan of the last step as a host reads it: what ran, for which participants, why, and what was left out.
 #pragma once
 
 #include "dynamics/effects.h"

@@ -1,4 +1,4 @@
-// The stages of a step as one table: what runs, whose it is, what it reads and writes, how the ledger accounts for it.
+// The stages of a step as one table: function, effect, what it reads and writes, how the ledger accounts for it.
 //
 // step.cpp loops over it; the picture in ../README.md is made from it (tests/unit/dynamics/test_stages). A stage is a
 // function of a const World, the time, and the parts that it writes; what it writes is read off its parameters. One
@@ -51,7 +51,7 @@ struct StageEntry {
   std::string_view name, what;
   void (*run)(World&, const StepTime&) = nullptr;
   Stage stage{};                      // as which a host sees its time; it runs if this has participants
-  std::size_t effect = kEffectCount;  // of the one effect whose it is, if it is one's alone
+  std::size_t effect = kEffectCount;  // the effect that it belongs to, if it is one's alone
   Parts reads{};                      // declared: const World& gives them all
   Parts writes{};                     // derived from the function, @see stage()
   LedgerAccount account = LedgerAccount::none;

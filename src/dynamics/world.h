@@ -117,8 +117,8 @@ class World {
   void set_surface_velocity(std::uint32_t collider, const SurfaceVelocity& surface);
   void set_attribute(std::uint32_t body, AttributeId id, const AttributeValue& value);  // one that it may have
   void reserve_another(AttributeId id);  // so that the next body may have any value of it without more memory
-  void hold_apart(std::uint32_t body_a, std::uint32_t body_b);  // counted: as often as it is let go
-  void let_go(std::uint32_t body_a, std::uint32_t body_b);
+  void ignore_collision(std::uint32_t body_a, std::uint32_t body_b);  // counted: undo each call
+  void restore_collision(std::uint32_t body_a, std::uint32_t body_b);
   void set_transmission(std::uint32_t slot, const Transmission& transmission);
   Handle add_joint(const JointDef& def);  // its bodies are two, or one and the world
   void remove_joint(std::uint32_t joint);

@@ -70,7 +70,7 @@ inline void make(Bench& b, const carom_engine_desc* desc = nullptr) {
   assert_int_equal(carom_force_field_create(b.world, &field, &wind, nullptr), CAROM_OK);
   assert_int_equal(carom_body_set_drag(b.world, b.bodies[2], 0.1, 0, nullptr), CAROM_OK);
   assert_int_equal(carom_body_set_gravity_factor(b.world, b.bodies[0], 0.5, nullptr), CAROM_OK);
-  assert_int_equal(carom_body_hold_apart(b.world, b.bodies[0], b.bodies[1], 1, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_ignore_collision(b.world, b.bodies[0], b.bodies[1], 1, nullptr), CAROM_OK);
   assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SLEEP, 1, nullptr), CAROM_OK);
   assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SLEEP_TIME, 0.1, nullptr), CAROM_OK);
   assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SLEEP_SPEED, 0.5, nullptr), CAROM_OK);

@@ -121,7 +121,7 @@ void events_and_rays_of_a_settled_world_allocate_nothing(void**) {
   Bench b;
   assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
   assert_int_equal(carom_collider_set_sensor(b.world, b.colliders[2], 1, nullptr), CAROM_OK);
-  assert_int_equal(carom_body_hold_apart(b.world, b.bodies[0], b.bodies[1], 1, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_ignore_collision(b.world, b.bodies[0], b.bodies[1], 1, nullptr), CAROM_OK);
   assert_int_equal(carom_world_collect_events(b.world, 31, 1, nullptr), CAROM_OK);
   carom_world_hit hits[2];
   assert_int_equal(ask_around(b, hits), CAROM_OK);

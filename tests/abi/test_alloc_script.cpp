@@ -209,7 +209,8 @@ std::vector<Line> script(double solver) {
   add("filter", [](Made& m) {
     return carom_collider_set_filter(m.s.world, m.s.live[kCollider][3].handle, 3, ~uint64_t(0), 0, nullptr);
   });
-  add("held apart", [](Made& m) { return carom_body_hold_apart(m.s.world, body_at(m, 2), body_at(m, 5), 1, nullptr); });
+  add("held apart",
+      [](Made& m) { return carom_body_ignore_collision(m.s.world, body_at(m, 2), body_at(m, 5), 1, nullptr); });
   add("sensor",
       [](Made& m) { return carom_collider_set_sensor(m.s.world, m.s.live[kCollider][6].handle, 1, nullptr); });
   add("surface velocity", [](Made& m) {

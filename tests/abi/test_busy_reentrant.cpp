@@ -179,7 +179,7 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("collider_set_filter", carom_collider_set_filter(b.world, b.colliders[0], 1, 1, 0, nullptr));
   add("collider_get_filter", carom_collider_get_filter(b.world, b.colliders[0], &category, &mask, &group, nullptr));
   add("body_set_filter", carom_body_set_filter(b.world, b.bodies[0], 1, 1, 0, nullptr));
-  add("body_hold_apart", carom_body_hold_apart(b.world, b.bodies[0], b.bodies[1], 1, nullptr));
+  add("body_ignore_collision", carom_body_ignore_collision(b.world, b.bodies[0], b.bodies[1], 1, nullptr));
   add("collider_set_sensor", carom_collider_set_sensor(b.world, b.colliders[0], 1, nullptr));
   add("collider_is_sensor", carom_collider_is_sensor(b.world, b.colliders[0], &flag, nullptr));
   add("world_collect_events", carom_world_collect_events(b.world, 7, 1, nullptr));

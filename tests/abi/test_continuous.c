@@ -61,7 +61,7 @@ static void what_is_swept_stops_and_is_counted(void** state) {
                {CAROM_SWEEP_FAST, CAROM_CONTINUOUS_NEVER, 0},
                {CAROM_SWEEP_FLAGGED, CAROM_CONTINUOUS_ALWAYS, 1},
                {CAROM_SWEEP_FLAGGED, CAROM_CONTINUOUS_AUTO, 0},
-               {CAROM_SWEEP_NOBODY, CAROM_CONTINUOUS_ALWAYS, 0}};
+               {CAROM_SWEEP_NONE, CAROM_CONTINUOUS_ALWAYS, 0}};
   size_t i;
   (void)state;
   for (i = 0; i < sizeof cases / sizeof cases[0]; ++i) {

@@ -19,7 +19,7 @@ static void filters_are_set_read_and_obeyed(void** state) {
   assert_int_equal(carom_collider_get_filter(b.world, b.colliders[1], &category, &mask, &group, NULL), CAROM_OK);
   assert_true(category == 6 && mask == ~(uint64_t)1 && group == -7);
   assert_int_equal(carom_body_set_filter(b.world, b.bodies[2], 1, 0, 0, NULL), CAROM_OK);
-  assert_int_equal(carom_body_hold_apart(b.world, b.ground, b.bodies[3], 1, NULL), CAROM_OK);
+  assert_int_equal(carom_body_ignore_collision(b.world, b.ground, b.bodies[3], 1, NULL), CAROM_OK);
   for (i = 0; i < 200; ++i) {
     assert_int_equal(carom_world_step(b.world, 1.0 / 64, NULL), CAROM_OK);
     assert_int_equal(carom_world_get_contacts(b.world, contacts, sizeof contacts[0], 64, &count, NULL), CAROM_OK);

@@ -67,7 +67,8 @@ static void what_is_known_of_a_mesh(void** state) {
   assert_true(info.aabb_min[0] == -5 && info.aabb_max[2] == 5 && info.aabb_max[1] == 0);
   scenery.struct_size = sizeof scenery;
   assert_int_equal(carom_shape_get_scenery_info(b.engine, mesh, &scenery, NULL), CAROM_OK);
-  assert_true(scenery.pieces == 800 && scenery.vertices == 441 && scenery.dropped == 0 && scenery.rims == 80);
+  assert_true(scenery.triangles == 800 && scenery.vertices == 441 && scenery.dropped == 0 &&
+              scenery.boundary_edges == 80);
   assert_true(scenery.flags == 0 && scenery.bytes > 10000 && scenery.bytes < 200000);
   count = 0;
   assert_int_equal(carom_shape_get_triangles(b.engine, mesh, 0, NULL, &count, &next, NULL), CAROM_OK);

@@ -20,7 +20,7 @@ void settings_come_back_with_the_state(void**) {
   assert_int_equal(carom_body_set_gravity_factor(b.world, b.bodies[3], 2, nullptr), CAROM_OK);
   assert_int_equal(carom_body_set_locks(b.world, b.bodies[2], CAROM_LOCK_PLANE, nullptr), CAROM_OK);
   assert_int_equal(carom_body_set_drag(b.world, b.bodies[1], 3, 3, nullptr), CAROM_OK);
-  assert_int_equal(carom_body_hold_apart(b.world, b.bodies[2], b.bodies[1], 1, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_ignore_collision(b.world, b.bodies[2], b.bodies[1], 1, nullptr), CAROM_OK);
   assert_int_equal(carom_joint_set_motor(b.world, b.joint, CAROM_COORDINATE_TWIST, &motor, nullptr), CAROM_OK);
   assert_int_equal(carom_collider_set_surface_velocity(b.world, b.ground_collider, side, up, nullptr), CAROM_OK);
   assert_int_equal(carom_collider_set_sensor(b.world, b.colliders[0], 1, nullptr), CAROM_OK);

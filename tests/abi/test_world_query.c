@@ -19,7 +19,7 @@ static void one_ray_meets_what_is_first(void** state) {
   assert_int_equal(bench_make(&b, NULL, NULL), CAROM_OK);
   memset(&hit, 0xff, sizeof hit);
   assert_int_equal(carom_world_cast_ray(b.world, from, along, 10, NULL, &hit, sizeof hit, NULL), CAROM_OK);
-  assert_true(hit.outcome == CAROM_CAST_HIT && hit.status == CAROM_QUERY_EXACT_ENOUGH && hit.question == 0);
+  assert_true(hit.outcome == CAROM_CAST_HIT && hit.status == CAROM_QUERY_EXACT_ENOUGH && hit.query == 0);
   assert_true(hit.collider == b.colliders[0] && hit.body == b.bodies[0]);
   assert_true(hit.lower <= 2.25 && 2.25 <= hit.upper && near_to(hit.time, 2.25, 1e-12));
   assert_true(near_to(hit.normal[0], 1, 1e-12) && near_to(hit.point[0], -0.5, 1e-12) && hit.point[1] == 1);
@@ -100,7 +100,7 @@ static void batches_answer_as_single_rays_do(void** state) {
     double o[3], d[3];
     carom_world_hit one;
     int c;
-    assert_true(out[i].canary == 8 && out[i].hit.question == i && outcomes[i] == out[i].hit.outcome);
+    assert_true(out[i].canary == 8 && out[i].hit.query == i && outcomes[i] == out[i].hit.outcome);
     assert_true(met[i] == out[i].hit.collider && times[i] == (float)out[i].hit.time);
     if (i == 11) {
       assert_int_equal(outcomes[i], CAROM_CAST_BAD_RAY);
@@ -108,7 +108,7 @@ static void batches_answer_as_single_rays_do(void** state) {
     }
     for (c = 0; c < 3; ++c) o[c] = in[i].o[c], d[c] = in[i].d[c];
     assert_int_equal(carom_world_cast_ray(b.world, o, d, in[i].max, NULL, &one, sizeof one, NULL), CAROM_OK);
-    one.question = i;
+    one.query = i;
     assert_memory_equal(&one, &out[i].hit, sizeof one);
     hits_seen += one.outcome == CAROM_CAST_HIT;
   }
@@ -128,11 +128,11 @@ static void batches_answer_as_single_rays_do(void** state) {
                    CAROM_OK);
   assert_true(again == count);
   for (k = 0; k < count; ++k) {
-    const int first = k == 0 || all[k].question != all[k - 1].question;
+    const int first = k == 0 || all[k].query != all[k - 1].query;
     if (first)
-      assert_memory_equal(&all[k], &out[all[k].question].hit, sizeof all[k]);
+      assert_memory_equal(&all[k], &out[all[k].query].hit, sizeof all[k]);
     else
-      assert_true(all[k].time >= all[k - 1].time && all[k].question >= all[k - 1].question);
+      assert_true(all[k].time >= all[k - 1].time && all[k].query >= all[k - 1].query);
   }
   assert_int_equal(carom_world_cast_rays_all(b.world, &rays, NULL, few, sizeof few[0], 7, &again, NULL), CAROM_OK);
   assert_true(again == count);
@@ -166,7 +166,7 @@ static void shapes_are_cast_placed_and_measured(void** state) {
     assert_true(near_to(hit[0].time, drop / 10, 1e-7) && hit[0].normal[1] < 0);
   }
   assert_true(hit[1].outcome == CAROM_CAST_HIT && hit[1].collider == b.colliders[3] && near_to(hit[1].time, 0.5, 1e-9));
-  assert_true(hit[2].outcome == CAROM_CAST_MISS && hit[2].question == 2 && hit[2].time == 1);
+  assert_true(hit[2].outcome == CAROM_CAST_MISS && hit[2].query == 2 && hit[2].time == 1);
   assert_int_equal(carom_world_cast_shapes(b.world, &ask, CAROM_WANT_ANY, NULL, hit, 0, NULL), CAROM_OK);
   assert_true(hit[0].outcome == CAROM_CAST_HIT && hit[1].outcome == CAROM_CAST_HIT &&
               hit[2].outcome == CAROM_CAST_MISS);
@@ -181,7 +181,7 @@ static void shapes_are_cast_placed_and_measured(void** state) {
     ask.positions = here;
     assert_int_equal(carom_world_overlap_shapes(b.world, &ask, NULL, all, sizeof all[0], 9, &count, NULL), CAROM_OK);
     /* the crate reaches the third ball, too; the ball touches nothing; the point is above the floor */
-    assert_true(count >= 1 && all[0].question == 0);
+    assert_true(count >= 1 && all[0].query == 0);
     carom_query_desc_init(&desc, sizeof desc);
     desc.target = 0.75;
     ask.count = 1;

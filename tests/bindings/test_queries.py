@@ -91,7 +91,7 @@ class Crowds(unittest.TestCase):
     def test_casts(self):
         shapes = [self.box if i % 2 else self.ball for i in range(64)]
         many = self.world.casts(shapes, self.at, self.way, self.turned)
-        self.assertEqual(many.questions.tolist(), list(range(64)))
+        self.assertEqual(many.queries.tolist(), list(range(64)))
         hits = 0
         for i in range(64):
             one = self.world.cast(shapes[i], self.at[i], self.way[i], self.turned[i])
@@ -117,16 +117,16 @@ class Crowds(unittest.TestCase):
         every = self.world.casts_all(self.ball, self.at, self.way)
         first = self.world.casts(self.ball, self.at, self.way)
         for i in range(64):
-            own = np.flatnonzero(every.questions == i)
+            own = np.flatnonzero(every.queries == i)
             self.assertEqual(len(own) > 0, bool(first.outcomes[i]))
             if len(own):
                 self.assertEqual(every.times[own].tolist(), sorted(every.times[own]))
                 self.assertEqual(every.times[own[0]], first.times[i])
         through = self.world.rays_all([(0, 20, 0), (0, 20, 0)], [(0, -1, 0), (0, 1, 0)])
-        self.assertTrue((through.questions == 0).all() and len(through.times) >= 1)
+        self.assertTrue((through.queries == 0).all() and len(through.times) >= 1)
         over = self.world.overlaps_all(self.box, self.at)
         for i in (0, 5, 40):
-            self.assertEqual(over.bodies[over.questions == i].tolist(),
+            self.assertEqual(over.bodies[over.queries == i].tolist(),
                              [hit.body.handle for hit in self.world.overlaps(self.box, self.at[i])])
         none = self.world.overlaps_all(self.ball, [(0, 100, 0)])
         self.assertEqual((len(none.times), none.points.shape), (0, (0, 3)))

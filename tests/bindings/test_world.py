@@ -23,7 +23,7 @@ class Face(unittest.TestCase):
                 rod = world.body(position=(at[0] + down[0] / 4, at[1] + down[1] / 4, 0), mass=1, inertia=(0.02, 0, 0, 0, 0.02, 0, 0, 0, 0.02))
                 world.joint("hinge", before, rod, position=(*at, 0), orientation=(0, -math.sqrt(0.5), 0, math.sqrt(0.5)))
                 before, at = rod, (at[0] + down[0] / 2, at[1] + down[1] / 2)
-            world.ask(place=1e-5, turn=1e-5)
+            world.set_accuracy(place=1e-5, turn=1e-5)
             hash_before = world.hash
             growth = world.measure_growth(steps=1200)
             self.assertEqual(world.hash, hash_before)

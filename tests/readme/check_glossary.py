@@ -1,8 +1,8 @@
 """The glossary, src/GLOSSARY.md, is kept: one definition a term, and none of the words that it replaces in a README or
 in a comment of a header. Code between backticks, fenced blocks, file names and identifiers do not count.
 
-In C++ files of src the words of its last table stand nowhere: not in an identifier, a comment or a file's name. Texts
-between quotes are for users, and do not count.
+In C++ files of src the words of its table "not in src" stand nowhere: not in an identifier, a comment or a file's name.
+Those of its table "not in texts" stand neither between quotes, where texts for users are, nor in a header's comment.
 
 usage: check_glossary.py ROOT
 """
@@ -14,7 +14,14 @@ from pathlib import Path
 PAGES = ("README.md", "ABI.md", "CONTRIBUTING.md")
 FOLDERS = ("include", "src", "plugins", "bindings", "tests")
 
-# Where a word of the last table may stand in src: (words, file, line, why). One that is not in use is a problem.
+# Folders of src whose texts are those of the library and of its program; where a word may stand in them: (word, text, why).
+TEXTS = ("core", "collision", "dynamics", "abi", "tools/cli")
+TEXT_KEPT = (
+    ("rim", r"the rim of a coin|those of a rim between|cone's rim", "the edge circle of a disc, cylinder or cone"),
+    ("who", r'^"who"$', "a key of the file that `carom jury` writes"),
+)
+
+# Where a word of that table may stand in src: (words, file, line, why). One that is not in use is a problem.
 RIM = "the field's word for the edge circle of a disc, cylinder, cone or wheel"
 KEPT = (
     ("rim", r"collision/(core\.h|volume\.cpp)", r"", RIM),
@@ -23,8 +30,6 @@ KEPT = (
     ("rim", r"dynamics/contact/(mean_motion|rolling|slide)\.", r"", RIM),
     ("rim", r"tools/(accuracy/(friction/coin|reference)|check/sets)\.", r"", RIM),
     ("rims", r"tools/scenefile/geometry\.", r"", RIM),
-    ("nobody", r"", r"\bCAROM_SWEEP_NOBODY\b", "a name of the public API"),
-    ("pieces rims", r"abi/", r"\bfull\.(pieces|rims)\b", "fields of the public carom_scenery_info"),
 )
 
 
@@ -59,12 +64,16 @@ def prose_of_header(text):
     return "".join(out)
 
 
-def code_words(page):
-    """{word: what to say instead}, of the page's table of two columns"""
-    table = {}
+def code_words(page, heading):
+    """{word: what to say instead}, of the page's table of two columns whose first is headed so"""
+    table, inside = {}, False
     for line in page.read_text(encoding="utf-8").split("\n"):
         cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
-        if line.startswith("|") and len(cells) == 2 and cells[0] != "not in src" and not set(cells[0]) <= {"-"}:
+        if not line.startswith("|") or len(cells) != 2:
+            inside = False
+        elif cells[0] == heading:
+            inside = True
+        elif inside and not set(cells[0]) <= {"-"}:
             table.update({word.strip(): cells[1] for word in cells[0].split(",")})
     return table
 
@@ -110,6 +119,35 @@ def check_code(root, table, problems):
     return len(files)
 
 
+def check_texts(root, table, problems):
+    """Texts between quotes, and comments of the headers."""
+    pattern = re.compile(r"(?<![\w.-])(" + "|".join(f"[{w[0].upper()}{w[0]}]{w[1:]}" for w in table) + r")(?![\w-])")
+    kept_in_use, texts = set(), []
+    for folder in TEXTS:
+        for file in sorted((root / "src" / folder).rglob("*")):
+            if file.suffix not in (".h", ".cpp"):
+                continue
+            text = file.read_text(encoding="utf-8")
+            token = re.compile(r'//[^\n]*|/\*.*?\*/|#include[^\n]*|"(?:[^"\\\n]|\\.)*"|(?<!\w)\'(?:[^\'\\\n]|\\.)+\'', flags=re.S)
+            for found in token.finditer(text):
+                if found.group().startswith('"'):
+                    texts.append((file, text.count("\n", 0, found.start()) + 1, found.group()))
+    for header in sorted((root / "include").rglob("*.h")):
+        prose = prose_of_header(header.read_text(encoding="utf-8"))
+        texts += [(header, at, line) for at, line in enumerate(prose.split("\n"), 1) if line.strip()]
+    for file, at, text in texts:
+        for found in pattern.findall(text):
+            word = found.lower()
+            kept = [i for i, (of, where, _) in enumerate(TEXT_KEPT) if word == of and re.search(where, text)]
+            kept_in_use.update(kept)
+            if not kept:
+                problems.append(f"{file.relative_to(root)}:{at}: {found}: {table[word]}")
+    problems += [f"TEXT_KEPT: no {of} in {where}" for i, (of, where, _) in enumerate(TEXT_KEPT) if i not in kept_in_use]
+    if len(texts) < 3000 or len(table) < 20:
+        sys.exit(f"only {len(texts)} texts and {len(table)} words: this check no longer reads them")
+    return len(texts)
+
+
 def main():
     root = Path(sys.argv[1])
     glossary = root / "src/GLOSSARY.md"
@@ -149,12 +187,15 @@ def main():
             for found in pattern.findall(line):
                 word = found[0].lower() + found[1:]
                 problems.append(f"{file.relative_to(root)}:{at}: {found}: {replaced[word]}")
-    table = code_words(glossary)
+    table = code_words(glossary, "not in src")
     sources = check_code(root, table, problems)
+    text_table = code_words(glossary, "not in texts")
+    texts = check_texts(root, text_table, problems)
     if problems:
         sys.exit("\n".join(problems) + f"\n{len(problems)} places; src/GLOSSARY.md has the words")
     print(f"{len(seen)} terms, {len(replaced)} words to avoid, {len(files)} files")
     print(f"{len(table)} words that code does not have, {sources} files of src")
+    print(f"{len(text_table)} words that texts do not have, {texts} texts and lines of comments")
 
 
 main()

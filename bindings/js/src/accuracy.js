@@ -13,17 +13,17 @@ const bodyOf = (world, handle) => (handle ? new Body(world, handle) : null);
 export const accuracy = {
   /** Set an error tolerance, from the next step on. Islands then take the substeps that their own error asks for.
    *  @param about  place (m per second of motion), turn (rad per second of motion), substeps (the bound of work) */
-  ask(about = {}) {
+  setAccuracy(about = {}) {
     const m = this.module;
     m.frame((room) => m.call("carom_world_set_accuracy", this.pointer, m.put(room, "carom_accuracy", about)));
   },
 
   /** All islands take the substeps of the dial, as in a new world. */
-  askNothing() {
+  clearAccuracy() {
     this.module.call("carom_world_set_accuracy", this.pointer, 0);
   },
 
-  /** What was asked, or null. */
+  /** The tolerance that is set, or null. */
   get accuracy() {
     const m = this.module;
     return m.frame((room) => {

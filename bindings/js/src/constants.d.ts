@@ -75,11 +75,11 @@ export const CAROM_SCALAR_F32: 0;
 export const CAROM_SCALAR_F64: 1;
 /** its error was estimated in this step, else in one before */
 export const CAROM_ISLAND_ESTIMATED: 1;
-/** the bound of work was hit: it errs more than was asked */
+/** the bound of work was reached: its error is over the tolerance */
 export const CAROM_ISLAND_BOUND: 2;
 /** joints alone hold it: its error is of order 2, 4 or 6 */
 export const CAROM_ISLAND_JOINTS_ALONE: 4;
-/** more substeps do not lessen its error, which is over what was asked: contacts, mostly */
+/** more substeps do not lessen its error, which is over the tolerance: contacts, mostly */
 export const CAROM_ISLAND_STALLED: 8;
 /** root of a b */
 export const CAROM_MIX_GEOMETRIC_MEAN: 0;
@@ -134,7 +134,7 @@ export const CAROM_ATTRIBUTE_FORCE_FIELD_MASK: 3;
 /** A m^2, axes of the body: magnetic fields turn it, see CAROM_FORCE_FIELD_MAGNETIC */
 export const CAROM_ATTRIBUTE_MAGNETIC_MOMENT: 4;
 export const CAROM_ATTRIBUTE_COUNT: 5;
-/** what every attribute has room for */
+/** the most that an attribute can have */
 export const CAROM_ATTRIBUTE_NUMBERS: 4;
 /** in steps in which it is fast for its size (default) */
 export const CAROM_CONTINUOUS_AUTO: 0;
@@ -235,7 +235,7 @@ export const CAROM_DIAL_MANIFOLD: 22;
 export const CAROM_DIAL_CACHE_DISTANCE: 23;
 /** choice: 0 solve each step from zero, 1 start from the last step's impulses */
 export const CAROM_DIAL_WARM_START: 24;
-/** relative width up to which an earlier bracket, widened by the motion since, stands in for a query of the generic path; 0: always ask afresh */
+/** relative width up to which an earlier bracket, widened by the motion since, stands in for a query of the generic path; 0: off */
 export const CAROM_DIAL_CARRY_OVER: 25;
 /** Hz: stiffness of soft contacts */
 export const CAROM_DIAL_CONTACT_FREQUENCY: 26;
@@ -267,7 +267,7 @@ export const CAROM_DIAL_CONTINUOUS: 38;
 export const CAROM_DIAL_PRECISION: 39;
 /** 2, 4, 6: order of the error of islands that joints alone hold, in 1, 5 or 9 stages a substep, gaps at rounding (odd: the next); above 2 also of bodies that springs, drag and fields alone move; 0: as joints in contact are, under CAROM_INTEGRATOR_RK4 to order 4 */
 export const CAROM_DIAL_JOINT_ORDER: 40;
-/** m per second of motion that a host bears to be off, see accuracy.h; 0: not asked for */
+/** m per second of motion: tolerance of places, see accuracy.h; 0: none */
 export const CAROM_DIAL_ACCURACY_PLACE: 41;
 /** rad per second, likewise */
 export const CAROM_DIAL_ACCURACY_TURN: 42;
@@ -339,7 +339,7 @@ export const CAROM_MANIFOLD_PATCH: 2;
 /** the same, with declared faces (box, polytope) clipped exactly; others probed for */
 export const CAROM_MANIFOLD_CLIP: 3;
 /** bodies that move farther in a step than they are large may pass through things */
-export const CAROM_SWEEP_NOBODY: 0;
+export const CAROM_SWEEP_NONE: 0;
 /** bodies of CAROM_CONTINUOUS_ALWAYS */
 export const CAROM_SWEEP_FLAGGED: 1;
 /** also what moves far for its size in a step */
@@ -537,7 +537,7 @@ export const CAROM_EFFECT_SLEEP: 11;
 export const CAROM_EFFECT_PARTICLES: 12;
 /** categories, masks and groups of colliders */
 export const CAROM_EFFECT_FILTER: 13;
-/** colliders that only tell what overlaps them */
+/** colliders that only report what overlaps them */
 export const CAROM_EFFECT_SENSOR: 14;
 /** joints: what they lock */
 export const CAROM_EFFECT_JOINTS: 15;
@@ -545,7 +545,7 @@ export const CAROM_EFFECT_JOINTS: 15;
 export const CAROM_EFFECT_SCENERY: 16;
 /** fast bodies are swept */
 export const CAROM_EFFECT_CONTINUOUS: 17;
-/** surfaces that move: belts */
+/** surfaces that move: conveyors */
 export const CAROM_EFFECT_SURFACE_VELOCITY: 18;
 /** locked axes of bodies */
 export const CAROM_EFFECT_AXIS_LOCKS: 19;
@@ -565,7 +565,7 @@ export const CAROM_EFFECT_RESPONSE: 25;
 export const CAROM_EFFECT_JOINT_LIMITS: 26;
 /** motors and springs of joints */
 export const CAROM_EFFECT_JOINT_MOTORS: 27;
-/** events that a host asked for */
+/** events that a host collects */
 export const CAROM_EFFECT_EVENTS: 28;
 /** accounts of energy and momentum */
 export const CAROM_EFFECT_LEDGER: 29;
@@ -614,7 +614,7 @@ export const CAROM_NO_PARAM: 4294967295;
 export const CAROM_PLUGIN_HOST_THREAD: 1;
 /** The symbol looked up in a shared object. */
 export const CAROM_SHAPE_PLUGIN_SYMBOL: "carom_shape_plugin_v1";
-/** the bracket is as narrow as was asked */
+/** the bracket is as narrow as the tolerance wants */
 export const CAROM_QUERY_EXACT_ENOUGH: 0;
 /** the iteration cap came first; the bracket still holds */
 export const CAROM_QUERY_CAPPED: 1;

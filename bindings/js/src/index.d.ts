@@ -259,10 +259,10 @@ export class World {
   setEffect(effect: number, mode: number): void;
   timeEffects(on?: boolean): void;
   /** Set an error tolerance, from the next step on: islands take the substeps that their own error asks for. */
-  ask(about?: Partial<Accuracy>): void;
+  setAccuracy(about?: Partial<Accuracy>): void;
   /** All islands take the substeps of the dial, as in a new world. */
-  askNothing(): void;
-  /** What was asked, or null. */
+  clearAccuracy(): void;
+  /** The tolerance that is set, or null. */
   readonly accuracy: Accuracy | null;
   /** Islands of the last step, worst first; none of a world that asks for nothing. */
   islands(): Island[];

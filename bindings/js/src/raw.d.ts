@@ -4,7 +4,7 @@ export interface Raw {
   memory: WebAssembly.Memory;
   malloc(bytes: number): number;
   free(pointer: number): void;
-  /** Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
+  /** Version of the library that is running (the CAROM_VERSION_* macros are the header's).
    *  @param major, minor, patch as CAROM_VERSION_*
    *  @status OK; NULL_ARGUMENT */
   carom_version(major: number, minor: number, patch: number): number;
@@ -26,15 +26,15 @@ export interface Raw {
   carom_abi_manifest(): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_accuracy_init(accuracy: number, struct_size: number): number;
-  /** Ask for an accuracy from the next step on.
+  /** Set an error tolerance from the next step on.
    *  @param accuracy NULL: none, as a world is created
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for);
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are 0);
    *          BUSY; REENTRANT */
   carom_world_set_accuracy(world: number, accuracy: number, error: number): number;
   /** @param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_accuracy(world: number, accuracy: number, present: number, error: number): number;
-  /** Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for.
+  /** Copy out the islands of the last step, worst first: by share, then by body. None without a tolerance.
    *  Bodies in free flight are in none: nothing acts on them but what is constant, and their step is exact.
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_island) as the caller knows it
@@ -42,7 +42,7 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_get_islands(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a
-   *  little over twice as much as they; nothing of the world itself changes. The same world gives the same answer.
+   *  little over twice as much as they; nothing of the world itself changes. The same world gives the same result.
    *  Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by
    *  until they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
    *  @param dt      s, of a step: as for carom_world_step()
@@ -171,7 +171,7 @@ export interface Raw {
   /** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT */
   carom_body_wake(world: number, body: bigint, error: number): number;
   /** Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
-   *  says otherwise: under NOBODY no body is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
+   *  says otherwise: under CAROM_SWEEP_NONE no body is swept, under CAROM_SWEEP_FLAGGED only CAROM_CONTINUOUS_ALWAYS.
    *  @param mode CAROM_CONTINUOUS_*
    *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT */
   carom_body_set_continuous(world: number, body: bigint, mode: number, error: number): number;
@@ -197,7 +197,7 @@ export interface Raw {
   /** The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the
    *  same parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
    *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
-   *  friction 0.5, its restitution 0. carom_body_get_colliders() tells its collider.
+   *  friction 0.5, its restitution 0. carom_body_get_colliders() gives its collider.
    *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
    *  @param params [count] as carom_shape_create_named()   @param count number of params
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
@@ -222,9 +222,9 @@ export interface Raw {
    *  what touches it to the velocity of the surface,
    *    v_body(x) + R (linear + angular x (R^T (x - p))),   the part of it in the plane of the contact,
    *  with R the orientation and p the origin of the shape in the world: axes and origin are the shape's own, so that a
-   *  belt turns with its body. Nothing moves but by friction: a surface without any carries nothing. On a body that moves
-   *  it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves does not
-   *  fall asleep.
+   *  belt turns with its body. Nothing moves but by friction: a surface without friction moves nothing. On a body that
+   *  moves it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves
+   *  does not fall asleep.
    *  @param linear  [3] m/s, axes of the shape; 0 when a collider is created
    *  @param angular [3] rad/s, axes of the shape, about its origin
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;
@@ -280,7 +280,7 @@ export interface Raw {
    *          half-spaces) */
   carom_shape_overlap(engine: number, shape_a: bigint, position_a: number, orientation_a: number, shape_b: bigint, position_b: number, orientation_b: number, desc: number, result: number, error: number): number;
   /** Cast many rays against one or more shapes: the first hit of each. A bad ray, or one for which a support function
-   *  misbehaves (status CAROM_QUERY_FAULT, `shape` says whose), spoils no other. Nothing is allocated per ray.
+   *  misbehaves (status CAROM_QUERY_FAULT, that of `shape`), spoils no other. Nothing is allocated per ray.
    *  @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
    *  @param desc   may be NULL: defaults
    *  @param shape_count number of shapes
@@ -310,8 +310,8 @@ export interface Raw {
   carom_preset_get_dial(preset: number, dial: number, value: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_draw_desc_init(desc: number, struct_size: number): number;
-  /** All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left
-   *  out, and so are bodies in quarantine. The same world gives the same lines.
+  /** All lines of the kinds that desc names, kind by kind in the order of the bits. Shapes whose support function fails
+   *  are left out, and so are bodies in quarantine. The same world gives the same lines.
    *  @param desc     NULL: defaults
    *  @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
    *  @param count    out: lines there are; more than capacity: the first `capacity` of them were written
@@ -330,15 +330,15 @@ export interface Raw {
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_jobs_desc_init(desc: number, struct_size: number): number;
   /** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support
-   *  functions are then called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked
+   *  functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
    *  on the stepping one.
    *  @param desc may be NULL: the stepping thread alone
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
    *  no more threads); OUT_OF_MEMORY; REENTRANT */
   carom_engine_set_jobs(engine: number, desc: number, error: number): number;
   /** Load a shape plugin from a shared object. @param path absolute.
-   *  The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
-   *  bounds allow. Loading the same path twice is ALREADY_EXISTS.
+   *  The plugin is checked before anything is called, then by its support points in 256 directions, with parameters that
+   *  the bounds allow. Loading the same path twice is ALREADY_EXISTS.
    *  @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY */
   carom_plugin_load(engine: number, path: number, plugin: number, error: number): number;
   /** Register a plugin by pointer: static linking, WebAssembly, or a shape written in the host's language.
@@ -387,14 +387,14 @@ export interface Raw {
   carom_collider_get_filter(world: number, collider: bigint, category: number, mask: number, group: number, error: number): number;
   /** The same for all colliders that a body has now.   @status as carom_collider_set_filter() */
   carom_body_set_filter(world: number, body: bigint, category: bigint, mask: bigint, group: number, error: number): number;
-  /** Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. Calls are
+  /** Let two bodies make no contacts with each other, whatever their filters say, or restore their contacts. Calls are
    *  counted: undo each one. Undoing more does nothing.
-   *  @param apart 1 or 0
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
-  carom_body_hold_apart(world: number, body_a: bigint, body_b: bigint, apart: number, error: number): number;
-  /** Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It
-   *  obeys its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
-   *  before.
+   *  @param ignored 1 or 0
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (ignored; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_body_ignore_collision(world: number, body_a: bigint, body_b: bigint, ignored: number, error: number): number;
+  /** Make a collider a sensor: it reports what overlaps it (carom_world_get_sensor_events()) and is touched by nothing.
+   *  It obeys its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts
+   *  as before.
    *  @param sensor 1 or 0
    *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_collider_set_sensor(world: number, collider: bigint, sensor: number, error: number): number;
@@ -517,7 +517,7 @@ export interface Raw {
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_spring(world: number, joint: bigint, coordinate: number, spring: number, error: number): number;
   /** Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a
-   *  pulley's distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they
+   *  pulley's distance requires is in metres of the rope. A gear holds from where its wheels stand now, as often as they
    *  may turn: turns are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in
    *  one; a pose that the host sets between steps is no turn.
    *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and
@@ -622,8 +622,8 @@ export interface Raw {
    *  @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY */
   carom_particles_write(world: number, set: bigint, field: number, scalar: number, indices: number, n: bigint, src: number, stride: bigint, error: number): number;
   /** A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still
-   *  where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells
-   *  of the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
+   *  where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults()
+   *  reports the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call all that are held now, ascending.
    *  @param indices [capacity] out; may be NULL if capacity is 0
    *  @param count   out: how many there are (may exceed capacity; capacity are written)
    *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
@@ -717,7 +717,7 @@ export interface Raw {
   /** Copy out triangles of scenery, for drawing: each by its three corners, as its surface faces. Holes are left out.
    *  @param first   number of the first triangle wanted
    *  @param corners [9 count] m, shape frame, or NULL to count
-   *  @param count   in: room for how many; out: how many were written (with NULL: how many there are from `first` on)
+   *  @param count   in: how many fit; out: how many were written (with NULL: how many there are from `first` on)
    *  @param next    out: the number of the triangle to go on from; the number of triangles when all have been seen
    *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape) */
   carom_shape_get_triangles(engine: number, shape: bigint, first: bigint, corners: number, count: number, next: number, error: number): number;
@@ -755,7 +755,7 @@ export interface Raw {
   carom_shape_support(engine: number, shape: bigint, dirs: number, n: bigint, points: number, error: number): number;
   /** Write a snapshot, between steps. Reads only: other readers may be at work.
    *  @param flags    CAROM_SNAPSHOT_*
-   *  @param buffer   [capacity] bytes, or NULL to ask for the size
+   *  @param buffer   [capacity] bytes, or NULL to get the size alone
    *  @param capacity bytes; 0 if buffer is NULL
    *  @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
    *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
@@ -764,9 +764,9 @@ export interface Raw {
    *  anything of the world changes.
    *  An empty world is rebuilt from a snapshot that is whole; `user` values come with it, a ledger
    *  begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's,
-   *  as if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one
+   *  as if the host had made them (carom_collider_get() gives their handles). Any other world takes its state, as of one
    *  that is not whole.
-   *  @param bytes [size], of any alignment   @param size as carom_world_save() told
+   *  @param bytes [size], of any alignment   @param size as carom_world_save() gave it
    *  @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a
    *  newer
    *          format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of
@@ -797,7 +797,7 @@ export interface Raw {
    *  @param dt s, in [1e-9, 1]
    *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
    *  Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
-   *  A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells. */
+   *  A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() reports it. */
   carom_world_step(world: number, dt: number, error: number): number;
   /** @param value within the dial's bounds; whole for choices and integers
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
@@ -861,7 +861,8 @@ export interface Raw {
    *  @param shapes every shape, position, orientation and motion must be good, else nothing is written
    *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
    *  @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE;
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space as query shape); UNKNOWN_ENUM; *_HANDLE;
+   *  NOT_FINITE;
    *          NOT_UNIT; OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader */
   carom_world_cast_shapes(world: number, shapes: number, want: number, desc: number, dst: number, stride: bigint, error: number): number;
   /** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().

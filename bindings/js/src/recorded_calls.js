@@ -31,7 +31,7 @@ export const CALLS = {
   carom_world_collect_events: [["number", "kinds", "uint32_t"], ["number", "hit_speed", "double"]],
   carom_collider_set_filter: [["handle", "collider"], ["number", "category", "uint64_t"], ["number", "mask", "uint64_t"], ["number", "group", "int32_t"]],
   carom_body_set_filter: [["handle", "body"], ["number", "category", "uint64_t"], ["number", "mask", "uint64_t"], ["number", "group", "int32_t"]],
-  carom_body_hold_apart: [["handle", "body_a"], ["handle", "body_b"], ["number", "apart", "uint32_t"]],
+  carom_body_ignore_collision: [["handle", "body_a"], ["handle", "body_b"], ["number", "ignored", "uint32_t"]],
   carom_collider_set_sensor: [["handle", "collider"], ["number", "sensor", "uint32_t"]],
   carom_body_add_force_at: [["handle", "body"], ["vector", "force", 3], ["vector", "point", 3]],
   carom_body_set_drag: [["handle", "body"], ["number", "linear", "double"], ["number", "quadratic", "double"]],

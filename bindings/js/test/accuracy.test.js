@@ -47,11 +47,11 @@ test("what is asked is told again, and nothing by default", () => {
   const world = rods([1]);
   assert.equal(world.accuracy, null);
   assert.deepEqual(world.islands(), []);
-  world.ask({ place: 1e-4 });
+  world.setAccuracy({ place: 1e-4 });
   assert.deepEqual(world.accuracy, { place: 1e-4, turn: 1e-3, substeps: 256 });
-  world.ask({ place: 0, turn: 2e-5, substeps: 64 });
+  world.setAccuracy({ place: 0, turn: 2e-5, substeps: 64 });
   assert.deepEqual(world.accuracy, { place: 0, turn: 2e-5, substeps: 64 });
-  world.askNothing();
+  world.clearAccuracy();
   assert.equal(world.accuracy, null);
   world.free();
 });
@@ -63,7 +63,7 @@ test("a pendulum errs as little as was asked, and more is more work", () => {
     const world = rods([1.5]),
       [rod] = world.bodies();
     world.gravity = [0, -9.81, 0];
-    world.ask({ place: tolerance, turn: tolerance });
+    world.setAccuracy({ place: tolerance, turn: tolerance });
     let done = 0;
     for (let i = 0; i < 120; ++i) {
       world.step(1 / 60);
@@ -88,7 +88,7 @@ test("islands come worst first, and tell of a bound that was hit", () => {
     const ball = world.body({ position: [3 + 2 * k, 0, 0], linear_velocity: [0, 0, 3 * k] });
     world.joint("distance", null, ball, { position_a: [2 + 2 * k, 0, 0], length: 1 });
   }
-  world.ask({ place: 1e-9, turn: 1e-9, substeps: 2 });
+  world.setAccuracy({ place: 1e-9, turn: 1e-9, substeps: 2 });
   world.step(1 / 60);
   const islands = world.islands();
   assert.equal(islands.length, 4);
@@ -100,7 +100,7 @@ test("islands come worst first, and tell of a bound that was hit", () => {
 test("chaos is told from what is regular, and the world stays as it is", () => {
   const wild = rods([2, 2.5]),
     calm = rods([1]);
-  for (const world of [wild, calm]) world.ask({ place: 1e-5, turn: 1e-5 });
+  for (const world of [wild, calm]) world.setAccuracy({ place: 1e-5, turn: 1e-5 });
   const before = wild.hash(),
     growth = wild.measureGrowth({ steps: 1200 });
   assert.equal(wild.hash(), before);
@@ -113,16 +113,16 @@ test("what is wrong is refused with a remedy, and nothing changes", () => {
   const world = rods([1]),
     before = world.hash();
   for (const wrong of [
-    () => world.ask({ place: -1 }),
-    () => world.ask({ place: NaN }),
-    () => world.ask({ place: 0, turn: 0 }),
-    () => world.ask({ substeps: 1 }),
+    () => world.setAccuracy({ place: -1 }),
+    () => world.setAccuracy({ place: NaN }),
+    () => world.setAccuracy({ place: 0, turn: 0 }),
+    () => world.setAccuracy({ substeps: 1 }),
     () => world.measureGrowth({ steps: 0 }),
     () => world.measureGrowth(),
     () => world.measureGrowth({ steps: 10, dt: NaN }),
   ])
     assert.throws(wrong, (e) => e instanceof CaromError && e.remedy.length > 10);
-  assert.throws(() => world.ask({ tolerance: 1 }), /no field "tolerance".*place/);
+  assert.throws(() => world.setAccuracy({ tolerance: 1 }), /no field "tolerance".*place/);
   assert.equal(world.hash(), before);
   world.free();
 });

@@ -175,7 +175,7 @@ CAROM_MANIFOLD_SINGLE = 0
 CAROM_MANIFOLD_CACHE = 1
 CAROM_MANIFOLD_PATCH = 2
 CAROM_MANIFOLD_CLIP = 3
-CAROM_SWEEP_NOBODY = 0
+CAROM_SWEEP_NONE = 0
 CAROM_SWEEP_FLAGGED = 1
 CAROM_SWEEP_FAST = 2
 CAROM_PRECISION_FLOAT = 0
@@ -474,7 +474,7 @@ class carom_mesh_desc(Structure):
 class carom_height_field_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("columns", c_uint32), ("rows", c_uint32), ("heights", POINTER(c_double)), ("spacing", c_double * 2)]
 class carom_scenery_info(Structure):
-    _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("pieces", c_uint64), ("vertices", c_uint64), ("dropped", c_uint64), ("rims", c_uint64), ("bytes", c_uint64)]
+    _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("triangles", c_uint64), ("vertices", c_uint64), ("dropped", c_uint64), ("boundary_edges", c_uint64), ("bytes", c_uint64)]
 class carom_shape_info(Structure):
     _fields_ = [("struct_size", c_uint32), ("form", c_uint32), ("is_half_space", c_uint32), ("mass_exact", c_uint32), ("plugin", carom_plugin), ("param_count", c_uint64), ("core_radius", c_double), ("bounding_radius", c_double), ("aabb_min", c_double * 3), ("aabb_max", c_double * 3), ("volume", c_double), ("volume_min", c_double), ("volume_max", c_double), ("centroid", c_double * 3), ("centroid_error", c_double), ("inertia", c_double * 9), ("inertia_error", c_double), ("is_scenery", c_uint32), ("reserved", c_uint32)]
 class carom_world_desc(Structure):
@@ -490,7 +490,7 @@ class carom_fault(Structure):
 class carom_query_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("category", c_uint64), ("mask", c_uint64), ("ignore", carom_body), ("tolerance", c_double), ("target", c_double), ("iterations", c_uint32), ("reserved", c_uint32)]
 class carom_world_hit(Structure):
-    _fields_ = [("outcome", c_uint32), ("status", c_uint32), ("question", c_uint64), ("collider", carom_collider), ("body", carom_body), ("time", c_double), ("lower", c_double), ("upper", c_double), ("separation", c_double), ("normal", c_double * 3), ("point", c_double * 3), ("point_own", c_double * 3)]
+    _fields_ = [("outcome", c_uint32), ("status", c_uint32), ("query", c_uint64), ("collider", carom_collider), ("body", carom_body), ("time", c_double), ("lower", c_double), ("upper", c_double), ("separation", c_double), ("normal", c_double * 3), ("point", c_double * 3), ("point_own", c_double * 3)]
 class carom_query_shapes(Structure):
     _fields_ = [("struct_size", c_uint32), ("scalar", c_uint32), ("count", c_uint64), ("shapes", POINTER(carom_shape)), ("positions", c_void_p), ("orientations", c_void_p), ("motions", c_void_p), ("shape_stride", c_uint64), ("position_stride", c_uint64), ("orientation_stride", c_uint64), ("motion_stride", c_uint64)]
 class carom_world_hits(Structure):
@@ -680,7 +680,7 @@ FUNCTIONS = {
     "carom_collider_set_filter": ("1.0", c_int32, (c_void_p, carom_collider, c_uint64, c_uint64, c_int32, POINTER(carom_error),)),
     "carom_collider_get_filter": ("1.0", c_int32, (c_void_p, carom_collider, POINTER(c_uint64), POINTER(c_uint64), POINTER(c_int32), POINTER(carom_error),)),
     "carom_body_set_filter": ("1.0", c_int32, (c_void_p, carom_body, c_uint64, c_uint64, c_int32, POINTER(carom_error),)),
-    "carom_body_hold_apart": ("1.0", c_int32, (c_void_p, carom_body, carom_body, c_uint32, POINTER(carom_error),)),
+    "carom_body_ignore_collision": ("1.0", c_int32, (c_void_p, carom_body, carom_body, c_uint32, POINTER(carom_error),)),
     "carom_collider_set_sensor": ("1.0", c_int32, (c_void_p, carom_collider, c_uint32, POINTER(carom_error),)),
     "carom_collider_is_sensor": ("1.0", c_int32, (c_void_p, carom_collider, POINTER(c_uint32), POINTER(carom_error),)),
     "carom_body_add_force_at": ("1.0", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),

@@ -223,9 +223,9 @@ class Body(Thing):
         """Of all colliders that it has now."""
         self._call(raw.carom_body_set_filter, category, mask, group)
 
-    def hold_apart(self, other: Body, apart: bool = True) -> None:
-        """The two make no contacts with each other."""
-        self._call(raw.carom_body_hold_apart, other.handle, int(apart))
+    def ignore_collision(self, other: Body, ignored: bool = True) -> None:
+        """The two make no contacts with each other, whatever their filters say. Calls are counted: undo each one."""
+        self._call(raw.carom_body_ignore_collision, other.handle, int(ignored))
 
 
 class Collider(Thing):

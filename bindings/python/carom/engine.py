@@ -1,4 +1,4 @@
-"""The first root: plugins, shapes, threads of work; and questions about shapes without a world."""
+"""The first root: plugins, shapes, threads of work; and queries of shapes without a world."""
 from __future__ import annotations
 
 import ctypes

@@ -31,9 +31,9 @@ class RayHits(Record):
 
 
 class Hits(Record):
-    """Of many questions, a row each: fields of carom_world_hit; colliders and bodies are handles."""
+    """Of many queries, a row each: fields of carom_world_hit; colliders and bodies are handles."""
     outcomes: NDArray[np.uint32]
-    questions: NDArray[np.uint32]
+    queries: NDArray[np.uint32]
     colliders: NDArray[np.uint64]
     bodies: NDArray[np.uint64]
     times: NDArray[np.float64]
@@ -97,7 +97,7 @@ class Questions:
 
     def rays_all(self, origins: Rows, directions: Rows | Vector, max: float | Sequence[float] | NDArray[Any] | None = None,
                  **how: Unpack[QueryKeywords]) -> Hits:
-        """All that each of many rays meets: by question, then by time. @return arrays as of casts()"""
+        """All that each of many rays meets: by query, then by time. @return arrays as of casts()"""
         rays, alive, _ = self._rays(origins, directions, max)
         desc = describe(raw.carom_query_desc, how)
         return self._arrays(copy_out(self._call, raw.carom_world_cast_rays_all, raw.carom_world_hit, ctypes.byref(rays),
@@ -150,7 +150,7 @@ class Questions:
     def _arrays(found: Any) -> Hits:
         """Records of carom_world_hit as arrays, a row each."""
         rows = numpy.ctypeslib.as_array(found) if len(found) else numpy.zeros(0, numpy.dtype(raw.carom_world_hit))
-        names = {"outcome": "outcomes", "question": "questions", "collider": "colliders", "body": "bodies", "time": "times",
+        names = {"outcome": "outcomes", "query": "queries", "collider": "colliders", "body": "bodies", "time": "times",
                  "lower": "lower", "upper": "upper", "separation": "separations", "normal": "normals", "point": "points",
                  "point_own": "points_own", "status": "statuses"}
         return Hits(**{name: rows[field].copy() for field, name in names.items()})
@@ -164,7 +164,7 @@ class Questions:
               orientations: Rows | Vector | None = None, want: WantWord = "first", **how: Unpack[QueryKeywords]) -> Hits:
         """What each of many shapes meets first as it moves by its motion without turning: numpy arrays.
         @param shapes  one for all, or one each   @param positions, motions  (n, 3) m   @param orientations  (n, 4) or None
-        @return arrays by question: outcomes (0 a miss), colliders and bodies (handles), times (fractions of the motion),
+        @return arrays by query: outcomes (0 a miss), colliders and bodies (handles), times (fractions of the motion),
                 lower, upper, separations, normals, points, points_own"""
         asking, alive, n = self._shapes(shapes, positions, orientations, motions)
         desc = describe(raw.carom_query_desc, how)
@@ -179,7 +179,7 @@ class Questions:
 
     def casts_all(self, shapes: Shape | Sequence[Shape], positions: Rows | Vector, motions: Rows | Vector,
                   orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
-        """All that each of many moving shapes meets: by question, then by time. @return arrays as of casts()"""
+        """All that each of many moving shapes meets: by query, then by time. @return arrays as of casts()"""
         asking, alive, _ = self._shapes(shapes, positions, orientations, motions)
         desc = describe(raw.carom_query_desc, how)
         return self._arrays(copy_out(self._call, raw.carom_world_cast_shapes_all, raw.carom_world_hit, ctypes.byref(asking),
@@ -187,7 +187,7 @@ class Questions:
 
     def overlaps_all(self, shapes: Shape | Sequence[Shape], positions: Rows | Vector,
                      orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
-        """All that each of many shapes overlaps, by question. @return arrays as of casts()"""
+        """All that each of many shapes overlaps, by query. @return arrays as of casts()"""
         asking, alive, _ = self._shapes(shapes, positions, orientations, None)
         desc = describe(raw.carom_query_desc, how)
         return self._arrays(copy_out(self._call, raw.carom_world_overlap_shapes, raw.carom_world_hit, ctypes.byref(asking),

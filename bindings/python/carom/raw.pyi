@@ -182,7 +182,7 @@ CAROM_MANIFOLD_SINGLE: int
 CAROM_MANIFOLD_CACHE: int
 CAROM_MANIFOLD_PATCH: int
 CAROM_MANIFOLD_CLIP: int
-CAROM_SWEEP_NOBODY: int
+CAROM_SWEEP_NONE: int
 CAROM_SWEEP_FLAGGED: int
 CAROM_SWEEP_FAST: int
 CAROM_PRECISION_FLOAT: int
@@ -480,7 +480,7 @@ class carom_cast_desc(ctypes.Structure):
     tolerance: float
     target: float
 class carom_cast(ctypes.Structure):
-    """The answer. Numbers of a fault (status CAROM_QUERY_FAULT) mean nothing."""
+    """The result. Numbers of a fault (status CAROM_QUERY_FAULT) mean nothing."""
     struct_size: int
     outcome: int
     status: int
@@ -538,7 +538,7 @@ class carom_ray_hit(ctypes.Structure):
     normal: Any
     point: Any
 class carom_ray_hits(ctypes.Structure):
-    """Where answers go: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly packed."""
+    """Where results go: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0: tightly packed."""
     struct_size: int
     scalar: int
     records: Any
@@ -639,9 +639,9 @@ class carom_joint_event(ctypes.Structure):
     torque: Any
     step: int
 class carom_fault_event(ctypes.Structure):
-    """A support function that answered falsely: its shape is disabled from the next step on. Or a body or particles whose
-    state was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by handles
-    that keep their names when what they name is destroyed."""
+    """A support function that returned a false point: its shape is disabled from the next step on. Or a body or particles
+    whose state was not finite: they are in quarantine. The same faults as those of carom_world_get_faults(), but by
+    handles that keep their names when what they name is destroyed."""
     kind: int
     reserved: int
     shape: int
@@ -673,8 +673,8 @@ class carom_force_field_desc(ctypes.Structure):
     user: int
 class carom_spring_desc(ctypes.Structure):
     """A spring as a force, F = stiffness (length - rest) + damping d(length)/dt along the line between two points: what it
-    does between two steps is as exact as the integrator. A substep h carries stiffness only up to where its frequency w
-    has w h = 1; one that is stiffer is taken to be as stiff as that (carom_world_get_plan() says how many are). For
+    does between two steps is as exact as the integrator. A substep h resolves stiffness only up to where its frequency
+    w has w h = 1; one that is stiffer is taken to be as stiff as that (carom_world_get_plan() says how many are). For
     those, and for rods and ropes, there is CAROM_JOINT_DISTANCE, which solves. Fill with carom_spring_desc_init()."""
     struct_size: int
     only_pulls: int
@@ -909,7 +909,7 @@ class carom_distance_desc(ctypes.Structure):
     gjk_iterations: int
     epa_iterations: int
 class carom_distance(ctypes.Structure):
-    """The answer: signed distance (negative: depth of the smallest separating translation) and its bracket."""
+    """The result: signed distance (negative: depth of the smallest separating translation) and its bracket."""
     struct_size: int
     status: int
     separation: float
@@ -970,10 +970,10 @@ class carom_scenery_info(ctypes.Structure):
     """Counts of a surface: what the engine keeps of the arrays that made it."""
     struct_size: int
     flags: int
-    pieces: int
+    triangles: int
     vertices: int
     dropped: int
-    rims: int
+    boundary_edges: int
     bytes: int
 class carom_shape_info(ctypes.Structure):
     """What the engine knows of a shape. Quantities are for unit density (1 kg/m^3) in the shape's own frame; each derived
@@ -1084,12 +1084,12 @@ class carom_query_desc(ctypes.Structure):
     iterations: int
     reserved: int
 class carom_world_hit(ctypes.Structure):
-    """One collider's answer. Of casts: as in carom_cast. Of overlaps: outcome OVERLAP with a point in both, or UNDECIDED
+    """One collider's result. Of casts: as in carom_cast. Of overlaps: outcome OVERLAP with a point in both, or UNDECIDED
     within rounding. Of the nearest: separation, lower and upper as in carom_distance, time 0; outcome OVERLAP if it is
     negative, else HIT."""
     outcome: int
     status: int
-    question: int
+    query: int
     collider: int
     body: int
     time: float
@@ -1100,7 +1100,7 @@ class carom_world_hit(ctypes.Structure):
     point: Any
     point_own: Any
 class carom_query_shapes(ctypes.Structure):
-    """Shapes that ask, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and
+    """Query shapes, in the caller's arrays, of float or double, at any stride (0: tightly packed). struct_size and
     scalar set by the caller, what is not set zero."""
     struct_size: int
     scalar: int
@@ -1114,7 +1114,7 @@ class carom_query_shapes(ctypes.Structure):
     orientation_stride: int
     motion_stride: int
 class carom_world_hits(ctypes.Structure):
-    """Where answers to rays go, one each: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0:
+    """Where results of rays go, one each: records, or separate arrays, or both; NULL: not wanted. Strides in bytes, 0:
     tightly packed."""
     struct_size: int
     scalar: int
@@ -1131,7 +1131,7 @@ class carom_world_hits(ctypes.Structure):
     normal_stride: int
     point_stride: int
 def carom_version(major: Any, minor: Any, patch: Any) -> int:
-    """Version of the library that is running (the CAROM_VERSION_* macros tell the header's).
+    """Version of the library that is running (the CAROM_VERSION_* macros are the header's).
     @param major, minor, patch as CAROM_VERSION_*
     @status OK; NULL_ARGUMENT"""
     ...
@@ -1158,9 +1158,9 @@ def carom_accuracy_init(accuracy: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_world_set_accuracy(world: Any, accuracy: Any, error: Any) -> int:
-    """Ask for an accuracy from the next step on.
+    """Set an error tolerance from the next step on.
     @param accuracy NULL: none, as a world is created
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where neither place nor turn is asked for);
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are 0);
             BUSY; REENTRANT"""
     ...
 def carom_world_get_accuracy(world: Any, accuracy: Any, present: Any, error: Any) -> int:
@@ -1168,7 +1168,7 @@ def carom_world_get_accuracy(world: Any, accuracy: Any, present: Any, error: Any
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
     ...
 def carom_world_get_islands(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """Copy out the islands of the last step, worst first: by share, then by body. None where no accuracy is asked for.
+    """Copy out the islands of the last step, worst first: by share, then by body. None without a tolerance.
     Bodies in free flight are in none: nothing acts on them but what is constant, and their step is exact.
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_island) as the caller knows it
@@ -1177,7 +1177,7 @@ def carom_world_get_islands(world: Any, dst: Any, stride: Any, capacity: Any, co
     ...
 def carom_world_measure_growth(world: Any, dt: Any, steps: Any, growth: Any, error: Any) -> int:
     """Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a
-    little over twice as much as they; nothing of the world itself changes. The same world gives the same answer.
+    little over twice as much as they; nothing of the world itself changes. The same world gives the same result.
     Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by
     until they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
     @param dt      s, of a step: as for carom_world_step()
@@ -1341,7 +1341,7 @@ def carom_body_wake(world: Any, body: Any, error: Any) -> int:
     ...
 def carom_body_set_continuous(world: Any, body: Any, mode: Any, error: Any) -> int:
     """Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
-    says otherwise: under NOBODY no body is swept, under FLAGGED only CAROM_CONTINUOUS_ALWAYS.
+    says otherwise: under CAROM_SWEEP_NONE no body is swept, under CAROM_SWEEP_FLAGGED only CAROM_CONTINUOUS_ALWAYS.
     @param mode CAROM_CONTINUOUS_*
     @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT"""
     ...
@@ -1373,7 +1373,7 @@ def carom_body_create_named(world: Any, type: Any, name: Any, params: Any, count
     """The common case in one call: a shape by name, a body, and a collider of density 1000. A shape of that name with the
     same parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
     Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
-    friction 0.5, its restitution 0. carom_body_get_colliders() tells its collider.
+    friction 0.5, its restitution 0. carom_body_get_colliders() gives its collider.
     @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
     @param params [count] as carom_shape_create_named()   @param count number of params
     @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
@@ -1404,9 +1404,9 @@ def carom_collider_set_surface_velocity(world: Any, collider: Any, linear: Any, 
     what touches it to the velocity of the surface,
       v_body(x) + R (linear + angular x (R^T (x - p))),   the part of it in the plane of the contact,
     with R the orientation and p the origin of the shape in the world: axes and origin are the shape's own, so that a
-    belt turns with its body. Nothing moves but by friction: a surface without any carries nothing. On a body that moves
-    it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves does not
-    fall asleep.
+    belt turns with its body. Nothing moves but by friction: a surface without friction moves nothing. On a body that
+    moves it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves
+    does not fall asleep.
     @param linear  [3] m/s, axes of the shape; 0 when a collider is created
     @param angular [3] rad/s, axes of the shape, about its origin
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;
@@ -1473,7 +1473,7 @@ def carom_shape_overlap(engine: Any, shape_a: Any, position_a: Any, orientation_
     ...
 def carom_rays_cast(engine: Any, shapes: Any, positions: Any, orientations: Any, shape_count: Any, rays: Any, desc: Any, hits: Any, error: Any) -> int:
     """Cast many rays against one or more shapes: the first hit of each. A bad ray, or one for which a support function
-    misbehaves (status CAROM_QUERY_FAULT, `shape` says whose), spoils no other. Nothing is allocated per ray.
+    misbehaves (status CAROM_QUERY_FAULT, that of `shape`), spoils no other. Nothing is allocated per ray.
     @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
     @param desc   may be NULL: defaults
     @param shape_count number of shapes
@@ -1512,8 +1512,8 @@ def carom_draw_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_world_draw(world: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
-    """All lines that are asked for, kind by kind in the order of the bits. Shapes whose support function fails are left
-    out, and so are bodies in quarantine. The same world gives the same lines.
+    """All lines of the kinds that desc names, kind by kind in the order of the bits. Shapes whose support function fails
+    are left out, and so are bodies in quarantine. The same world gives the same lines.
     @param desc     NULL: defaults
     @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
     @param count    out: lines there are; more than capacity: the first `capacity` of them were written
@@ -1537,7 +1537,7 @@ def carom_jobs_desc_init(desc: Any, struct_size: Any) -> int:
     ...
 def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
     """Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support
-    functions are then called, and the allocator may be, on those threads; shapes of HOST_THREAD plugins are still asked
+    functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
     on the stepping one.
     @param desc may be NULL: the stepping thread alone
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
@@ -1545,8 +1545,8 @@ def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
     ...
 def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
     """Load a shape plugin from a shared object. @param path absolute.
-    The plugin is checked before anything is called, then asked for supports in 256 directions with parameters that the
-    bounds allow. Loading the same path twice is ALREADY_EXISTS.
+    The plugin is checked before anything is called, then by its support points in 256 directions, with parameters that
+    the bounds allow. Loading the same path twice is ALREADY_EXISTS.
     @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY"""
     ...
 def carom_plugin_register(engine: Any, description: Any, plugin: Any, error: Any) -> int:
@@ -1609,16 +1609,16 @@ def carom_collider_get_filter(world: Any, collider: Any, category: Any, mask: An
 def carom_body_set_filter(world: Any, body: Any, category: Any, mask: Any, group: Any, error: Any) -> int:
     """The same for all colliders that a body has now.   @status as carom_collider_set_filter()"""
     ...
-def carom_body_hold_apart(world: Any, body_a: Any, body_b: Any, apart: Any, error: Any) -> int:
-    """Hold two bodies apart (they make no contacts with each other, whatever their filters say), or no longer. Calls are
+def carom_body_ignore_collision(world: Any, body_a: Any, body_b: Any, ignored: Any, error: Any) -> int:
+    """Let two bodies make no contacts with each other, whatever their filters say, or restore their contacts. Calls are
     counted: undo each one. Undoing more does nothing.
-    @param apart 1 or 0
-    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (apart; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY"""
+    @param ignored 1 or 0
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (ignored; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_collider_set_sensor(world: Any, collider: Any, sensor: Any, error: Any) -> int:
-    """Make a collider a sensor: it tells what overlaps it (carom_world_get_sensor_events()) and is touched by nothing. It
-    obeys its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts as
-    before.
+    """Make a collider a sensor: it reports what overlaps it (carom_world_get_sensor_events()) and is touched by nothing.
+    It obeys its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts
+    as before.
     @param sensor 1 or 0
     @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
@@ -1782,7 +1782,7 @@ def carom_joint_get_spring(world: Any, joint: Any, coordinate: Any, spring: Any,
     ...
 def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
     """Say what a pulley's rope runs over, or how a gear's wheels turn; the bodies wake. What a limit, motor or spring on a
-    pulley's distance asks for is in metres of the rope. A gear holds from where its wheels stand now, as often as they
+    pulley's distance requires is in metres of the rope. A gear holds from where its wheels stand now, as often as they
     may turn: turns are counted while it steps, as long as a wheel's speed changes by less than half a turn a substep in
     one; a pose that the host sets between steps is no turn.
     Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and
@@ -1908,8 +1908,8 @@ def carom_particles_write(world: Any, set: Any, field: Any, scalar: Any, indices
     ...
 def carom_particles_get_quarantined(world: Any, set: Any, indices: Any, capacity: Any, count: Any, error: Any) -> int:
     """A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still
-    where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults() tells
-    of the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call of all that are held now, ascending.
+    where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults()
+    reports the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call all that are held now, ascending.
     @param indices [capacity] out; may be NULL if capacity is 0
     @param count   out: how many there are (may exceed capacity; capacity are written)
     @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
@@ -2025,7 +2025,7 @@ def carom_shape_get_triangles(engine: Any, shape: Any, first: Any, corners: Any,
     """Copy out triangles of scenery, for drawing: each by its three corners, as its surface faces. Holes are left out.
     @param first   number of the first triangle wanted
     @param corners [9 count] m, shape frame, or NULL to count
-    @param count   in: room for how many; out: how many were written (with NULL: how many there are from `first` on)
+    @param count   in: how many fit; out: how many were written (with NULL: how many there are from `first` on)
     @param next    out: the number of the triangle to go on from; the number of triangles when all have been seen
     @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape)"""
     ...
@@ -2071,7 +2071,7 @@ def carom_shape_support(engine: Any, shape: Any, dirs: Any, n: Any, points: Any,
 def carom_world_save(world: Any, flags: Any, buffer: Any, capacity: Any, needed: Any, error: Any) -> int:
     """Write a snapshot, between steps. Reads only: other readers may be at work.
     @param flags    CAROM_SNAPSHOT_*
-    @param buffer   [capacity] bytes, or NULL to ask for the size
+    @param buffer   [capacity] bytes, or NULL to get the size alone
     @param capacity bytes; 0 if buffer is NULL
     @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
     @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader"""
@@ -2081,9 +2081,9 @@ def carom_world_restore(world: Any, bytes: Any, size: Any, error: Any) -> int:
     anything of the world changes.
     An empty world is rebuilt from a snapshot that is whole; `user` values come with it, a ledger
     begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's,
-    as if the host had made them (carom_collider_get() tells their handles). Any other world takes its state, as of one
+    as if the host had made them (carom_collider_get() gives their handles). Any other world takes its state, as of one
     that is not whole.
-    @param bytes [size], of any alignment   @param size as carom_world_save() told
+    @param bytes [size], of any alignment   @param size as carom_world_save() gave it
     @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a
     newer
             format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of
@@ -2120,7 +2120,7 @@ def carom_world_step(world: Any, dt: Any, error: Any) -> int:
     @param dt s, in [1e-9, 1]
     @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
     Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
-    A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() tells."""
+    A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() reports it."""
     ...
 def carom_world_set_dial(world: Any, dial: Any, value: Any, error: Any) -> int:
     """@param value within the dial's bounds; whole for choices and integers
@@ -2200,7 +2200,8 @@ def carom_world_cast_shapes(world: Any, shapes: Any, want: Any, desc: Any, dst: 
     @param shapes every shape, position, orientation and motion must be good, else nothing is written
     @param want   CAROM_WANT_*   @param desc may be NULL: defaults
     @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space asks); UNKNOWN_ENUM; *_HANDLE; NOT_FINITE;
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space as query shape); UNKNOWN_ENUM; *_HANDLE;
+    NOT_FINITE;
             NOT_UNIT; OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader"""
     ...
 def carom_world_cast_shapes_all(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:

@@ -44,7 +44,7 @@ BroadWord = Literal["brute_force", "sweep_and_prune", "grid", "tree"]
 NarrowWord = Literal["hybrid", "gjk_epa"]
 SimplexWord = Literal["johnson", "voronoi", "voronoi_last"]
 ManifoldWord = Literal["single", "cache", "patch", "clip"]
-SweepWord = Literal["nobody", "flagged", "fast"]
+SweepWord = Literal["none", "flagged", "fast"]
 PrecisionWord = Literal["float", "auto", "double"]
 PresetWord = Literal["fast", "balanced", "accurate", "reference"]
 DialKindWord = Literal["number", "integer", "choice"]
@@ -87,11 +87,11 @@ class IslandFlags(IntFlag):
     ESTIMATED = 1
     """its error was estimated in this step, else in one before"""
     BOUND = 2
-    """the bound of work was hit: it errs more than was asked"""
+    """the bound of work was reached: its error is over the tolerance"""
     JOINTS_ALONE = 4
     """joints alone hold it: its error is of order 2, 4 or 6"""
     STALLED = 8
-    """more substeps do not lessen its error, which is over what was asked: contacts, mostly"""
+    """more substeps do not lessen its error, which is over the tolerance: contacts, mostly"""
 
 
 class BodyRecord(Record):
@@ -281,7 +281,7 @@ class ShapeInfoRecord(Record):
 
 
 class DistanceRecord(Record):
-    """The answer"""
+    """The result"""
     status: int
     separation: float
     lower: float
@@ -295,7 +295,7 @@ class DistanceRecord(Record):
 
 
 class CastRecord(Record):
-    """The answer"""
+    """The result"""
     outcome: str
     status: int
     iterations: int
@@ -321,10 +321,10 @@ class OverlapRecord(Record):
 
 
 class WorldHitRecord(Record):
-    """One collider's answer"""
+    """One collider's result"""
     outcome: str
     status: int
-    question: int
+    query: int
     collider: Collider | None
     body: Body | None
     time: float
@@ -479,7 +479,7 @@ class JointEventRecord(Record):
 
 
 class FaultEventRecord(Record):
-    """A support function that answered falsely"""
+    """A support function that returned a false point"""
     kind: str
     shape: Shape | None
     body: Body | None

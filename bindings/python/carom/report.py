@@ -107,17 +107,17 @@ class Reports:
 
     # ---- accuracy in, steps out ----
 
-    def ask(self, **about: Unpack[AccuracyKeywords]) -> None:
+    def set_accuracy(self, **about: Unpack[AccuracyKeywords]) -> None:
         """Set an error tolerance, from the next step on: place (m/s), turn (rad/s), substeps (the bound of work)."""
         self._call(raw.carom_world_set_accuracy, ctypes.byref(describe(raw.carom_accuracy, about)))
 
-    def ask_nothing(self) -> None:
+    def clear_accuracy(self) -> None:
         """All islands take the substeps of the dial, as in a new world."""
         self._call(raw.carom_world_set_accuracy, None)
 
     @property
     def accuracy(self) -> AccuracyRecord | None:
-        """What was asked, or None."""
+        """The tolerance that is set, or None."""
         asked, present = describe(raw.carom_accuracy, {}), ctypes.c_uint32()
         asked.struct_size = ctypes.sizeof(raw.carom_accuracy)
         self._call(raw.carom_world_get_accuracy, ctypes.byref(asked), ctypes.byref(present))

@@ -8,13 +8,13 @@ namespace carom::collision {
 inline constexpr Constant<Real> kFirstTilt{
     "facet_tilt", 0.03, "rad",
     "tilt of the first ring of support calls: above the error of a query's normal, below the angle to the next face; "
-    "what encloses less is taken for one piece",
+    "what encloses less is taken for one face",
     "smaller: a face is found in parts where the normal is 0.02 rad off, and what rests on it rocks; larger: faces "
-    "that meet at a blunt edge are taken for one curved piece"};
+    "that meet at a blunt edge are taken for one curved face"};
 inline constexpr Constant<Real> kPatchSamePlane{
     "facet_same_plane", 0.9982, "1",
     "cosine of 0.06 rad, twice the first tilt: the farthest that a fitted plane or a crossing of edges lies from the "
-    "normal that was asked for",
+    "normal of the query",
     "smaller: planes that span several facets are taken for faces, and points lie off the shape; larger: normals that "
     "a query has a little wrong lose the face they mean"};
 
@@ -30,7 +30,7 @@ inline constexpr Constant<Real> kPatchPreferAbsolute{
     "patch_prefer_absolute", 5e-4, "1",
     "share of the smaller bounding radius by which another normal must be better, beside that of the separation: what "
     "rests is nearly without separation, of which any share is nothing",
-    "smaller: normals of what just touches flicker; larger: small overlaps are parted along the wrong face"};
+    "smaller: normals of what just touches flicker; larger: small overlaps are pushed apart along the wrong face"};
 
 // What a kept patch may have moved.
 inline constexpr Constant<Real> kKeepDistance{

@@ -16,13 +16,13 @@
 namespace carom::dynamics {
 
 inline constexpr Constant<Real> kAccuracyHorizon{
-    "accuracy_horizon", 1, "s", "for which an error of a velocity is taken to go on, where accuracy is asked for",
-    "larger: motion that forgets its velocity takes more substeps than need be; smaller: places drift beyond what was "
-    "asked"};
+    "accuracy_horizon", 1, "s", "for which an error of a velocity is taken to go on, where an accuracy is set",
+    "larger: motion that forgets its velocity takes more substeps than need be; smaller: places drift beyond the "
+    "tolerance"};
 inline constexpr Constant<Real> kAccuracyHorizonTouching{
     "accuracy_horizon_touching", 0.1, "s",
     "likewise of what touches: contacts take most of it back within their own time to settle",
-    "larger: what settles takes hundreds of substeps; smaller: what slides and rolls drifts beyond what was asked"};
+    "larger: what settles takes hundreds of substeps; smaller: what slides and rolls drifts beyond the tolerance"};
 inline constexpr Constant<Real> kAccuracyAim{
     "accuracy_aim", 0.6, "1", "of the tolerance that a choice of substeps aims at: errors change from step to step",
     "larger: more steps are repeated; smaller: more substeps than need be"};
@@ -48,7 +48,7 @@ inline constexpr Constant<Real> kAccuracyStir{
 inline constexpr Constant<int> kAccuracyPatience{
     "accuracy_patience", 15, "estimates",
     "of an island that joints alone hold, at one substep, before a lower order is tried again, 15 at most",
-    "larger: what calms down pays for its order for longer; smaller: trials of a lower order cost more than they save"};
+    "larger: motion that slows down pays for its order for longer; smaller: trials of a lower order cost more than they save"};
 inline constexpr ConstantRow kAccuracyConstants[] = {
     kAccuracyHorizon, kAccuracyHorizonTouching, kAccuracyAim,  kAccuracyEvery,   kAccuracyEveryQuiet,
     kAccuracyQuiet,   kAccuracyStall,           kAccuracyStir, kAccuracyPatience};

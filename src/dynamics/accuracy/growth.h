@@ -8,18 +8,18 @@ namespace carom::dynamics::accuracy {
 
 inline constexpr Constant<Real> kGrowthApart{
     "growth_apart", 1e-9, "m/s and rad/s", "by which velocities of the second motion differ as it begins",
-    "larger: growth ends sooner, at what the motion has room for; smaller: rounding is taken for growth"};
+    "larger: growth ends sooner, at the size of the motion; smaller: rounding is taken for growth"};
 inline constexpr Constant<Real> kGrowthMost{
     "growth_most", 1e6, "1", "growth at which the two motions are far enough apart",
     "larger: they no longer grow apart as neighbours do; smaller: growth by the power of a time looks like one by e"};
 inline constexpr Constant<Real> kGrowthLeast{"growth_least", 100, "1", "growth below which nothing is called sensitive",
-                                             "larger: slow chaos is not told; smaller: any motion is sensitive"};
+                                             "larger: slow chaos is not reported; smaller: any motion is sensitive"};
 inline constexpr Constant<Real> kGrowthShare{
     "growth_share", 0.25, "1",
     "of the time, after which growth has reached its root where errors grow e-fold: half by e, a tenth in proportion "
     "to "
     "time, a fifth to its third power",
-    "larger: chaos that sets in late is told alone; smaller: a shear is called chaos"};
+    "larger: only chaos that sets in late is reported; smaller: a shear is called chaos"};
 inline constexpr ConstantRow kGrowthConstants[] = {kGrowthApart, kGrowthMost, kGrowthLeast, kGrowthShare};
 
 struct Growth {

@@ -99,7 +99,7 @@ void Sweeper::scenery_points(const SceneryPair& pair, const NarrowSettings& sett
     return;  // the sweep's own point does
   }
   for (const SceneryPatch& patch : pair_finder.patches()) {
-    if (patch.normal.dot(-normal) < kStrikeSamePatch || patch.count <= manifold.count) continue;
+    if (patch.normal.dot(-normal) < kSweepSamePatch || patch.count <= manifold.count) continue;
     manifold.count = 0;
     ContactPoint point[PatchPoints::kMax];
     for (int i = 0; i < patch.count; ++i) point[i] = exchanged(patch.point[i]);

@@ -12,8 +12,8 @@ inline constexpr Constant<Real> kTolerableDepth{
     "tolerable_depth", 0.02, "1",
     "of the thickness of the thinner of two that touch, the depth to which they are left in each other, if "
     "position_tolerance is more",
-    "larger: cards and needles that arrive fast rest inside what they lie on; smaller: work, of parting what nobody "
-    "sees"};
+    "larger: cards and needles that arrive fast rest inside what they lie on; smaller: work for overlaps that are not "
+    "seen"};
 inline constexpr ConstantRow kDepthConstants[] = {kTolerableDepth};
 
 /// m, the dial's tolerance, but no more than a share of what is thin.

@@ -26,8 +26,8 @@ inline constexpr Constant<Real> kImpactSettled{
     "larger: what is hit on both sides alike drifts to one of them; as small as rounding: every impact takes all "
     "sweeps"};
 inline constexpr Constant<Real> kGiveWay{"impact_give_way", 1e-9, "1",
-                                         "share of what bodies would answer without their locks, by which they give "
-                                         "way where they are locked: an impulse that nothing answers stays finite",
+                                         "share of the bodies' response without their locks, by which they give "
+                                         "way where they are locked: an impulse without response stays finite",
                                          "larger: sweeps take longer to undo it; as small as rounding: what is hit "
                                          "along its locks gets an infinite impulse, and ends in quarantine"};
 inline constexpr Constant<std::uint32_t> kMostImpacts{
@@ -35,12 +35,12 @@ inline constexpr Constant<std::uint32_t> kMostImpacts{
     "impacts of one contact in a substep, after which the solver has it: what is hit more often lies between bodies that press, and "
     "its impacts have no end",
     "fewer: a ball that bounces low stops early; more: time, in heaps that bounce"};
-inline constexpr Constant<Real> kStrikeSamePatch{
-    "strike_same_patch", 0.99, "1",
+inline constexpr Constant<Real> kSweepSamePatch{
+    "sweep_same_patch", 0.99, "1",
     "cosine of the angle (0.14 rad) up to which the surface beside the place of a swept hit is of that hit",
     "larger: what lands flat on a mesh is hit at one point and left turning; smaller: a neighbouring slope turns it aside"};
 inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled, kGiveWay, kMostImpacts,
-                                                   kStrikeSamePatch};
+                                                   kSweepSamePatch};
 
 /// One of two bodies that are hit.
 struct ImpactBody {

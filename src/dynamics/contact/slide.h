@@ -9,9 +9,9 @@ namespace carom::dynamics {
 inline constexpr Constant<Real> kCreeps{
     "friction_creeps", 0.01, "m/s",
     "slip at any point of a pair below which it is taken to stick, its friction acting at the middle of its points: "
-    "above what bodies do that come to rest, well below what anybody sees slide",
+    "above the slip of bodies that come to rest, well below visible sliding",
     "smaller: friction of piles that settle moves about with their loads, and they settle later; larger: slow rollers "
-    "and pucks are rubbed where they do not touch"};
+    "and pucks get friction where they do not touch"};
 inline constexpr ConstantRow kPatchFrictionConstants[] = {kCreeps};
 
 /// Of a pair with more points than one, and friction, that may slip.

@@ -23,9 +23,9 @@ inline constexpr Constant<Real> kRollStep{
     "roll_step", 0.1, "rad",
     "by which a lone roller turns, or its point travels around it, in a step of the fourth-order method",
     "larger: spinning coins gain or lose energy; smaller: they cost more"};
-inline constexpr Constant<Real> kRollProbe{"roll_probe", 1e-4, "rad",
-                                           "of the two turns whose support points tell how the touching point travels",
-                                           "larger: their difference errs by its square; smaller: by rounding"};
+inline constexpr Constant<Real> kRollProbe{
+    "roll_probe", 1e-4, "rad", "of the two turns by whose support points the path of the touching point is found",
+    "larger: their difference errs by its square; smaller: by rounding"};
 inline constexpr Constant<Real> kRollTilt{
     "roll_tilt", 1e-3, "rad",
     "by which the normal is tilted to either side along a line that touches, to find its ends",

@@ -40,7 +40,7 @@ struct FieldDef {
   Real core = 0;                          // m, within which they no longer grow
   Real reach = kInfinity;                 // m, where they end
   int falloff = 0;                        // they go with (reference / distance)^falloff
-  std::uint32_t mask = 1;                 // who shares a bit of this feels it
+  std::uint32_t mask = 1;                 // acts on bodies that share a bit of this
   std::uint64_t user = 0;
 };
 
@@ -74,7 +74,7 @@ struct SpringDef {
   }
 };
 
-/// What a substep can carry of springs: made anew in each step.
+/// What a substep can resolve of springs: made anew in each step.
 struct SpringLoads {
   explicit SpringLoads(Memory* m) : stiffness(m), damping(m), load(m) {}
   Array<Real> stiffness, damping;  // by slot, N/m, N s/m, @see force/springs.cpp
@@ -82,7 +82,7 @@ struct SpringLoads {
     Real stiffness = 0, damping = 0;  // N/m, N s/m, of all of them
   };
   Array<Load> load;            // by body slot, scratch
-  std::uint64_t softened = 0;  // of the participants, those of which a substep can't carry all
+  std::uint64_t softened = 0;  // of the participants, those of which a substep can't resolve all
 };
 
 struct Springs : SpringLoads {
@@ -112,7 +112,7 @@ struct WaterDef {
 /// The surface of a shape that floats, in triangles.
 struct Float {
   explicit Float(Memory* m) : corner(m) {}
-  const void* shape = nullptr;  // whose surface it is: address and handle, since an address may come to be another's
+  const void* shape = nullptr;  // with this surface: address and handle, since an address may come to be another's
   std::uint64_t handle = 0;
   Array<Vec3> corner;  // [3k] m, shape frame, counter-clockwise seen from outside
 };
@@ -122,7 +122,7 @@ struct Floats {
   explicit Floats(Memory* m) : floats(m), float_of(m) {}
   Array<Float> floats;            // of the shapes that need one
   Array<std::uint32_t> float_of;  // by collider slot: index of the above, or kInvalid
-  Real most_rate = kInfinity;     // 1/s, that a substep can carry
+  Real most_rate = kInfinity;     // 1/s, that a substep can resolve
 };
 
 struct Water : Floats {

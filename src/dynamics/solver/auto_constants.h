@@ -9,7 +9,7 @@ namespace carom::dynamics {
 
 inline constexpr Constant<std::uint32_t> kMostDirectBodies{
     "direct_most_bodies", 512, "bodies",
-    "of a group that the direct solver answers: beyond, finding an order of elimination alone takes too long",
+    "of a group that the direct solver solves: beyond, finding an order of elimination alone takes too long",
     "more: a large heap stalls the step in which it counts as heavy; fewer: long chains and tall walls of unlike "
     "masses are left to soft contacts, and sink"};
 inline constexpr Constant<std::uint32_t> kMostUnlike{
@@ -19,26 +19,26 @@ inline constexpr Constant<std::uint32_t> kMostUnlike{
     "is light among what is heavy"};
 inline constexpr Constant<std::uint64_t> kMostFactor{
     "direct_most_factor", 40000, "block products",
-    "of a step of Newton's method: a pyramid of 465 blocks takes 38,000, a heap of 300 cubes more, and soft contacts answer that",
+    "of a step of Newton's method: a pyramid of 465 blocks takes 38,000, a heap of 300 cubes more, and soft contacts solve that",
     "more: a heap that comes to rest stalls the step in which it is tried; fewer: large walls and pyramids sink"};
 
 // Points that close or part as fast as after a fall through a share of the thickness are in impact, or do not lie
 // still.
 inline constexpr Constant<Real> kImpactShare{
     "direct_impact_share", 0.1, "1",
-    "share of the thickness: points that close as fast as after a fall through it are struck; what was just piled up, "
+    "share of the thickness: points that close as fast as after a fall through it are under impact; what was just piled up, "
     "or rocks and creaks under its load, stays well below",
-    "larger: an impact sends the direct solver through all of a heap; smaller: a stack that rocks counts as struck, and "
+    "larger: an impact sends the direct solver through all of a heap; smaller: a stack that rocks counts as under impact, and "
     "sinks under its load"};
 inline constexpr Constant<Real> kLiesStill{
     "direct_still", 2e-4, "1",
     "share of the thickness: a group whose points are all slower than after a fall through it lies still; 0.06 m/s for "
-    "a cube of 1 m, below which nobody sees it move",
+    "a cube of 1 m, below which its motion is not seen",
     "larger: few bodies that still roll or slide are solved exactly, step by step, at several times the cost; smaller: "
     "what rests keeps the sag of soft contacts"};
 inline constexpr Constant<std::uint32_t> kFewStill{
     "direct_few_still", 4, "bodies", "of a group that lies still: to hold so few exactly costs next to nothing",
-    "more: rooms full of small stacks pay for a solution that they don't need; fewer: two boxes on each other sag"};
+    "more: scenes of many small stacks pay for a solution that they don't need; fewer: two boxes on each other sag"};
 inline constexpr Constant<std::uint32_t> kFewRolling{
     "direct_few_rolling", 4, "bodies",
     "of a group in which something rolls as on a ball (rolling_least_lean): its way is of second order by the direct "

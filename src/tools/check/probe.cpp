@@ -173,7 +173,7 @@ class Trial {
     std::copy_n(guarded + 1, 3, out.begin());
     std::copy_n(guarded + 1, 3, verdict_.current.out);
     if (!same_bits(given, dir) || guarded[0] != kGuard || guarded[4] != kGuard)
-      find(Lie::writes_input, &verdict_.current, "it writes to memory that is not its answer",
+      find(Lie::writes_input, &verdict_.current, "it writes to memory other than out[]",
            "write out[0], out[1] and out[2] only; dir and params are read-only");
     if (result != 0) {
       find(Lie::fault_returned, &verdict_.current,
@@ -182,7 +182,7 @@ class Trial {
       return false;
     }
     if (!std::isfinite(out[0]) || !std::isfinite(out[1]) || !std::isfinite(out[2])) {
-      find(Lie::not_finite, &verdict_.current, "it answered NaN or infinity, or left out[] unwritten",
+      find(Lie::not_finite, &verdict_.current, "it returned NaN or infinity, or left out[] unwritten",
            "dir may have any length: divide it by its largest component first, and guard every division by zero");
       return false;
     }
@@ -199,7 +199,7 @@ class Trial {
       Direction first, again;
       if (!ask(params, dir, first) || !ask(params, dir, again)) continue;
       if (!same_bits(first, again))
-        find(Lie::not_repeatable, &verdict_.current, "the same direction was answered differently the second time",
+        find(Lie::not_repeatable, &verdict_.current, "the same direction gave another point the second time",
              "keep no state between calls: no static variables, no random numbers, no clock");
       asked.push_back(dir);
       points.push_back(first);
@@ -231,7 +231,7 @@ class Trial {
       if (!(lost <= tolerance)) {
         char text[300];
         std::snprintf(text, sizeof text,
-                      "its answer depends on the length of the direction: at length 1 it reaches %.9g m "
+                      "its point depends on the length of the direction: at length 1 it reaches %.9g m "
                       "along it, at length %.3g it reaches %.9g m",
                       dot(unit, expected), std::hypot(dir[0], dir[1], dir[2]), dot(unit, out));
         find(Lie::depends_on_length, &verdict_.current, text,
@@ -273,7 +273,7 @@ class Trial {
     std::copy(points[invalid_plugin].begin(), points[invalid_plugin].end(), witness.out);
     char text[400];
     std::snprintf(text, sizeof text,
-                  "its answers are not those of a convex set: for this direction there is a point %.6g m "
+                  "its points are not those of a convex set: for this direction there is a point %.6g m "
                   "farther along, (%.9g, %.9g, %.9g), which it gave for direction (%.9g, %.9g, %.9g)",
                   worst, points[better][0], points[better][1], points[better][2], asked[better][0], asked[better][1],
                   asked[better][2]);
@@ -305,8 +305,7 @@ class Trial {
     if (differing == directions.size()) return;
     std::copy(directions[differing].begin(), directions[differing].end(), verdict_.current.dir);
     std::copy(alone[differing].begin(), alone[differing].end(), verdict_.current.out);
-    find(Lie::not_thread_safe, &verdict_.current,
-         "with four threads asking at once, this direction is answered differently",
+    find(Lie::not_thread_safe, &verdict_.current, "with four threads at once, this direction gives another point",
          "keep no state between calls, or set the flag CAROM_PLUGIN_HOST_THREAD");
   }
 

@@ -186,7 +186,7 @@ void list_challenges() {
 
 void add_accuracy_command(CLI::App& app, Context& context) {
   CLI::App* command =
-      app.add_subcommand("accuracy", "Scenes whose answer is known: how far off a world ends, and what it costs");
+      app.add_subcommand("accuracy", "Scenes with a known solution: how far off a world ends, and what it costs");
   command->require_subcommand(1);
   command->fallthrough();
   command->add_subcommand("list", "List the scenes, their errors and bounds")->callback(list_challenges);

@@ -57,7 +57,7 @@ void print_got(const std::vector<Got>& all) {
 void print_mixed(const Mixed& m) {
   std::printf(
       "mixed scene at %.0e: linkage alone %.3g ms/s, with a pile at rest and a flying top %.3g ms/s: %.2f of it\n"
-      "  substeps a step, mean: linkage %.1f, pile %.1f, top %.1f; the linkage's for everybody: %.3g ms/s\n",
+      "  substeps a step, mean: linkage %.1f, pile %.1f, top %.1f; the linkage's for all: %.3g ms/s\n",
       m.tolerance, m.linkage_ms, m.all_ms, m.all_ms / m.linkage_ms, m.linkage_substeps, m.pile_substeps, m.top_substeps,
       m.all_fixed_ms);
 }
@@ -112,7 +112,7 @@ void add_ask_command(CLI::App& command, Context& context) {
   ask_command->add_option("--svg", options->svg, "A drawing of what the islands of mixed take, at the first tolerance")
       ->type_name("FILE");
   ask_command->footer(
-      "Scenes whose error is a place or a turn and whose truth is known. What is asked is the tolerance times the "
+      "Scenes whose error is a place or a turn and whose truth is known. The tolerance that is set is the option's times the "
       "duration.");
   ask_command->callback([options, &context] { ask(*options, context); });
 }

@@ -37,7 +37,7 @@ void print_witness(const Witness& witness, bool has_point) {
     params += format(" ... (%llu in all)", static_cast<unsigned long long>(witness.param_count));
   std::printf("     parameters: %s\n     direction:  %s\n", params.empty() ? "none" : params.c_str(),
               triple(witness.dir).c_str());
-  if (has_point) std::printf("     answer:     %s\n", triple(witness.out).c_str());
+  if (has_point) std::printf("     point:      %s\n", triple(witness.out).c_str());
 }
 
 /// The child ended before its verdict: how, and with which input.
@@ -81,7 +81,7 @@ int print_verdict(const Verdict& verdict, const ChildEnd& end, const CheckOption
   if (!end.finished) print_death(end, verdict, options.seconds);
   if (invalid || !end.finished) return kExitBadNews;
   std::printf(
-      "  valid: every answer finite, repeatable, free of the direction's length, and of one convex set;\n"
+      "  valid: every support point finite, repeatable, free of the direction's length, and of one convex set;\n"
       "  its declarations agree with its support function\n");
   return 0;
 }

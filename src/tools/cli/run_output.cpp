@@ -209,7 +209,7 @@ CsvFile::CsvFile(const std::string& path) : path_(path), out_(path) {
 
 void CsvFile::close() {
   out_.close();
-  if (!out_) throw Error("writing " + path_ + " failed", "make room on the disk");
+  if (!out_) throw Error("writing " + path_ + " failed", "free space on the disk");
 }
 
 void StepTable::add(const carom_step_report& r) {

@@ -51,7 +51,7 @@ void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string
                   "An effect that shall not run, repeatable; `carom plan SCENE` lists them")
       ->type_name("EFFECT")
       ->allow_extra_args(false);
-  command.add_option("--force", choice.forced, "An effect that shall run for everybody it can act on, repeatable")
+  command.add_option("--force", choice.forced, "An effect that runs for all participants it can act on, repeatable")
       ->type_name("EFFECT")
       ->allow_extra_args(false);
   command

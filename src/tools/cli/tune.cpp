@@ -177,7 +177,7 @@ void print_result(const Question& q, const Result& a) {
     if (a.front.empty())
       std::printf(a.let_fall
                       ? "No setting that is as cheap lets stand what stands.\n"
-                      : "No setting gave an answer: they take more than several times the budget, or leave the finite "
+                      : "No setting gave a result: they take more than several times the budget, or leave the finite "
                         "world. The library's own takes %.3g ms a frame.\n",
                   own_ms(a));
     else if (a.front.front().ms > 4 * q.budget_ms)

@@ -45,7 +45,7 @@ void draw_png(const std::string& path, const std::string& svg) {
                 "install it (Debian: apt-get install librsvg2-bin), or name a file that ends in .svg");
   if (failed || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw Error("cannot write " + path + ": rsvg-convert " + (failed ? std::strerror(failed) : "gave up"),
-                "check that its folder is writable and the disk has room, or name a file that ends in .svg");
+                "check that its folder is writable and the disk has space, or name a file that ends in .svg");
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ void write_file(const std::string& path, const std::string& content) {
   file << content;
   file.close();
   if (!file)
-    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has room");
+    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has space");
 }
 
 }  // namespace carom::tools

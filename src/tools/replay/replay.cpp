@@ -282,7 +282,7 @@ void FileRecorder::end() {
   const bool closed = std::fclose(file_) == 0;
   file_ = nullptr;
   call.done(result, "recording to " + path_);
-  if (!closed) throw Error("cannot write " + path_, "check that the disk has room");
+  if (!closed) throw Error("cannot write " + path_, "check that the disk has space");
 }
 
 }  // namespace carom::tools::replay

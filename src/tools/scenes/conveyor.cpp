@@ -114,7 +114,7 @@ std::unique_ptr<Observer> fill(Stage& stage, const std::vector<double>& knobs, c
 Scene conveyor_scene() {
   return {"conveyor",
           "Boxes ride a belt, fall on one that runs across, and from that on a turntable.",
-          "nothing that carries them moves: surfaces do (carom_collider_set_surface_velocity)",
+          "the bodies below them do not move: surfaces do (carom_collider_set_surface_velocity)",
           {{"n", "", "boxes", 12, 1, 500, true},
            {"speed", "m/s", "of the belts", 1.5, 0.2, 4, false},
            {"turn", "rad/s", "of the turntable", 0.5, -2, 2, false}},

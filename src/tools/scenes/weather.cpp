@@ -87,7 +87,7 @@ class WeatherStory : public Observer {
   std::vector<std::string> tell(const Stage& stage) const override {
     return {std::to_string(afloat(stage)) + " of " + std::to_string(crate_count_) + " crates float",
             std::to_string(lifted()) + " of " + std::to_string(high_.size()) +
-                " leaves were carried to the top of the whirlwind"};
+                " leaves were lifted to the top of the whirlwind"};
   }
   bool came_off(const Stage& stage) const override { return afloat(stage) == crate_count_ && lifted() > 0; }
 

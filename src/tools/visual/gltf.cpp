@@ -300,7 +300,7 @@ void save_gltf(const std::string& path, GltfDrawing drawing) {
   }
   std::ofstream file(path, std::ios::binary);
   if (!file.write(out.data(), static_cast<std::streamsize>(out.size())).flush())
-    throw Error("writing " + path + " failed", "make room on the disk");
+    throw Error("writing " + path + " failed", "free space on the disk");
 }
 
 void write_gltf(const std::string& path, Stage& stage, const Recording& recording) {

@@ -70,8 +70,8 @@ int32_t carom_world_get_joints(carom_world* world, carom_joint* joints, uint64_t
                                carom_error* error);
 int32_t carom_body_set_filter(carom_world* world, carom_body body, uint64_t category, uint64_t mask, int32_t group,
                               carom_error* error);
-int32_t carom_body_hold_apart(carom_world* world, carom_body body_a, carom_body body_b, uint32_t apart,
-                              carom_error* error);
+int32_t carom_body_ignore_collision(carom_world* world, carom_body body_a, carom_body body_b, uint32_t apart,
+                                    carom_error* error);
 int32_t carom_collider_set_sensor(carom_world* world, carom_collider collider, uint32_t sensor, carom_error* error);
 int32_t carom_collider_is_sensor(carom_world* world, carom_collider collider, uint32_t* sensor, carom_error* error);
 int32_t carom_collider_set_filter(carom_world* world, carom_collider collider, uint64_t category, uint64_t mask,
@@ -120,7 +120,7 @@ typedef struct carom_query_desc {
 typedef struct carom_world_hit {
   uint32_t outcome;
   uint32_t status;
-  uint64_t question;
+  uint64_t query;
   carom_collider collider;
   carom_body body;
   double time;
@@ -161,7 +161,7 @@ int main(void) {
   OK(carom_collider_set_sensor(s.world, sensing, 1, NULL));
   OK(carom_collider_is_sensor(s.world, sensing, &is_sensor, NULL));
   CHECK(is_sensor == 1);
-  OK(carom_body_hold_apart(s.world, pendulum, sensor, 1, NULL));
+  OK(carom_body_ignore_collision(s.world, pendulum, sensor, 1, NULL));
   OK(carom_body_set_filter(s.world, s.body, 2, ~(uint64_t)0, 0, NULL));
   OK(carom_joint_desc_init(&desc, sizeof desc));
   desc.kind = CAROM_JOINT_HINGE, desc.fields = CAROM_JOINT_WORLD_FRAME;

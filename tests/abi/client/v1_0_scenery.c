@@ -20,10 +20,10 @@ typedef struct carom_height_field_desc {
 typedef struct carom_scenery_info {
   uint32_t struct_size;
   uint32_t flags;
-  uint64_t pieces;
+  uint64_t triangles;
   uint64_t vertices;
   uint64_t dropped;
-  uint64_t rims;
+  uint64_t boundary_edges;
   uint64_t bytes;
 } carom_scenery_info;
 int32_t carom_mesh_desc_init(carom_mesh_desc* desc, uint32_t struct_size);
@@ -89,7 +89,7 @@ int main(void) {
   OK(carom_shape_create_mesh(s.engine, &mesh, &level, NULL));
   info.struct_size = sizeof info;
   OK(carom_shape_get_scenery_info(s.engine, level, &info, NULL));
-  CHECK(info.pieces == 2 && info.vertices == 4 && info.rims == 4);
+  CHECK(info.triangles == 2 && info.vertices == 4 && info.boundary_edges == 4);
   OK(carom_shape_get_triangles(s.engine, level, 0, corners, &room, &next, NULL));
   CHECK(room == 2 && next == 2);
   OK(carom_height_field_desc_init(&field, sizeof field));

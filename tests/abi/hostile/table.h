@@ -982,9 +982,9 @@ inline const Row kRows[] = {
     ROW(carom_collider_set_filter, world(c), handle(c, kCollider), whole(c, 4), whole(c, 4), whole(c, 3), error(c)),
     ROW(carom_collider_get_filter, world(c), handle(c, kCollider), out(c, 8), out(c, 8), out(c, 4), error(c)),
     ROW(carom_body_set_filter, world(c), handle(c, kBody), whole(c, 4), whole(c, 4), whole(c, 3), error(c)),
-    {"carom_body_hold_apart", [](Context& c) {
+    {"carom_body_ignore_collision", [](Context& c) {
        const Argument a = handle(c, kBody);
-       return call("carom_body_hold_apart", carom_body_hold_apart, {world(c), a, another_handle(c, kBody, a), choice(c, 2), error(c)}).may(kRange);
+       return call("carom_body_ignore_collision", carom_body_ignore_collision, {world(c), a, another_handle(c, kBody, a), choice(c, 2), error(c)}).may(kRange);
      }},
     ROW(carom_collider_set_sensor, world(c), handle(c, kCollider), choice(c, 2), error(c)),
     ROW(carom_collider_is_sensor, world(c), handle(c, kCollider), out(c, 4), error(c)),

@@ -1,4 +1,4 @@
-// Filters, bodies held apart: who touches whom, from the next step on, under every broad phase; and that nobody pays
+// Filters, bodies that are ignored: which touch, from the next step on, under every broad phase; and that nobody pays
 // who sets none.
 #include "carom_test.h"
 #include "dynamics/contact_views.h"
@@ -70,15 +70,15 @@ static void a_change_holds_from_the_next_step_on(void**) {
     row.run(1, 1.0 / 60);
     assert_true(row.touches(row.balls[0]) && !row.touches(row.balls[1]) && row.touches(row.balls[2]));
     row.world.set_filter(row.collider(row.balls[1]), Filter());
-    row.world.hold_apart(row.balls[2], row.slab);
+    row.world.ignore_collision(row.balls[2], row.slab);
     row.run(1, 1.0 / 60);
     assert_true(row.touches(row.balls[1]) && !row.touches(row.balls[2]));
-    row.world.hold_apart(row.slab, row.balls[2]);
-    row.world.let_go(row.balls[2], row.slab);  // once of twice
+    row.world.ignore_collision(row.slab, row.balls[2]);
+    row.world.restore_collision(row.balls[2], row.slab);  // once of twice
     row.run(1, 1.0 / 60);
     assert_false(row.touches(row.balls[2]));
-    row.world.let_go(row.balls[2], row.slab);
-    row.world.let_go(row.balls[2], row.slab);  // of nothing
+    row.world.restore_collision(row.balls[2], row.slab);
+    row.world.restore_collision(row.balls[2], row.slab);  // of nothing
     row.run(1, 1.0 / 60);
     assert_true(row.touches(row.balls[2]));
     assert_true(row.world.scene.apart.empty());
@@ -88,7 +88,7 @@ static void a_change_holds_from_the_next_step_on(void**) {
 static void what_takes_a_slot_takes_no_filter(void**) {
   Row row(2);
   row.world.set_filter(row.collider(row.balls[1]), {2, 2, 0});
-  row.world.hold_apart(row.balls[1], row.slab);
+  row.world.ignore_collision(row.balls[1], row.slab);
   row.world.remove_body(row.balls[1]);
   assert_true(row.world.scene.apart.empty());
   const std::uint32_t other = row.add(row.keep(sphere(0.5)), Vec3(2, 0, 0));
@@ -104,7 +104,7 @@ static void sleepers_wake_where_a_filter_lets_them_fall(void**) {
   const std::uint32_t ball = t.add(t.keep(sphere(0.5)), Vec3(0, 0.5, 0));
   t.run(120, 1.0 / 60);
   assert_true(t.world.asleep(ball));
-  t.world.hold_apart(ground, ball);
+  t.world.ignore_collision(ground, ball);
   t.run(60, 1.0 / 60);
   assert_true(!t.world.asleep(ball) && t.world.state.x[ball].y() < -3);  // g/2 for a second
 

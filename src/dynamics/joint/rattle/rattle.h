@@ -25,7 +25,7 @@ inline constexpr Constant<Real> kRattleRest{
     "larger: joints that almost lock each other are left open; smaller: rounding counts as a lock"};
 inline constexpr Constant<int> kRattleRounds{
     "rattle_rounds", 40, "1", "of Newton's method a stage may take before its island is left to the solver",
-    "larger: steps too long are carried through; smaller: long chains are left to the solver"};
+    "larger: steps that are too long are finished; smaller: long chains are left to the solver"};
 inline constexpr Constant<std::uint64_t> kRattleWork{
     "rattle_work", 100, "block products a joint",
     "that a factorisation may take before an island is left to the solver, where order 4 or 6 or an accuracy is asked "

@@ -12,10 +12,10 @@ inline constexpr Constant<Real> kFineShare{
     "share of the tolerance to which few bodies that lie still are solved, and what is joined and touches nothing: what "
     "may roll takes each push for good, and velocities along joints add up to gaps",
     "larger: balls at rest creep away, joints gape; smaller: steps of Newton for what rounding undoes"};
-inline constexpr Constant<Real> kConeShare{"direct_blow_share", 1e-3, "1",
+inline constexpr Constant<Real> kConeShare{"direct_impact_share", 1e-3, "1",
                                            "share of the fastest contact's speed that is good enough where work is "
-                                           "bounded: who looks at an impact does not see a thousandth of it",
-                                           "larger: what is struck leaves with velocities that friction and "
+                                           "bounded: a thousandth of an impact is not seen",
+                                           "larger: bodies leave impacts with velocities that friction and "
                                            "restitution did not make; smaller: impacts take all the work there is"};
 inline constexpr Constant<Real> kRest{
     "direct_rest", 10, "1",
@@ -23,27 +23,28 @@ inline constexpr Constant<Real> kRest{
     "larger: what starts to slide is held until the next step; smaller: what rests is solved in every substep"};
 inline constexpr Constant<int> kJerks{
     "direct_jerks", 3, "times",
-    "that a group is answered anew because a joint was jerked: each answer tells how hard joints pull, and so how much "
+    "that a group is solved anew because a joint was jerked: each solution gives the loads of joints, and so how much "
     "stiffer their bodies must be taken in the next",
     "fewer: a joint that is jerked throws its bodies; more: a mechanism at a dead point takes so many times the work"};
 inline constexpr Constant<Real> kLongestTurn{
     "direct_longest_way", 30, "1",
     "times the largest overlap to be undone: a body is displaced by so much at most, for what is wedged between walls "
-    "that nearly face each other would be moved by metres to be parted by millimetres",
-    "larger: what is wedged flies out; smaller: long levers part too slowly"};
+    "that nearly face each other would be moved by metres to be pushed apart by millimetres",
+    "larger: what is wedged flies out; smaller: long levers are pushed apart too slowly"};
 inline constexpr Constant<Real> kJointPush{
     "direct_joint_push", 10, "m/s or rad/s",
     "an error of a joint is undone no faster, and no body is displaced faster for it",
     "larger: what was torn apart is pulled together at once, and what hangs on it is lifted; smaller: it gapes for longer"};
 inline constexpr Constant<Real> kGapShare{
     "direct_gap_share", 1e-4, "1",
-    "of the largest displacement that is asked for, to which it is found: then rows are made anew",
+    "of the largest displacement that rows require, to which it is found: then rows are made anew",
     "larger: one more turn of making rows; smaller: steps of Newton for digits that turns of bodies undo"};
-inline constexpr Constant<Real> kGap{"direct_gap", 1e-9, "m or rad",
-                                     "of a joint that needs no parting: far above rounding (1e-12 m at 4 km from the "
-                                     "origin), far below what anybody sees",
-                                     "larger: linkages whose joints depend on each other drift apart; smaller: joints "
-                                     "far from the origin are parted in every step for their rounding"};
+inline constexpr Constant<Real> kGap{
+    "direct_gap", 1e-9, "m or rad",
+    "of a joint that needs no correction: far above rounding (1e-12 m at 4 km from the "
+    "origin), far below what is visible",
+    "larger: linkages whose joints depend on each other drift apart; smaller: joints "
+    "far from the origin are corrected in every step for their rounding"};
 inline constexpr Constant<std::uint32_t> kAlways{
     "direct_always", 2, "steps of Newton",
     "of a group and substep, however little work is left: a group over its budget still comes nearer to its solution",
@@ -66,7 +67,7 @@ inline constexpr Constant<std::uint32_t> kExpectedOfMoving{
     "direct_expected_moving", 10, "steps of Newton",
     "that a group that moves is expected to take in a step: where all of them together would take more than there is, all "
     "have less",
-    "fewer: many groups that move stall the step together; more: what moves hears of groups far away"};
+    "fewer: many groups that move stall the step together; more: what moves is slowed by groups far away"};
 inline constexpr Constant<std::uint64_t> kWorkOfJoined{
     "direct_work_of_joined", 20000, "block products",
     "of a step, for a group of joints and contacts, whatever the others take: what is cut short there throws bodies",
@@ -78,13 +79,13 @@ inline constexpr Constant<std::uint32_t> kFromNothing{
     "fewer: pinched bodies are squeezed out faster; more: an impact through a wreck stalls the step"};
 inline constexpr Constant<std::uint32_t> kExpectedAtRest{
     "direct_expected_at_rest", 16, "steps of Newton",
-    "that a group at rest is expected to take when it is solved anew: of many that ask at once the others wait",
+    "that a group at rest is expected to take when it is solved anew: of many at once the others wait",
     "fewer: many are solved in one step, which stalls; more: one a step, and walls come late to rest"};
 inline constexpr Constant<Real> kUnborne{
     "direct_unborne", 0.1, "1",
-    "of what loads do to a body in a substep, that an answer may leave of what stood before it is given up: soft "
+    "of what loads do to a body in a substep, that a solution may leave of what stood before it is given up: soft "
     "contacts, which take over then, leave half of it in the first",
-    "larger: what an answer does not hold sinks on; smaller: towers at rest are thrown down for micrometres"};
+    "larger: what a solution does not hold sinks on; smaller: towers at rest are thrown down for micrometres"};
 inline constexpr Constant<Real> kBends{
     "direct_bends", 0.3, "rad",
     "by which a body that rolls may turn in a substep for its way to be bent within it, to second order in that turn",

@@ -8,7 +8,7 @@ namespace carom::dynamics {
 inline constexpr Constant<Real> kGiveOfContacts{
     "direct_give", 1e-3, "1",
     "of a contact's response to an impulse: by so much it yields while it is found how joints and contacts share a "
-    "load; far above what rounds anchor impulses by, so that those that no load asks for vanish",
+    "load; far above what rounds anchor impulses by, so that those that no load requires vanish",
     "larger: shares are those of softer contacts, and the exact law is farther away; smaller: what is wedged bears more, "
     "without end at 0"};
 inline constexpr Constant<Real> kWedged{
@@ -25,9 +25,10 @@ inline constexpr Constant<Real> kGiveOfSweeps{
     "direct_last_give", 0.06, "1",
     "of a contact's response: softness in the sweeps of last resort, that of solver soft_step at 30 Hz and 1/240 s",
     "larger: bodies sink deeper in such a step; smaller: what is wedged bears more"};
-inline constexpr Constant<int> kLastSweeps{"direct_last_sweeps", 20, "sweeps",
-                                           "over a group whose answer gave energy; a step later it is solved again",
-                                           "fewer: tall piles sink in such a step; more: it costs as many more"};
+inline constexpr Constant<int> kLastSweeps{
+    "direct_last_sweeps", 20, "sweeps",
+    "over a group with a solution that added energy; a step later it is solved again",
+    "fewer: tall piles sink in such a step; more: it costs as many more"};
 
 inline constexpr Constant<int> kSweepsBetweenJoints{
     "direct_sweeps_between_joints", 5, "sweeps", "of those, after which joints are solved anew, all together",

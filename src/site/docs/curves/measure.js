@@ -7,7 +7,7 @@ function perform(carom, scene, { dials = {}, ask, dt = 1 / 60 }) {
     world = engine.world();
   try {
     for (const [name, value] of Object.entries(dials)) world.setDial(name, value);
-    if (ask) world.ask({ place: ask, turn: ask });
+    if (ask) world.setAccuracy({ place: ask, turn: ask });
     const judge = scene.build(engine, world),
       steps = Math.round(scene.seconds / dt),
       every = Math.max(1, Math.round(1 / 30 / dt)); // judged at the same times, however fine the step

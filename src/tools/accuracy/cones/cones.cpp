@@ -150,7 +150,7 @@ std::vector<Challenge> cones_challenges() {
                 {"n", "", "number of capsules", 24, 1, 200, true}, 2, fill_capsules),
           cones("stack", "A wall of cubes, let go 2 mm apart.", "they settle, and lie still",
                 {"base", "", "cubes in the lowest row", 7, 1, 30, true}, 2, fill_stack),
-          cones("kapla", "A tower of planks, three to a layer, that a ball strikes.", "planks slide on each other",
+          cones("kapla", "A tower of planks, three to a layer, that a ball hits.", "planks slide on each other",
                 {"layers", "", "of three planks each", 8, 1, 60, true}, 2, fill_kapla)};
 }
 

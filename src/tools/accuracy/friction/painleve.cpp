@@ -78,7 +78,7 @@ Challenge painleve_challenge() {
            5,
            1.0 / 60,
            fill},
-          "the one answer of a step: the end stops; then it is a pendulum",
+          "the one solution of a step: the end stops; then it is a pendulum",
           {{"spin after 1/60 s, relative", "", 0.01}, {"energy gained, relative", "", 0.01}},
           {},
           {}};

@@ -101,7 +101,7 @@ void add_peers(Document& page, const Sweep& sweep, const View& view) {
       "another engine errs less than every setting of Carom that costs as much or less, and costs less than every one "
       "that is as exact, by more than a quarter; the ratio is the smaller of the two. Errors below 1e-12 count as "
       "equal: "
-      "that is rounding. Those above a thousand times the scene's bound are no answer, and lead nowhere.");
+      "that is rounding. Those above a thousand times the scene's bound are no solution, and lead nowhere.");
   std::vector<std::vector<std::string>> rows;
   std::vector<bool> red;
   std::vector<std::string> row_data;
@@ -181,7 +181,7 @@ void add_orders(Document& page, const View& view) {
       "Both axes are logarithmic, and a finer step stands further left, so a method of order p is a line that rises to the "
       "right by p decades a decade. Blue is Carom at its defaults with a dashed line fitted by least squares, whose slope is "
       "the order that was observed; other engines stand at the first of their settings. Motion in contact is of first order "
-      "in all of them; flight and bounces are not, where an engine answers them exactly.");
+      "in all of them; flight and bounces are not, where an engine solves them exactly.");
   for (const std::string& topic : topics()) {
     const auto scenes = scenes_where(view, [&](const SceneView& s) { return topic_of(*s.challenge) == topic; });
     if (scenes.empty()) continue;
@@ -252,7 +252,7 @@ void add_effects(Document& page, const Extras& extras) {
   }
   page.paragraph(
       "Nanoseconds a participant and step, at the default dials: the difference between a world in which the effect runs and "
-      "the same world in which it is forbidden, or what the library's plan of a step tells. An effect without participants "
+      "the same world in which it is forbidden, or what the library's plan of a step says. An effect without participants "
       "costs nothing.");
   report::BarChart chart;
   chart.title = "Cost of an effect";
@@ -279,8 +279,8 @@ void add_tolerances(Document& page, const Extras& extras) {
       "size. Left: what a query costs at each tolerance; right: how wide its bracket really is.");
   for (const bool of_time : {true, false}) {
     report::LinePlot plot;
-    plot.title = of_time ? "Time of a query against the tolerance asked for"
-                         : "Width of the answer against the tolerance asked for";
+    plot.title =
+        of_time ? "Time of a query against the tolerance asked for" : "Width of the result against the tolerance";
     plot.x = {"tolerance, relative", report::Scale::log, false, {}};
     plot.y = {of_time ? "ns a query" : "width of the bracket, m", report::Scale::log, false, {}};
     plot.note = "generic path (GJK and EPA), pairs of about 1 m, apart and in overlap";
@@ -293,10 +293,9 @@ void add_tolerances(Document& page, const Extras& extras) {
     }
     page.figure(
         of_time ? "tolerance-ns" : "tolerance-width", report::draw(plot),
-        of_time
-            ? "To the left is more exact. Polytopes are answered to the end in a few steps, so their lines are flat; "
-              "round shapes pay for every digit."
-            : "Answers are as a rule narrower than they need to be.");
+        of_time ? "To the left is more exact. Polytopes are solved to the end in a few steps, so their lines are flat; "
+                  "round shapes pay for every digit."
+                : "Answers are as a rule narrower than they need to be.");
   }
 }
 
@@ -306,7 +305,7 @@ std::string report_page(const Sweep& sweep, const Extras& extras) {
   const View view = view_of(sweep);
   std::size_t measured = 0, left_out = 0;
   for (const Row& row : sweep.rows) ++(row.left_out ? left_out : measured);
-  Document page("What accuracy costs", format("%zu runs of %zu scenes whose answer is known, %s, %s", measured,
+  Document page("What accuracy costs", format("%zu runs of %zu scenes with a known solution, %s, %s", measured,
                                               view.scenes.size(), sweep.machine.c_str(), sweep.date.c_str()));
   page.heading(2, "findings", "Findings");
   page.list(findings(view));
