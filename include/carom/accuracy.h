@@ -25,7 +25,8 @@ extern "C" {
 #endif
 
 /** An error tolerance. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that
- *  snapshots, recordings and scene files have them. Fill with carom_accuracy_init(). */
+ *  snapshots, recordings and scene files have them. The dial CAROM_DIAL_ACCURACY_WORK bounds the work of large islands
+ *  in contact further. Fill with carom_accuracy_init(). */
 typedef struct carom_accuracy {
   uint32_t struct_size;
   uint32_t substeps; /**< bound of work: that an island may take in a step, 2 to 4096, default 256 */

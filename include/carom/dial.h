@@ -71,7 +71,8 @@ extern "C" {
                                              0: none */
 #define CAROM_DIAL_ACCURACY_TURN 42u      /* rad per second, likewise */
 #define CAROM_DIAL_ACCURACY_SUBSTEPS 43u  /* bound of work: substeps of an island in a step */
-#define CAROM_DIAL_COUNT 44u
+#define CAROM_DIAL_ACCURACY_WORK 44u      /* likewise of islands in contact: contact points times substeps */
+#define CAROM_DIAL_COUNT 45u
 /* clang-format on */
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u      /* first order */

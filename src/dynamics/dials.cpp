@@ -137,6 +137,10 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            1e6, 0),
     integer(Dial::accuracy_substeps, "accuracy_substeps",
             "bound of work: substeps that an island may take in a step where an accuracy is set", 2, 4096, 256),
+    number(Dial::accuracy_work, "accuracy_work", "1",
+           "likewise of islands in contact: contact points times substeps, but no fewer substeps than without an "
+           "accuracy",
+           1, 1e12, 30000),
 }};
 
 constexpr bool in_order() {

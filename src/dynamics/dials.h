@@ -54,6 +54,7 @@ enum class Dial : std::uint32_t {
   accuracy_place,
   accuracy_turn,
   accuracy_substeps,
+  accuracy_work,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

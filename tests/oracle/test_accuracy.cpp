@@ -253,6 +253,41 @@ static void a_pile_at_rest_costs_little(void**) {
   assert_true(work <= 64 * 2 + 16 * 4);
 }
 
+/// Heaps that fall, asked for more than contacts give: no island goes beyond its points times substeps but to take as
+/// many as without an accuracy; it says so where that leaves an error over the tolerance, and most of the work is used.
+static void large_islands_stay_within_their_work(void**) {
+  const struct {
+    int bodies;
+    Real work, dt;
+  } heaps[] = {{27, 400, 1.0 / 60}, {60, 2000, 1.0 / 60}, {40, 900, 1.0 / 120}, {12, 30, 1.0 / 30}};
+  for (const auto& heap : heaps) {
+    TestWorld t;
+    ask(t, 1e-6);
+    t.world.set_dial(Dial::accuracy_work, heap.work);
+    t.ground();
+    for (int i = 0; i < heap.bodies; ++i)
+      t.add(t.keep(box(Vec3(0.3, 0.2, 0.4))), Vec3(0.5 * (i % 3), 0.5 + 0.5 * (i / 3), 0.37 * (i % 4)));
+    int bound = 0;
+    Real most = 0;
+    for (int k = 0; k < 60; ++k) {
+      t.world.step(heap.dt);
+      for (const Passes::Island& island : t.world.accuracy->passes.islands) {
+        const Real work = Real(island.rows) * island.trial.taken;
+        assert_true(island.rows == 0 || work <= heap.work || island.trial.taken <= 4);
+        if (island.rows > 0) most = std::max(most, std::min(work, heap.work));
+      }
+      for (const AccuracyView& view : t.world.accuracy->views) {
+        if (!(view.flags & AccuracyView::kHitBound)) continue;
+        ++bound;
+        assert_true(view.share() > 1);
+      }
+    }
+    std::printf("  %d boxes: %.0f of %.0f, bound %d times\n", heap.bodies, most, heap.work, bound);
+    assert_true(bound > 0);
+    assert_true(most > heap.work / 2);
+  }
+}
+
 /// A world that asks for nothing has nothing of it: no room, no notes, and what bits a step with the same substeps has
 /// where accuracy was asked for and taken back.
 static void nothing_is_there_where_nothing_is_asked(void**) {
@@ -291,6 +326,7 @@ int main(void) {
       cmocka_unit_test(islands_do_not_know_of_each_other),
       cmocka_unit_test(a_ledger_changes_no_bit),
       cmocka_unit_test(a_pile_at_rest_costs_little),
+      cmocka_unit_test(large_islands_stay_within_their_work),
       cmocka_unit_test(nothing_is_there_where_nothing_is_asked),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -273,7 +273,9 @@ export const CAROM_DIAL_ACCURACY_PLACE: 41;
 export const CAROM_DIAL_ACCURACY_TURN: 42;
 /** bound of work: substeps of an island in a step */
 export const CAROM_DIAL_ACCURACY_SUBSTEPS: 43;
-export const CAROM_DIAL_COUNT: 44;
+/** likewise of islands in contact: contact points times substeps */
+export const CAROM_DIAL_ACCURACY_WORK: 44;
+export const CAROM_DIAL_COUNT: 45;
 /** first order */
 export const CAROM_INTEGRATOR_EXPLICIT_EULER: 0;
 /** first order, symplectic */

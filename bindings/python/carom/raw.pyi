@@ -149,6 +149,7 @@ CAROM_DIAL_JOINT_ORDER: int
 CAROM_DIAL_ACCURACY_PLACE: int
 CAROM_DIAL_ACCURACY_TURN: int
 CAROM_DIAL_ACCURACY_SUBSTEPS: int
+CAROM_DIAL_ACCURACY_WORK: int
 CAROM_DIAL_COUNT: int
 CAROM_INTEGRATOR_EXPLICIT_EULER: int
 CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER: int
@@ -385,7 +386,8 @@ class carom_error(ctypes.Structure):
     remedy: builtins.bytes
 class carom_accuracy(ctypes.Structure):
     """An error tolerance. The three numbers are the dials CAROM_DIAL_ACCURACY_PLACE, _TURN and _SUBSTEPS, so that
-    snapshots, recordings and scene files have them. Fill with carom_accuracy_init()."""
+    snapshots, recordings and scene files have them. The dial CAROM_DIAL_ACCURACY_WORK bounds the work of large islands
+    in contact further. Fill with carom_accuracy_init()."""
     struct_size: int
     substeps: int
     place: float

@@ -25,6 +25,8 @@ int level_for(Real substeps) {
   return level;
 }
 
+int Trial::highest_least() const { return level_within(substeps_at(most) / Real(2)); }
+
 void Trial::restart(int at_level) {
   level = at_level;
   coarse = 0;
@@ -34,7 +36,7 @@ void Trial::restart(int at_level) {
 void Trial::begin(const AccuracyMemory& memory, std::uint8_t met, int of_order, int least_substeps, int most_substeps) {
   *this = {};
   order = of_order, most = level_within(most_substeps);
-  least = std::min(level_for(least_substeps), std::max(0, most - 1));
+  least = std::min(level_for(least_substeps), highest_least());
   estimates = memory.wait == 0 || memory.met != met;
   if (memory.stalled && memory.met == met) repeated_share = std::max(memory.place, memory.turn);
   restart(std::clamp<int>(memory.level, least, most));
@@ -42,7 +44,7 @@ void Trial::begin(const AccuracyMemory& memory, std::uint8_t met, int of_order, 
 
 void Trial::raise_least(int least_substeps) {
   work += static_cast<std::uint64_t>(run);
-  least = std::min(level_for(least_substeps), std::max(0, most - 1));
+  least = std::min(level_for(least_substeps), highest_least());
   restart(std::max(level, least));
 }
 

@@ -87,6 +87,8 @@ struct Trial {
   /// @param met    a number of what the island consists of: another one asks for an estimate
   /// @param order  of the error @param least, most  substeps at least and at most; most is 2 or more
   void begin(const AccuracyMemory& memory, std::uint8_t met, int order, int least, int most);
+  /// The highest of `least`: twice its substeps are within the bound, so that it can be estimated.
+  int highest_least() const;
   /// A run turned out to be of too few substeps to be judged.
   void raise_least(int least_substeps);
   /// It goes on with another order, from its first run.

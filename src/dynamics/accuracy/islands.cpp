@@ -98,7 +98,8 @@ void find_islands(const World& world, Passes& p, Real dt) {
     });
     island.met = number_of(island.bodies, island.rows, island.links, island.memory.softly);
     island.trial.begin(island.memory, island.met, order_of(world, p, island),
-                       island.memory.softly && island.rows > 0 ? borne.least_soft : 1, borne.most);
+                       island.memory.softly && island.rows > 0 ? borne.least_soft : 1,
+                       borne.most_of(island.rows, world.plan->substeps));
   }
 }
 

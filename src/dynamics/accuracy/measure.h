@@ -13,11 +13,18 @@ namespace carom::dynamics::accuracy {
 struct Borne {
   Real inv_place = 0, inv_turn = 0;  // 1/m, 1/rad; 0: not asked for
   int most = 2;                      // substeps
+  Real work = 0;                     // contact points times substeps
   int least_soft = 1;                // where contacts are springs: of fewer they would be softer ones
-  Borne(const Dials& dials, Real dt) : most(std::max(2, dials.whole(Dial::accuracy_substeps))) {
+  Borne(const Dials& dials, Real dt)
+      : most(std::max(2, dials.whole(Dial::accuracy_substeps))), work(dials[Dial::accuracy_work]) {
     least_soft = static_cast<int>(std::min(std::ceil(4 * dials[Dial::contact_frequency] * dt), Real(most)));
     if (dials[Dial::accuracy_place] > 0) inv_place = 1 / (dials[Dial::accuracy_place] * dt);
     if (dials[Dial::accuracy_turn] > 0) inv_turn = 1 / (dials[Dial::accuracy_turn] * dt);
+  }
+  /// Substeps at most of an island with so many contact points.   @param as_ever  those without an accuracy
+  int most_of(std::uint32_t points, int as_ever) const {
+    if (points == 0 || Real(most) * points <= work) return most;
+    return std::min(most, std::max({2, as_ever, static_cast<int>(work / points)}));
   }
 };
 

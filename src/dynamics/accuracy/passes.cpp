@@ -172,7 +172,7 @@ void judge(const World& world, Passes& p, Passes::Island& island, const Borne& b
     return keep_ended(world, island);
   }
   island.memory.softly = island.is_soft;
-  if (island.is_soft && island.trial.run < borne.least_soft && island.trial.least < island.trial.most - 1)
+  if (island.is_soft && island.trial.run < borne.least_soft && island.trial.least < island.trial.highest_least())
     return island.trial.raise_least(borne.least_soft);
   switch (island.trial.end_run(went_well, apart)) {
     case End::accepted:
