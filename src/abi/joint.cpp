@@ -1,6 +1,8 @@
 // Joints: what a host says about one, checked and handed to the world, and read back.
 #include <carom/joint.h>
 
+#include <array>
+#include <cstdio>
 #include <numbers>
 
 #include "abi/ends.h"
@@ -165,12 +167,25 @@ Bounds bounds_of(std::uint32_t coordinate) {
   }
 }
 
+/// Names of the coordinates that a kind leaves free, of CAROM_COORDINATE_*: "TWIST, SWING"; or "none".
+std::array<char, 48> names_of_coordinates(JointKind kind) {
+  static constexpr std::array<const char*, CAROM_COORDINATE_COUNT> kNames = {"TWIST", "SWING", "SLIDE", "DISTANCE"};
+  std::array<char, 48> names{"none"};
+  int at = 0;
+  for (std::size_t k = 0; k < kNames.size(); ++k)
+    if (has(kind, static_cast<Coordinate>(k)))
+      at += std::snprintf(&names[static_cast<std::size_t>(at)], names.size() - static_cast<std::size_t>(at), "%s%s",
+                          at > 0 ? ", " : "", kNames[k]);
+  return names;
+}
 bool free_coordinate(Call& call, const Joint& joint, std::uint32_t coordinate) {
-  return known(call, 3, "coordinate", coordinate, CAROM_COORDINATE_COUNT) &&
-         (has(joint.def.kind, static_cast<Coordinate>(coordinate)) ||
-          call.fail(CAROM_E_UNSUPPORTED, 3, "coordinate %u is none that a %s joint leaves free", coordinate,
-                    row_of(joint.def.kind).name) ||
-          call.advise("use a coordinate that this kind leaves free: carom/joint.h has them, a hinge's is TWIST"));
+  if (!known(call, 3, "coordinate", coordinate, CAROM_COORDINATE_COUNT)) return false;
+  if (has(joint.def.kind, static_cast<Coordinate>(coordinate))) return true;
+  return call.fail(CAROM_E_UNSUPPORTED, 3, "coordinate %u is none that a %s joint leaves free; it leaves free: %s",
+                   coordinate, row_of(joint.def.kind).name, names_of_coordinates(joint.def.kind).data()) ||
+         call.advise(
+             "use a coordinate that the message names, of CAROM_COORDINATE_*; axes of a six-axis joint have "
+             "carom_joint_set_axis()");
 }
 bool drivable(Call& call, const Joint& joint, std::uint32_t coordinate) {
   return free_coordinate(call, joint, coordinate) &&

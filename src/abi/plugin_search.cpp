@@ -62,9 +62,11 @@ std::int32_t find(carom_engine* engine, const char* name, Found& found, carom_er
     }
     if (found.plugin) return;
     find_plugin_file(short_name(name), found.file);
-    if (!found.file.path[0])
-      call.fail(CAROM_E_NOT_FOUND, 2, "no plugin \"%.64s\" is registered, and no file of that name is in %.140s", name,
+    if (!found.file.path[0]) {
+      call.fail(CAROM_E_NOT_FOUND, 2, "no plugin \"%.64s\" is registered, and no file of that name is in %s", name,
                 found.file.searched[0] ? found.file.searched : "any folder: set CAROM_PLUGIN_PATH");
+      call.advise("check the spelling, or add the folder of the plugin to $CAROM_PLUGIN_PATH");
+    }
   });
 }
 

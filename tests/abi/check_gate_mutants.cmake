@@ -76,7 +76,7 @@ change(include/carom/world.h "} carom_contact;" "  double beauty;\n  uint64_t ag
 verdict("reports and elements that grew at their end" "")
 
 begin()
-change(include/carom/force.h "  uint64_t user;         /**< the host's; carried along */\n} carom_force_field_desc" "  uint64_t user;\n  double more;\n} carom_force_field_desc")
+change(include/carom/force.h "  uint64_t user;         /**< the host's; the engine does not read it */\n} carom_force_field_desc" "  uint64_t user;\n  double more;\n} carom_force_field_desc")
 verdict("a descriptor that grew at its end" "")
 begin()
 file(WRITE ${baseline}/open.txt "CAROM_1.0\n")

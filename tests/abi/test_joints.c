@@ -158,6 +158,7 @@ static void wrong_joints_are_refused(void** state) {
   const carom_joint good = join(b, CAROM_JOINT_BALL, b->bodies[2], b->bodies[3]);
   const uint64_t hash = bench_hash(b->world);
   const double nan = NAN, inf = INFINITY;
+  carom_error error = CAROM_ERROR_INIT;
   carom_joint_limit limit;
   carom_joint_motor motor;
   carom_joint_spring spring;
@@ -182,7 +183,8 @@ static void wrong_joints_are_refused(void** state) {
   REFUSED(CAROM_E_OUT_OF_RANGE, d.break_torque = -1);
   carom_joint_limit_init(&limit, sizeof limit), carom_joint_motor_init(&motor, sizeof motor),
       carom_joint_spring_init(&spring, sizeof spring);
-  assert_int_equal(carom_joint_set_limit(b->world, good, CAROM_COORDINATE_SLIDE, &limit, NULL), CAROM_E_UNSUPPORTED);
+  assert_int_equal(carom_joint_set_limit(b->world, good, CAROM_COORDINATE_SLIDE, &limit, &error), CAROM_E_UNSUPPORTED);
+  assert_non_null(strstr(error.message, "free: TWIST, SWING")); /* those that it has */
   assert_int_equal(carom_joint_set_limit(b->world, good, 4, &limit, NULL), CAROM_E_UNKNOWN_ENUM);
   assert_int_equal(carom_joint_set_motor(b->world, good, CAROM_COORDINATE_SWING, &motor, NULL), CAROM_E_UNSUPPORTED);
   assert_int_equal(carom_joint_set_spring(b->world, good, CAROM_COORDINATE_SWING, &spring, NULL), CAROM_E_UNSUPPORTED);

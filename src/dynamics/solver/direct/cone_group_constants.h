@@ -12,7 +12,7 @@ inline constexpr Constant<Real> kFineShare{
     "share of the tolerance to which few bodies that lie still are solved, and what is joined and touches nothing: what "
     "may roll takes each push for good, and velocities along joints add up to gaps",
     "larger: balls at rest creep away, joints gape; smaller: steps of Newton for what rounding undoes"};
-inline constexpr Constant<Real> kConeShare{"direct_impact_share", 1e-3, "1",
+inline constexpr Constant<Real> kConeShare{"direct_speed_share", 1e-3, "1",
                                            "share of the fastest contact's speed that is good enough where work is "
                                            "bounded: a thousandth of an impact is not seen",
                                            "larger: bodies leave impacts with velocities that friction and "
