@@ -14,6 +14,9 @@ const newer = (a, b) => {
 export function keepVersion(built, keep, version) {
   if (!VERSION.test(version)) throw new Error(`${version} is no version: three numbers, as 1.2.3`);
   mkdirSync(keep, { recursive: true });
+  // What is there goes, but for versions: so it has to be a folder of this program's, or an empty one.
+  if (readdirSync(keep).length > 0 && !existsSync(join(keep, "versions.json")))
+    throw new Error(`${keep} has other files: name an empty folder, or one that an earlier call filled`);
   rmSync(join(keep, version), { recursive: true, force: true });
   cpSync(built, join(keep, version), { recursive: true });
   const versions = readdirSync(keep)
@@ -35,11 +38,11 @@ if (process.argv[1] === new URL(import.meta.url).pathname) {
     console.error(keep ? "the site is not built: npm run build" : "name a folder: npm run keep -- DIR");
     process.exit(2);
   }
-  const inside = resolve(keep);
-  if (existsSync(inside) && readdirSync(inside).length && !existsSync(join(inside, "versions.json"))) {
-    console.error(`${inside} holds other files: name an empty folder, or one that this command made`);
+  const [{ version }] = JSON.parse(readFileSync(join(built, "versions.json")));
+  try {
+    console.log(`${resolve(keep)}: ${keepVersion(built, resolve(keep), version).join(", ")}`);
+  } catch (error) {
+    console.error(error.message);
     process.exit(2);
   }
-  const [{ version }] = JSON.parse(readFileSync(join(built, "versions.json")));
-  console.log(`${inside}: ${keepVersion(built, inside, version).join(", ")}`);
 }

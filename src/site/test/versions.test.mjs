@@ -32,6 +32,9 @@ test("versions are kept side by side, the newest at the root", { skip, timeout: 
   assert.equal(readFileSync(join(keep, "index.html"), "utf8"), "the page of 0.10.0");
   assert.equal(readFileSync(join(keep, "0.9.0/index.html"), "utf8"), "the page of 0.9.0");
   assert.throws(() => keepVersion(DIST, keep, "../elsewhere"), /no version/);
+  // A folder of other files stays as it is.
+  assert.throws(() => keepVersion(DIST, join(work, "0.9.0/docs"), "1.0.0"), /has other files/);
+  assert.ok(existsSync(join(work, "0.9.0/docs/readme/index.html")));
   const server = await serve(0, keep),
     base = `http://localhost:${server.address().port}/`;
   const browser = await chromium.launch({

@@ -1,5 +1,6 @@
 #include "cli/packed_truth.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
