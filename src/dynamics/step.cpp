@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <span>
+#include <utility>
 
 #include "dynamics/accuracy/accuracy.h"
 #include "dynamics/contact/lone_rollers.h"
@@ -29,28 +30,30 @@ struct Undo {
 class Runner {
  public:
   Runner(World& world, Real dt) : world_(world), dt_(dt) {}
-  ~Runner() { world_.report.total_seconds = seconds_since(start_); }
+  ~Runner() { world_.report.total_seconds = std::chrono::duration<double>(Clock::now() - start_).count(); }
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
   int substeps() const { return world_.plan->substeps; }  // once the plan is made
 
-  void operator()(const StageEntry& entry) const {
+  void operator()(const StageEntry& entry) {
     const auto s = static_cast<std::size_t>(entry.stage);
     if (entry.stage != Stage::refresh && !world_.plan->runs[s]) return;
-    const auto start = Clock::now();
     if (world_.watches_stages)
       watch(entry);
     else
       entry.run(world_, {dt_, dt_ / substeps()});
-    const double seconds = seconds_since(start);
+    const double seconds = lap();
     world_.report.stage_seconds[s] += seconds;
     if (entry.effect < kEffectCount) world_.plan->effects[entry.effect].seconds += seconds;
     if (keeps_ledger(world_)) account(entry);
   }
 
+  /// What went on since the last stage is none's.
+  void begin_lap() { last_ = Clock::now(); }
+
   /// Substeps by island: as many passes as islands ask for, each with its own.
-  void by_island(std::span<const StageEntry> table) const;
+  void by_island(std::span<const StageEntry> table);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -64,21 +67,22 @@ class Runner {
                      static_cast<int>(entry.name.size()), entry.name.data(), part_name(static_cast<Part>(i)));
     if (undeclared.bits) std::abort();
   }
-  void account(const StageEntry& entry) const {
-    const auto start = Clock::now();
+  void account(const StageEntry& entry) {
     account_stage(world_, entry.account, {dt_, dt_ / substeps()});
-    world_.report.stage_seconds[static_cast<std::size_t>(Stage::observe)] += seconds_since(start);
+    world_.report.stage_seconds[static_cast<std::size_t>(Stage::observe)] += lap();
   }
-  static double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+  /// s, since the last lap. A stage begins where the one before ended: in small worlds clocks are much of a step's time.
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
   }
 
   World& world_;
   Real dt_;  // s
-  Clock::time_point start_ = Clock::now();
+  Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-void Runner::by_island(std::span<const StageEntry> table) const {
+void Runner::by_island(std::span<const StageEntry> table) {
   const auto substep = [](const StageEntry& e) { return e.each_substep; };
   const auto first = std::ranges::find_if(table, substep), last = std::find_if_not(first, table.end(), substep);
   const auto in_pass = [&](auto from, auto to) {
@@ -89,6 +93,7 @@ void Runner::by_island(std::span<const StageEntry> table) const {
   Undo undo{world_, Passing(world_)};
   accuracy::plan_passes(world_, time);
   while (accuracy::begin_pass(world_, world_.scene.springs, world_.scene.water, undo.to, time)) {
+    begin_lap();
     in_pass(table.begin(), first);
     for (int k = 0; k < substeps(); ++k)
       for (auto entry = first; entry != last; ++entry) (*this)(*entry);
@@ -105,9 +110,10 @@ void World::step(Real dt) {
   accuracy::begin(*this, accuracy);
   if (!rattle && rattle::is_asked(*this)) rattle = make_owned<Rattle>(memory, memory);
   if (!lone_rollers && scene.colliders.live.size() > 1) lone_rollers = make_owned<LoneRollers>(memory, memory);
-  const Runner run(*this, dt);
+  Runner run(*this, dt);
   begin_report(*this, report, group_views, *events);
   give_back(*this, impulses, pairs, mean_motion);
+  run.begin_lap();
   const std::span<const StageEntry> table = stage_table();
   for (auto first = table.begin(); first != table.end();) {
     auto last = first;
