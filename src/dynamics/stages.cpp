@@ -107,7 +107,7 @@ constexpr StageEntry kStageTable[] = {
      .stage = Stage::integrate,
      .reads = kMotion | Part::forces, .account = LedgerAccount::forces, .each_substep = true}),
     stage<save_accelerations>({.name = "save accelerations",
-     .what = "paths of swept bodies",
+     .what = "accelerations of swept bodies, for their paths",
      .stage = Stage::solve, .effect = +EffectId::continuous,
      .reads = Part::velocities, .each_substep = true}),
     stage<solve_impacts>({.name = "solve impacts",

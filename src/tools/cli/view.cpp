@@ -85,8 +85,8 @@ std::string made_scene(const serve::Question& question, Context& context) {
   const auto scene = question.find("scene");
   if (scene == question.end()) throw Error("no scene is named", "ask for ?scene=NAME&set=PARAMETER=VALUE");
   choice.scene = scene->second;
-  if (choice.scene.starts_with("accuracy_")) choice.scene[8] = '/';                           // as the page has it
-  is_accuracy_scene(choice.scene) ? accuracy_scene(choice.scene) : find_scene(choice.scene);  // a page names no files
+  if (choice.scene.starts_with("accuracy_")) choice.scene[8] = '/';  // as the page has it
+  if (!is_accuracy_scene(choice.scene)) find_scene(choice.scene);    // of the library alone: a page names no files
   PackedScene packed = packed_scene(choice, {240, 1}, context);
   if (!packed.truth.empty()) packed.row["truth"]["bytes"] = packed.truth.size();
   const std::string row = packed.row.dump();
