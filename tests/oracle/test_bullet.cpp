@@ -333,6 +333,31 @@ static void a_bullet_hits_a_spinning_rod(void**) {
   assert_true(met > kPhases / 2 && measured > 2);
 }
 
+/// Two that fly at each other, each on a spring of next to no force, meet between where both began: in the steps before
+/// RATTLE moves them, and neither's way comes near where the other is.
+static void what_hangs_on_springs_meets_midway(void**) {
+  for (const Real speed : {40.0, 90.0, 230.0})
+    for (const Real apart : {2.0, 3.1, 7.7}) {
+      TestWorld t(Vec3::zero());
+      t.world.set_dial(Dial::accuracy_place, 1e-3);  // forces alone move them: by RATTLE
+      const std::uint32_t m = t.material(0, 1);
+      std::uint32_t ball[2];
+      for (int k = 0; k < 2; ++k) {
+        const Vec3 at((k == 0 ? -1 : 1) * apart / 2, 0, 0);
+        ball[k] = t.add(t.keep(sphere(0.1)), at, BodyType::dynamic, Quat::identity(), m);
+        t.world.set_velocity(ball[k], Vec3((k == 0 ? 1 : -1) * speed, 0, 0), Vec3::zero());
+        SpringDef spring;
+        spring.body_b = ball[k], spring.anchor_a = at, spring.stiffness = 1e-9;
+        t.world.add_spring(spring);
+      }
+      for (int k = 0; k < 40; ++k) {
+        t.world.step(kDt);
+        assert_true(t.world.state.x[ball[0]].x() < t.world.state.x[ball[1]].x());
+      }
+      assert_true(std::fabs(t.world.state.v[ball[1]].x() - speed) < 1e-6 * speed);
+    }
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(impacts_are_where_and_when_they_must_be),
@@ -345,6 +370,7 @@ int main() {
       cmocka_unit_test(what_passes_by_is_left_alone),
       cmocka_unit_test(what_slides_fast_goes_on),
       cmocka_unit_test(a_bullet_hits_a_spinning_rod),
+      cmocka_unit_test(what_hangs_on_springs_meets_midway),
   };
   return cmocka_run_group_tests_name("oracle/bullet", tests, nullptr, nullptr);
 }

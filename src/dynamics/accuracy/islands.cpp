@@ -3,7 +3,9 @@
 
 #include "dynamics/accuracy/accuracy.h"
 #include "dynamics/accuracy/passes.h"
+#include "dynamics/ccd/continuous.h"
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
 #include "dynamics/solver/table.h"
@@ -38,6 +40,18 @@ void unite(const World& world, Passes& p) {
 /// Whether nothing acts on a body but what turns it as a top, and what is constant.
 bool is_top(const World& world, std::uint32_t body) {
   return only_constant_forces_act(world, body) && !world.plan->effects[+EffectId::user_torque].participants.has(body);
+}
+
+/// Whose bodies a sweep may change; and what would fly on but for sweeps, which nothing is known of before.
+void find_swept_islands(const World& world, Passes& p) {
+  const Continuous& c = *world.continuous;
+  if (c.bodies.empty()) return;
+  const auto mark = [&](std::uint32_t i) {
+    if (p.island_of[i] != kInvalid) p.islands[p.island_of[i]].is_swept = true;
+  };
+  for (const SweptBody& b : c.bodies) mark(b.body);
+  std::ranges::for_each(c.near, mark);
+  if (world.plan->flight) world.plan->flight->watched.each(mark);
 }
 
 }  // namespace
@@ -89,6 +103,7 @@ void find_islands(const World& world, Passes& p, Real dt) {
     if (const std::uint32_t k = of(m.moves_a, m.a, m.b); k != kInvalid) p.islands[k].rows += m.count;
   for (const Link& l : c.links)
     if (const std::uint32_t k = of(l.moves_a, l.a, l.b); k != kInvalid) ++p.islands[k].links;
+  find_swept_islands(world, p);
   const Borne borne(world.scene.dials, dt);
   for (Passes::Island& island : p.islands) {
     bool is_first = true;
@@ -96,6 +111,7 @@ void find_islands(const World& world, Passes& p, Real dt) {
       join_memory(island.memory, world.state.accuracy[i], is_first);
       is_first = false;
     });
+    if (island.is_swept) continue;
     island.met = number_of(island.bodies, island.rows, island.links, island.memory.softly);
     island.trial.begin(island.memory, island.met, order_of(world, p, island),
                        island.memory.softly && island.rows > 0 ? borne.least_soft : 1,

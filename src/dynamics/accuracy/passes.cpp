@@ -61,6 +61,15 @@ int choose(Passes& p) {
   return fewest;
 }
 
+/// All that a sweep may change, at once, by the dial's substeps: a hit has no half a substep to be compared with.
+bool choose_swept(const World& world, Passes& p) {
+  p.is_sweeping = std::exchange(p.is_to_sweep, false);
+  world.continuous->waits = !p.is_sweeping;
+  if (p.is_sweeping)
+    for (Passes::Island& island : p.islands) island.runs = island.is_swept;
+  return p.is_sweeping;
+}
+
 /// What the ledger is told of: the accepted runs alone, each once more.
 bool choose_to_account(Passes& p) {
   if (!p.is_accounted || p.is_accounting) return false;
@@ -167,7 +176,7 @@ void judge(const World& world, Passes& p, Passes::Island& island, const Borne& b
     if (island.trial.coarse > 0)
       add_apart(apart, p.coarse[k], end, world.scene.inertia[i], world.scene.inv_inertia[i], horizon, borne);
   });
-  if (p.is_accounting) {
+  if (p.is_accounting || p.is_sweeping) {
     island.trial.run = 0;
     return keep_ended(world, island);
   }
@@ -218,11 +227,13 @@ void begin(const World& world, Owned<Accuracy>& a) {
   a->views.clear(), a->decided.clear();
 }
 
-bool goes_by_island(const World& world) { return world.accuracy && world.continuous->bodies.empty(); }
+bool goes_by_island(const World& world) { return bool(world.accuracy); }
 
 void plan_passes(const World& world, const StepTime& time) {
   Passes& p = world.accuracy->passes;
-  p.is_accounting = false;
+  p.is_accounting = p.is_sweeping = false;
+  p.is_to_sweep = !world.continuous->bodies.empty();
+  world.continuous->waits = true;
   p.substeps = world.plan->substeps;
   find_islands(world, p, time.dt);
   keep_begun(world, p);
@@ -235,6 +246,7 @@ void plan_passes(const World& world, const StepTime& time) {
 bool begin_pass(const World& world, SpringLoads& springs, Floats& floats, Passing, const StepTime& time) {
   Passes& p = world.accuracy->passes;
   int substeps = choose(p);
+  if (substeps == 0 && choose_swept(world, p)) substeps = p.substeps;
   if (substeps == 0 && choose_to_account(p)) substeps = choose(p);
   if (substeps == 0) return false;
   Plan& plan = *world.plan;
@@ -253,7 +265,7 @@ bool begin_pass(const World& world, SpringLoads& springs, Floats& floats, Passin
   carry_springs(world, springs, h);
   floats.most_rate = 1 / h;
   part_stiff(world, h);
-  if (p.is_accounted) world.ledger->is_paused = !p.is_accounting;
+  if (p.is_accounted) world.ledger->is_paused = !p.is_accounting && !p.is_sweeping;
   return true;
 }
 
@@ -274,7 +286,8 @@ void end_pass(const World& world, Passing to, const StepTime& time) {
   }
   GroupViews& views = to;
   const auto is_told = [&](const GroupView& view) {
-    return runs(p, view.body) && p.islands[p.island_of[view.body]].trial.run == 0 && p.is_accounting == p.is_accounted;
+    return runs(p, view.body) && p.islands[p.island_of[view.body]].trial.run == 0 &&
+           (p.is_sweeping || p.is_accounting == p.is_accounted);
   };
   for (const GroupView& view : views)
     if (is_told(view)) p.group_views.push_back(view);
@@ -286,6 +299,7 @@ void end_passes(const World& world, Passing to, Events& events, const StepTime& 
   Accuracy& a = *world.accuracy;
   Passes& p = a.passes;
   if (!std::exchange(p.is_planned, false)) return;
+  world.continuous->waits = false;
   StepReport& report = to;
   GroupViews& views = to;
   put_back_contacts(world, p, time);
@@ -297,8 +311,9 @@ void end_passes(const World& world, Passing to, Events& events, const StepTime& 
   for (const GroupView& view : p.group_views) report.direct_groups += view.direct;
   views = p.group_views;
   for (const Passes::Island& island : p.islands)
-    decide(a, island.trial, island.trial.memory_after(island.memory, island.met), 0,
-           [&](const auto& f) { each_member(p, island, [&](std::uint32_t, std::uint32_t i) { f(i); }); });
+    if (!island.is_swept)
+      decide(a, island.trial, island.trial.memory_after(island.memory, island.met), 0,
+             [&](const auto& f) { each_member(p, island, [&](std::uint32_t, std::uint32_t i) { f(i); }); });
   break_overloaded(world, to, events);
 }
 
@@ -308,6 +323,7 @@ void drop_passes(const World& world, Passing to) {
   plan.revision = 0;  // what else the step had under way is planned anew
   if (plan.flight) plan.flight->any = false;
   if (!std::exchange(p.is_planned, false)) return;
+  world.continuous->waits = false;
   for (Passes::Island& island : p.islands) island.runs = true;
   go_back(world, to);
   if (p.is_running) put_back_lists(world, p);

@@ -20,6 +20,7 @@ struct Passes {
     std::uint32_t rows, links;    // how many
     std::uint8_t met;             // @see accuracy::Trial::begin()
     bool runs;                    // in this pass
+    bool is_swept;                // something of it may be hit by a sweep: it takes the dial's substeps, with no trial
     bool is_soft;                 // contacts of it were springs, in its last run
     AccuracyMemory memory;
     accuracy::Trial trial;
@@ -70,7 +71,9 @@ struct Passes {
   bool is_accounted = false;  // somebody keeps a ledger, which is told of no trials
   bool is_planned = false;    // in this step
   bool is_running = false;
-  bool is_accounting = false;  // trials are over, and what was accepted runs once more for the ledger
+  bool is_to_sweep = false;    // the pass of all that is swept is still to come
+  bool is_sweeping = false;    // it goes on; trials are over
+  bool is_accounting = false;  // both are over, and what was accepted runs once more for the ledger
   int substeps = 1;            // of the plan
   std::uint64_t revision = 0, collider_revision = 0, quarantined = 0, groups = 0, largest_group = 0;
   bool alarm = false;
@@ -83,7 +86,7 @@ using Passing = Writes<Poses, Velocities, HostForces, Quarantine, Revisions, Fau
 
 namespace accuracy {
 
-/// Whether the substeps of this step go by island: once it is known who is swept.
+/// Whether substeps go by island.
 bool goes_by_island(const World& world);
 /// Islands of this step, and what they begin with. Allocates.
 void plan_passes(const World& world, const StepTime& time);

@@ -37,7 +37,8 @@
 // What this is not: two bodies that both are joined to something are not swept against each other; kinematic bodies that
 // crush something between them are not stopped; a half-space that turns is swept as if it did not; a body that has but
 // sensors is not swept; obstacles that neither a participant's straight path of the step comes near nor a hit before are
-// taken to come from where their velocity tells.
+// taken to come from where their velocity tells. Where substeps go by island (dynamics/accuracy/), such an obstacle may
+// have its substeps later: who hits it waits there for the rest of the step, and neither changes the other.
 //
 // @oracle tests/oracle/test_bullet, tests/unit/dynamics/test_ccd
 #pragma once
@@ -108,6 +109,8 @@ struct Continuous {
   Array<SweepHit> hits;                        // of this step, by time; as many as are reserved
   Array<Pair> passed;                          // with a sensor, of this step; as many as are reserved; may repeat
   std::size_t most_bodies = 0, most_hits = 0;  // of this step: not what arrays have grown to, which is of the past
+  Array<std::uint32_t> near;                   // slots of bodies within a participant's way, wherever a hit turns it
+  bool waits = false;                          // a part of the step goes on in which nothing is swept
   Array<std::uint32_t> found;                  // scratch: colliders
   Participants one, more, merged;              // scratch, for rotation methods
   SupportFault fault;                          // the first of this step
@@ -143,7 +146,7 @@ void begin_paths(const World& world);
 /// Stage functions of the page.
 /// Take from the solver the contacts that the sweep knows better.
 void leave_to_sweep(const World& world, BroadPhases& broad, PairTable& pairs, const StepTime& time);
-/// Reserves for all that the substeps may do; who stands in the way.
+/// Reserves for all that the substeps may do; who stands in the way; and near it, where substeps go by island.
 void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, const StepTime& time);
 /// What forces did to velocities in this substep.
 void save_accelerations(const World& world, const StepTime& time);

@@ -75,6 +75,21 @@ Aabb straight_way(const World& world, std::uint32_t body, Real radius, Real dt) 
   return path.swept(0, dt, radius + dt * dt * world.scene.gravity.norm());
 }
 
+/// Bodies that a participant may come to within the step, whichever way hits turn it.
+void find_near(const World& world, BroadPhases& broad, Real dt) {
+  Continuous& c = *world.continuous;
+  const Colliders& table = world.scene.colliders;
+  c.near.clear(), c.found.clear();
+  for (std::size_t k = 0; k < c.participants; ++k) {
+    const SweptBody& b = c.bodies[k];
+    const Real reach = b.radius + dt * (world.state.v[b.body].norm() + dt * world.scene.gravity.norm());
+    const Vec3 &x = world.state.x[b.body], all = Vec3::constant(reach);
+    broad_phase(world, broad).find_near(table, {x - all, x + all}, c.found);
+  }
+  for (const std::uint32_t slot : c.found)
+    if (table.movable[slot]) c.near.push_back(table.body[slot]);
+}
+
 /// Who lies still needs no rotation method, but may be hit and does then: the method carries all that are known.
 void carry_all_known(const World& world) {
   Plan& plan = *world.plan;
@@ -104,6 +119,7 @@ Continuous::Continuous(Memory* m)
       loose(m),
       hits(m),
       passed(m),
+      near(m),
       found(m),
       one(m),
       more(m),
@@ -267,6 +283,7 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
   c.one.clear(), c.one.add(0);
   world.plan->effects[+EffectId::continuous].evaluations += c.participants;
   report.swept_bodies = c.participants;
+  if (world.accuracy) find_near(world, broad, time.dt);
 }
 
 void begin_paths(const World& world) {
@@ -278,6 +295,7 @@ void begin_paths(const World& world) {
 }
 
 void save_accelerations(const World& world, const StepTime& time) {
+  if (world.continuous->waits) return;
   for (SweptBody& b : world.continuous->bodies)
     b.accel = (world.state.v[b.body] - world.plan->begun[b.body].v) / time.h;
 }

@@ -41,6 +41,7 @@ void Sweeper::strike(SweptBody& b) {
     sense(*p, s.now);
     ++p->hits, p->is_hit = true;
   }
+  if (has_its_turn_later(other)) return wait_at(s);
   const bool is_hit = exchange(s);
   ++report_.sweep_hits;
   // Bodies that are pushed on by nothing but their path are aimed along their velocity, which does not close.
@@ -67,6 +68,14 @@ void Sweeper::strike(SweptBody& b) {
   }
 }
 
+/// What is in its way takes its substeps apart: the hit is left to the next step, which finds the two together.
+void Sweeper::wait_at(Strike& s) {
+  SweptBody& b = *c_.find(s.a.body);
+  stop(s.a, s.now);
+  b.hits = SweptBody::kMostHits;
+  ++b.version;
+}
+
 /// Whether a body that is hit would be a quarter of its thickness farther by the end of the step: then it is swept as
 /// well. What contacts push apart later need not be found here, and hits do not run through a heap from one to the
 /// next.
@@ -82,6 +91,7 @@ bool Sweeper::goes_far(const SweptBody& b) const {
 SweptBody* Sweeper::take_up(std::uint32_t body) {
   if (SweptBody* const known = c_.find(body)) return known;
   if (!moved_by_hits(body) || world_.state.sleeps(body) || c_.bodies.size() >= c_.most_bodies) return nullptr;
+  if (has_its_turn_later(body)) return nullptr;
   const Path path = path_of(body);
   SweptBody& b = know(world_, body);
   b.path = path;

@@ -169,7 +169,8 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   if (are_both_joined(b.body, body)) return;
   const SweptBody* const known = c_.find(body);
   // Who has been hit enough waits for the next substep: it stops others, but is not pushed on by what nothing stops.
-  const bool spent = b.hits >= kMostHits, other_spent = known && known->hits >= kMostHits;
+  const bool spent = b.hits >= kMostHits;
+  const bool other_spent = (known && known->hits >= kMostHits) || has_its_turn_later(body);
   if ((spent || !moved_by_hits(b.body)) && (other_spent || !moved_by_hits(body))) return;
   Side a{b.body, own, {}, b.path, &b}, o{body, other, {}, path_of(body), known};
   const Aabb box = a.path.swept(now, time_.h, b.radius);
@@ -202,10 +203,18 @@ Path Sweeper::path_of(std::uint32_t body) const {
   const State& s = world_.state;
   Path p{0, s.x[body], s.q[body], Vec3::zero(), Vec3::zero()};
   if (world_.scene.type[body] == BodyType::fixed || s.held_out[body] || world_.state.sleeps(body)) return p;
+  if (has_its_turn_later(body)) return p;
   p.u = s.v[body], p.w = s.omega[body];
   p.x -= time_.h * p.u;
   if (p.w != Vec3::zero()) p.q = normalized(exp_map(-time_.h * p.w) * p.q);
   return p;
+}
+
+/// Whether a body that could be hit has its substeps in another part of the step.
+bool Sweeper::has_its_turn_later(std::uint32_t body) const {
+  const Plan& plan = *world_.plan;
+  return plan.in_pass && !c_.find(body) && moved_by_hits(body) && !world_.state.sleeps(body) &&
+         !plan.linear.has(body) && !plan.rotating.has(body);
 }
 
 std::uint32_t Sweeper::version_of(std::uint32_t body) const {
@@ -233,7 +242,7 @@ void Sweeper::move_bodies() {
 }
 
 void sweep(const World& world, Sweeping to, const StepTime& time) {
-  if (!world.continuous->bodies.empty()) Sweeper(world, to, time).run();
+  if (!world.continuous->bodies.empty() && !world.continuous->waits) Sweeper(world, to, time).run();
 }
 
 }  // namespace carom::dynamics

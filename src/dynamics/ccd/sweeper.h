@@ -50,6 +50,7 @@ class Sweeper {
   std::uint32_t version_of(std::uint32_t body) const;
   bool moved_by_hits(std::uint32_t body) const;
   bool turns_by_own_method(std::uint32_t body) const;
+  bool has_its_turn_later(std::uint32_t body) const;
 
   // sense.cpp: which sensors it passes
   void sense(SweptBody& b, Real to);
@@ -71,6 +72,7 @@ class Sweeper {
   void turn_off(Side& side, Strike& s, const Velocity& change);
   void brace(Strike& s);
   void stop(Side& side, Real now);
+  void wait_at(Strike& s);
   void aim(const Side& side, Real now);
   SweptBody* take_up(std::uint32_t body);
 

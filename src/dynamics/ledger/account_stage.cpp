@@ -226,7 +226,7 @@ void account_resisted(const World& world, const StepTime& time) {
 
 /// Also sleepers that were hit.
 void account_swept(const World& world, const StepTime&) {
-  if (world.continuous->bodies.empty()) return;
+  if (world.continuous->bodies.empty() || world.continuous->waits) return;
   for (std::uint32_t i = 0; i < world.scene.bodies.slots(); ++i)
     if (is_dynamic(world, i) && !is_lost(world, i) && !is_as_seen(world, i))
       account_change(world, i, Cause::continuous);

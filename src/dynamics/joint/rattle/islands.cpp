@@ -341,7 +341,7 @@ void find_met(const World& world, Rattle& r, const StepTime& time) {
       for (const std::uint32_t other : c.live) {
         const std::uint32_t body = c.body[other];
         if (body == swept.body || (own != kNoIsland && r.island_of[body] == own)) continue;
-        if (way.overlaps(c.bounds[other])) meet(swept.body), meet(body);
+        if (way.overlaps(swept_bounds(world, other, dt))) meet(swept.body), meet(body);
       }
     }
   }
