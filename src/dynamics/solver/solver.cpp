@@ -10,10 +10,16 @@
 namespace carom::dynamics {
 namespace {
 
+/// Rows that are gone through one by one are of one island: of a pass without it there is none to solve.
+bool leaves_rows_alone(const World& world) {
+  const Contacts& c = *world.contacts;
+  return world.plan->in_pass && world.plan->solver->row_by_row && c.contact_pairs.empty() && c.links.empty();
+}
+
 template <class To>
 void serve(void (*stage)(const World&, To, const StepTime&), const World& world, std::type_identity_t<To> to,
            const StepTime& time) {
-  if (stage) stage(world, to, time);
+  if (stage && !leaves_rows_alone(world)) stage(world, to, time);
 }
 
 }  // namespace
