@@ -1,11 +1,13 @@
 // A step: the stages of the table (stages.cpp), in order, those of a substep as often as there are substeps.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <span>
 #include <utility>
 
+#include "core/ticks.h"
 #include "dynamics/accuracy/accuracy.h"
 #include "dynamics/contact/lone_rollers.h"
 #include "dynamics/give_back.h"
@@ -26,11 +28,20 @@ struct Undo {
   }
 };
 
-/// Runs a stage if it has participants, and records what it did and its time.
+/// Runs a stage if it has participants, and records what it did and its time. In a small world clocks are much of a
+/// step: two are read, and ticks tell what share of it each stage has.
 class Runner {
  public:
   Runner(World& world, Real dt) : world_(world), dt_(dt) {}
-  ~Runner() { world_.report.total_seconds = std::chrono::duration<double>(Clock::now() - start_).count(); }
+  ~Runner() {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double per_tick = seconds / static_cast<double>(std::max<std::uint64_t>(core::ticks() - first_, 1));
+    world_.report.total_seconds = seconds;
+    for (std::size_t s = 0; s < kStageCount; ++s)
+      world_.report.stage_seconds[s] = per_tick * static_cast<double>(of_stage_[s]);
+    for (std::size_t row = 0; row < kEffectCount; ++row)
+      if (of_effect_[row] > 0) world_.plan->effects[row].seconds += per_tick * static_cast<double>(of_effect_[row]);
+  }
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
@@ -43,14 +54,14 @@ class Runner {
       watch(entry);
     else
       entry.run(world_, {dt_, dt_ / substeps()});
-    const double seconds = lap();
-    world_.report.stage_seconds[s] += seconds;
-    if (entry.effect < kEffectCount) world_.plan->effects[entry.effect].seconds += seconds;
+    const std::uint64_t ticks = lap();
+    of_stage_[s] += ticks;
+    if (entry.effect < kEffectCount) of_effect_[entry.effect] += ticks;
     if (keeps_ledger(world_)) account(entry);
   }
 
   /// What went on since the last stage is none's.
-  void begin_lap() { last_ = Clock::now(); }
+  void begin_lap() { last_ = core::ticks(); }
 
   /// Substeps by island: as many passes as islands ask for, each with its own.
   void by_island(std::span<const StageEntry> table);
@@ -69,17 +80,20 @@ class Runner {
   }
   void account(const StageEntry& entry) {
     account_stage(world_, entry.account, {dt_, dt_ / substeps()});
-    world_.report.stage_seconds[static_cast<std::size_t>(Stage::observe)] += lap();
+    of_stage_[static_cast<std::size_t>(Stage::observe)] += lap();
   }
-  /// s, since the last lap. A stage begins where the one before ended: in small worlds clocks are much of a step's time.
-  double lap() {
-    const Clock::time_point now = Clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  /// Ticks since the last lap: a stage begins where the one before ended.
+  std::uint64_t lap() {
+    const std::uint64_t now = std::max(core::ticks(), last_);  // cores may be a little apart
+    return now - std::exchange(last_, now);
   }
 
   World& world_;
   Real dt_;  // s
-  Clock::time_point start_ = Clock::now(), last_ = start_;
+  Clock::time_point start_ = Clock::now();
+  std::uint64_t first_ = core::ticks(), last_ = first_;
+  std::array<std::uint64_t, kStageCount> of_stage_{};
+  std::array<std::uint64_t, kEffectCount> of_effect_{};
 };
 
 void Runner::by_island(std::span<const StageEntry> table) {

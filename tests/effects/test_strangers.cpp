@@ -236,7 +236,7 @@ static void presets_act_without_colliders(void**) {
   const Real fast = error_of_springs(Preset::fast), balanced = error_of_springs(Preset::balanced),
              accurate = error_of_springs(Preset::accurate);
   print_message("springs: fast %.2g m, balanced %.2g m, accurate %.2g m\n", fast, balanced, accurate);
-  assert_true(balanced < fast / 8 && accurate < balanced / 8);  // 4 and 16 substeps of a method of second order
+  assert_true(balanced < fast / 8 && accurate < balanced / 8);  // 1 and 4 substeps of second order, 8 of fourth
 }
 
 static void who_only_drives_among_what_stands_makes_no_pairs(void**) {

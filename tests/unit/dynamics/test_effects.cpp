@@ -52,6 +52,24 @@ static void a_world_of_particles_runs_integration_and_nothing_else(void**) {
   for (const auto& b : t.world.broad) assert_null(b.get());
 }
 
+/// Stages are timed by ticks, the step by a clock: what they took is in seconds, and no more than the step.
+static void times_of_stages_add_up_to_the_step(void**) {
+  TestWorld t;
+  t.ground();
+  for (int i = 0; i < 60; ++i) t.add(t.keep(box(Vec3(0.5, 0.4, 0.3))), Vec3(i % 4, 0.5 + i / 4, 0.1 * (i % 3)));
+  double stages = 0, steps = 0;
+  for (int k = 0; k < 100; ++k) {
+    t.world.step(1.0 / 60);
+    for (const double seconds : t.world.report.stage_seconds) {
+      assert_true(seconds >= 0 && seconds <= 1.001 * t.world.report.total_seconds);
+      stages += seconds;
+    }
+    steps += t.world.report.total_seconds;
+  }
+  assert_true(stages <= 1.001 * steps);
+  assert_true(stages >= 0.5 * steps);  // the rest is a few lines between stages
+}
+
 static void each_effect_serves_its_participants_alone(void**) {
   TestWorld t;
   t.world.set_dial(Dial::integrator, kSemiImplicitChoice);
@@ -205,6 +223,7 @@ static void mixing_follows_the_larger_rule(void**) {
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_world_of_particles_runs_integration_and_nothing_else),
+      cmocka_unit_test(times_of_stages_add_up_to_the_step),
       cmocka_unit_test(each_effect_serves_its_participants_alone),
       cmocka_unit_test(without_gravity_there_is_no_gravity_effect),
       cmocka_unit_test(rk4_evaluates_forces_four_times),
