@@ -47,7 +47,7 @@ class Tune(unittest.TestCase):
             carom.tune(self.world, error="prose", tool=TOOL)
 
     def test_presets_are_applied(self):
-        for name, substeps in (("fast", 1), ("accurate", 16)):
+        for name, substeps in (("fast", 1), ("accurate", 8)):
             Setting(1, {}, name, 0, 0, 0).apply(self.world)
             self.assertEqual(substeps, self.world.dials["substeps"])
 

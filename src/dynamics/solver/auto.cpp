@@ -4,8 +4,8 @@
 // A group goes to the direct solver where
 //  - bodies that touch have masses further apart than direct_ratio, or
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
-//    thickness: that is what a tall stack and a heavy load on a light body have in common, and it is known before
-//    anything is solved, or
+//    thickness, or by more than is borne where an accuracy is set: that is what a tall stack and a heavy load on a light
+//    body have in common, and it is known before anything is solved, or
 //  - it is a few bodies that lie still: to hold them exactly costs next to nothing, or
 //  - it is some bodies that joints hold together: their equations are solved at once, alone to rounding;
 // unless something strikes it (an impact sends the direct solver through all of a heap, and passes), it is too large, or
@@ -87,11 +87,13 @@ class Seen {
 };
 
 /// N: all that a group weighs, if it is new and lies still, as what a host has built does: then nothing else is known
-/// yet of what its points will bear. Else 0. Marks bodies that it counts as light.
+/// yet of what its points will bear. Where an accuracy is set it may move: what settles on soft contacts first is off by
+/// what they give. Else 0. Marks bodies that it counts as light.
 Real weight_if_new(const World& world, std::size_t group, Real h, Seen& seen) {
   Contacts& c = *world.contacts;
   if (c.rows[c.group_rows[c.group_begin[group]]].p != Vec3::zero()) return 0;  // the common case, at once
   const Real gravity = world.scene.gravity.norm();
+  const bool may_move = world.scene.dials[Dial::accuracy_place] > 0;
   Real mass = 0;  // kg, as heavy where the world's gravity acts in full
   bool is_new = true;
   each_body(c, group, [&](const Row& row, std::uint32_t body) {
@@ -100,7 +102,7 @@ Real weight_if_new(const World& world, std::size_t group, Real h, Seen& seen) {
     seen.mark(c.load[body], body, Contacts::kLight);
     const Real pull = std::fabs(world.scene.gravity_factor_of(body));
     mass += pull * world.scene.mass[body];
-    is_new &= world.state.v[body].norm() <= 2 * (pull * gravity) * h;
+    is_new &= may_move || world.state.v[body].norm() <= 2 * (pull * gravity) * h;
   });
   return is_new ? mass * gravity : 0;
 }
@@ -126,11 +128,18 @@ struct GroupMotion {
   bool is_under_impact = false, still = true, rolls = false, turns_far = false;
 };
 
+/// Of the thickness of what touches, that soft contacts may let it sink: no substeps lessen that, so it is part of what
+/// a host bears who asks for an accuracy.
+Real most_sink(const Dials& dials, Real thickness) {
+  const Real borne = dials[Dial::accuracy_place] * kSinkBorneFor;  // m
+  return borne > 0 ? std::min(dials[Dial::direct_sink], borne / thickness) : dials[Dial::direct_sink];
+}
+
 /// What there is to know of a group before it is solved; bodies that bear too much are marked as heavy.
 GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
-  const Real deep = scene.dials[Dial::direct_sink], rate = 1 / h;
+  const Real rate = 1 / h;
   GroupMotion motion;
   const auto sources = [&](const PairRows& pair, PointSources& of) {
     of = point_sources(world, pair);
@@ -152,6 +161,7 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
     const Real fall = 2 * pull_on(scene, row) * thickness;                           // (m/s)^2
     const Real give = 1 / ((row.moves_a && row.moves_b ? w2 : 4 * w2) * thickness);  // s^2/m
     const Real share = weight / pair.count;                                          // N
+    const Real deep = most_sink(scene.dials, thickness);
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(scene, row));
     Real most = 0;
     for (std::uint32_t k = 0; k < pair.count; ++k) {

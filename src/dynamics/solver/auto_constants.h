@@ -22,6 +22,12 @@ inline constexpr Constant<std::uint64_t> kMostFactor{
     "of a step of Newton's method: a pyramid of 465 blocks takes 38,000, a heap of 300 cubes more, and soft contacts solve that",
     "more: a heap that comes to rest stalls the step in which it is tried; fewer: large walls and pyramids sink"};
 
+inline constexpr Constant<Real> kSinkBorneFor{
+    "direct_sink_borne_for", 1, "s",
+    "of motion at accuracy_place: soft contacts may let a body sink by what is borne in it, where an accuracy is set",
+    "longer: what settles on soft contacts is off by more than was asked; shorter: groups that soft contacts would hold "
+    "well enough are solved exactly"};
+
 // Points that close or part as fast as after a fall through a share of the thickness are in impact, or do not lie
 // still.
 inline constexpr Constant<Real> kImpactShare{
@@ -65,8 +71,8 @@ inline constexpr Constant<std::uint8_t> kCooldown{
     "fewer: what can't be solved in time is tried again and again, at the full price each time; more: a heap that came "
     "to rest sags for as long"};
 
-inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kImpactShare,
-                                                 kLiesStill,        kFewStill,   kFewRolling, kFewJoined,
-                                                 kBorneFor,         kBearsFor,   kCooldown};
+inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kSinkBorneFor,
+                                                 kImpactShare,      kLiesStill,  kFewStill,   kFewRolling,
+                                                 kFewJoined,        kBorneFor,   kBearsFor,   kCooldown};
 
 }  // namespace carom::dynamics
