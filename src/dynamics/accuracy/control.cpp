@@ -65,6 +65,15 @@ bool Trial::stalls(int ended) {
   return is_stalled;
 }
 
+/// The order by which the error fell since it was last estimated in this step, the claimed one at least: what slides to
+/// a stop within a step errs by the square of a substep, though contacts are of first order.
+Real Trial::order_seen(int ended, Real share) const {
+  constexpr Real kMost = 4;
+  if (repeated == 0 || !(share > 0) || ended <= repeated) return order;
+  return std::clamp(std::log(repeated_share / share) / std::log(Real(ended) / repeated), Real(order),
+                    std::max(kMost, Real(order)));
+}
+
 End Trial::end_run(bool went_well, const Shares& apart) {
   const int ended = run;
   work += static_cast<std::uint64_t>(ended);
@@ -92,13 +101,14 @@ End Trial::end_run(bool went_well, const Shares& apart) {
   error = {apart.place / (gain - 1), apart.turn / (gain - 1)};
   is_estimated = true;
   const Real share = error.most();
+  const Real seen = order_seen(ended, share);
   const bool at_bound = ended >= substeps_at(most);
   if (share <= 1 || at_bound || stalls(ended)) {
     hit_bound = share > 1 && at_bound;
     run = 0;
     return End::accepted;
   }
-  const Real factor = std::min(Real(8), std::pow(share / kAccuracyAim, 1 / Real(order)));
+  const Real factor = std::min(Real(8), std::pow(share / kAccuracyAim, 1 / seen));
   level = std::min(most, std::max(level_within(ended) + 1, level_for(factor * ended)));
   if (substeps_at(level) == 2 * ended) {
     coarse = ended, run = 2 * ended;

@@ -45,13 +45,19 @@ inline constexpr Constant<Real> kAccuracyStir{
     "accuracy_stir", 4, "1",
     "times the error at which more substeps were of no use, from which on they are tried again",
     "larger: errors that grow are left as they are; smaller: hundreds of substeps for nothing"};
+inline constexpr Constant<Real> kAccuracyStop{
+    "accuracy_stop", 1.5, "1",
+    "times the change of a velocity within a step, below which what touches may come to rest within the next: that is "
+    "estimated",
+    "larger: what slides slowly is estimated more often; smaller: where something stops is missed where it slows down "
+    "faster and faster"};
 inline constexpr Constant<int> kAccuracyPatience{
     "accuracy_patience", 15, "estimates",
     "of an island that joints alone hold, at one substep, before a lower order is tried again, 15 at most",
     "larger: motion that slows down pays for its order for longer; smaller: trials of a lower order cost more than they save"};
 inline constexpr ConstantRow kAccuracyConstants[] = {
-    kAccuracyHorizon, kAccuracyHorizonTouching, kAccuracyAim,  kAccuracyEvery,   kAccuracyEveryQuiet,
-    kAccuracyQuiet,   kAccuracyStall,           kAccuracyStir, kAccuracyPatience};
+    kAccuracyHorizon, kAccuracyHorizonTouching, kAccuracyAim,  kAccuracyEvery, kAccuracyEveryQuiet,
+    kAccuracyQuiet,   kAccuracyStall,           kAccuracyStir, kAccuracyStop,  kAccuracyPatience};
 
 namespace accuracy {
 
@@ -101,6 +107,7 @@ struct Trial {
  private:
   void restart(int at_level);
   bool stalls(int ended);
+  Real order_seen(int ended, Real share) const;
   int repeated = 0;         // substeps of the last run that was estimated and repeated; 0: none
   Real repeated_share = 0;  // its error; of a note that had stalled, the error then
 };

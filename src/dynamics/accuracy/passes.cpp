@@ -164,6 +164,23 @@ BodyEnd end_of(const World& world, std::uint32_t i, Real dt) {
   return {s.x[i], s.v[i], s.omega[i], s.q[i]};
 }
 
+/// Whether something of an island in contact would come to rest within another step, of as much change of velocity.
+/// Where it does lies within that step, so it is estimated: by one substep it is off by half of that change times dt.
+bool may_stop(const World& world, const Passes& p, const Passes::Island& island) {
+  const Dials& dials = world.scene.dials;
+  const auto stops = [](const Vec3& now, const Vec3& before, Real borne) {
+    const Real change = (now - before).norm();
+    return borne > 0 && change > borne && now.norm() < kAccuracyStop * change;
+  };
+  bool any = false;
+  if (island.rows == 0) return any;
+  each_member(p, island, [&](std::uint32_t k, std::uint32_t) {
+    any |= stops(p.ended[k].v, p.begun[k].v, dials[Dial::accuracy_place]) ||
+           stops(p.ended[k].omega, p.begun[k].omega, dials[Dial::accuracy_turn]);
+  });
+  return any;
+}
+
 /// An island's run has ended.
 void judge(const World& world, Passes& p, Passes::Island& island, const Borne& borne, Real dt) {
   const State& s = world.state;
@@ -310,10 +327,13 @@ void end_passes(const World& world, Passing to, Events& events, const StepTime& 
   std::ranges::sort(p.group_views, {}, &GroupView::body);
   for (const GroupView& view : p.group_views) report.direct_groups += view.direct;
   views = p.group_views;
-  for (const Passes::Island& island : p.islands)
-    if (!island.is_swept)
-      decide(a, island.trial, island.trial.memory_after(island.memory, island.met), 0,
-             [&](const auto& f) { each_member(p, island, [&](std::uint32_t, std::uint32_t i) { f(i); }); });
+  for (const Passes::Island& island : p.islands) {
+    if (island.is_swept) continue;
+    AccuracyMemory memory = island.trial.memory_after(island.memory, island.met);
+    if (may_stop(world, p, island)) memory.wait = 0;
+    decide(a, island.trial, memory, 0,
+           [&](const auto& f) { each_member(p, island, [&](std::uint32_t, std::uint32_t i) { f(i); }); });
+  }
   break_overloaded(world, to, events);
 }
 

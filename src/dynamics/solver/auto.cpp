@@ -353,7 +353,7 @@ void auto_velocities(const World& world, Solver::Solves to, const StepTime& time
   heed_impacts(world, wide);
   begin_far_turns(world, to, wide, time.h);
   solve_softly(world, to, time);
-  const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
+  const auto work = steps_worth(world) * static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
   solve_groups(world, to, to, time.h, 1 + work, world.plan->substeps);
   end_far_turns(world, to, wide, time.h);
   start_cooldowns(world, to);

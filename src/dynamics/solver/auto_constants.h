@@ -23,7 +23,7 @@ inline constexpr Constant<std::uint64_t> kMostFactor{
     "more: a heap that comes to rest stalls the step in which it is tried; fewer: large walls and pyramids sink"};
 
 inline constexpr Constant<Real> kSinkBorneFor{
-    "direct_sink_borne_for", 1, "s",
+    "direct_sink_borne_for", 0.1, "s",
     "of motion at accuracy_place: soft contacts may let a body sink by what is borne in it, where an accuracy is set",
     "longer: what settles on soft contacts is off by more than was asked; shorter: groups that soft contacts would hold "
     "well enough are solved exactly"};

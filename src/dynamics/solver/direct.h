@@ -14,6 +14,13 @@ namespace carom::dynamics {
 /// step: 1e-4 m/s would be 6 mm in a minute.
 inline constexpr Real kDirectShare = 0.01;
 
+/// Steps of as many substeps as the dial says that a step has: bounds of work are for one of these. An accuracy that is
+/// asked for may take more substeps, and has its own bound.
+inline std::uint64_t steps_worth(const World& world) {
+  const int usual = std::max(1, world.scene.dials.whole(Dial::substeps));
+  return static_cast<std::uint64_t>(std::max(1, world.plan->substeps / usual));
+}
+
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
   bool is_first = true;         // substep
