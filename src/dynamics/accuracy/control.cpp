@@ -5,6 +5,24 @@
 #include <cmath>
 
 namespace carom::dynamics::accuracy {
+namespace {
+
+// By products and square roots alone, which are the same on every platform; orders are 1, 2, 4 and 6.
+Real power(Real x, int n) {
+  Real product = 1;
+  for (int k = 0; k < n; ++k) product *= x;
+  return product;
+}
+/// The least substeps that divide an error of some order by `by`.   @param most  times as many as there were
+int substeps_for(Real by, int order, int there_were, int most) {
+  int level = level_within(there_were);
+  while (level < kMostLevel && substeps_at(level) < most * there_were &&
+         power(Real(substeps_at(level)) / there_were, order) < by)
+    ++level;
+  return substeps_at(level);
+}
+
+}  // namespace
 
 bool is_on(const Dials& dials) { return dials[Dial::accuracy_place] > 0 || dials[Dial::accuracy_turn] > 0; }
 
@@ -59,19 +77,18 @@ void Trial::change_order(int to, int at_level) {
 bool Trial::stalls(int ended) {
   const Real share = error.most();
   const bool known = repeated == 0 && repeated_share > 0 && share <= kAccuracyStir * repeated_share;
-  is_stalled =
-      known || (repeated > 0 && share > repeated_share * std::pow(Real(repeated) / ended, kAccuracyStall * order));
+  is_stalled = known || (repeated > 0 && share > repeated_share * std::sqrt(power(Real(repeated) / ended, order)));
+  static_assert(kAccuracyStall == 0.5);
   if (repeated == 0 || share < repeated_share) repeated = ended, repeated_share = share;
   return is_stalled;
 }
 
 /// The order by which the error fell since it was last estimated in this step, the claimed one at least: what slides to
 /// a stop within a step errs by the square of a substep, though contacts are of first order.
-Real Trial::order_seen(int ended, Real share) const {
-  constexpr Real kMost = 4;
-  if (repeated == 0 || !(share > 0) || ended <= repeated) return order;
-  return std::clamp(std::log(repeated_share / share) / std::log(Real(ended) / repeated), Real(order),
-                    std::max(kMost, Real(order)));
+int Trial::order_seen(int ended, Real share) const {
+  if (order != 1 || repeated == 0 || ended <= repeated) return order;
+  const Real fell = repeated_share / share, finer = Real(ended) / repeated;
+  return fell * fell >= finer * finer * finer ? 2 : 1;
 }
 
 End Trial::end_run(bool went_well, const Shares& apart) {
@@ -101,15 +118,16 @@ End Trial::end_run(bool went_well, const Shares& apart) {
   error = {apart.place / (gain - 1), apart.turn / (gain - 1)};
   is_estimated = true;
   const Real share = error.most();
-  const Real seen = order_seen(ended, share);
+  const int seen = order_seen(ended, share);
   const bool at_bound = ended >= substeps_at(most);
   if (share <= 1 || at_bound || stalls(ended)) {
     hit_bound = share > 1 && at_bound;
     run = 0;
     return End::accepted;
   }
-  const Real factor = std::min(Real(8), std::pow(share / kAccuracyAim, 1 / seen));
-  level = std::min(most, std::max(level_within(ended) + 1, level_for(factor * ended)));
+  constexpr int kMostAtOnce = 8;
+  const int needed = substeps_for(share / kAccuracyAim, seen, ended, kMostAtOnce);
+  level = std::min(most, std::max(level_within(ended) + 1, level_within(needed)));
   if (substeps_at(level) == 2 * ended) {
     coarse = ended, run = 2 * ended;
     return End::compared;
@@ -129,7 +147,7 @@ AccuracyMemory Trial::memory_after(const AccuracyMemory& before, std::uint8_t me
   memory.place = static_cast<float>(std::min(error.place, Real(1e30))),
   memory.turn = static_cast<float>(std::min(error.turn, Real(1e30)));
   const Real share = error.most();
-  const auto predicted = [&](int at) { return share * std::pow(Real(taken) / substeps_at(at), Real(order)); };
+  const auto predicted = [&](int at) { return share * power(Real(taken) / substeps_at(at), order); };
   int next = level_within(taken);
   while (next > least && predicted(next - 1) <= kAccuracyAim) --next;
   memory.stalled = is_stalled;
@@ -138,7 +156,7 @@ AccuracyMemory Trial::memory_after(const AccuracyMemory& before, std::uint8_t me
     memory.wait = kAccuracyEveryQuiet - 1;
     return memory;
   }
-  const bool is_quiet = next <= least && predicted(next) <= std::pow(kAccuracyQuiet, Real(order));
+  const bool is_quiet = next <= least && predicted(next) <= power(kAccuracyQuiet, order);
   memory.level = static_cast<std::uint8_t>(next);
   memory.wait = static_cast<std::uint8_t>(is_quiet ? kAccuracyEveryQuiet - 1 : next != level ? 0 : kAccuracyEvery - 1);
   return memory;

@@ -51,13 +51,18 @@ inline constexpr Constant<Real> kAccuracyStop{
     "estimated",
     "larger: what slides slowly is estimated more often; smaller: where something stops is missed where it slows down "
     "faster and faster"};
+inline constexpr Constant<std::uint32_t> kAccuracyFew{
+    "accuracy_few", 4, "bodies",
+    "of an island in contact whose stops are looked for: in a heap something always comes to rest",
+    "more: heaps are estimated in every step; fewer: where blocks on each other stop is missed"};
 inline constexpr Constant<int> kAccuracyPatience{
     "accuracy_patience", 15, "estimates",
     "of an island that joints alone hold, at one substep, before a lower order is tried again, 15 at most",
     "larger: motion that slows down pays for its order for longer; smaller: trials of a lower order cost more than they save"};
 inline constexpr ConstantRow kAccuracyConstants[] = {
     kAccuracyHorizon, kAccuracyHorizonTouching, kAccuracyAim,  kAccuracyEvery, kAccuracyEveryQuiet,
-    kAccuracyQuiet,   kAccuracyStall,           kAccuracyStir, kAccuracyStop,  kAccuracyPatience};
+    kAccuracyQuiet,   kAccuracyStall,           kAccuracyStir, kAccuracyStop,  kAccuracyFew,
+    kAccuracyPatience};
 
 namespace accuracy {
 
@@ -107,7 +112,7 @@ struct Trial {
  private:
   void restart(int at_level);
   bool stalls(int ended);
-  Real order_seen(int ended, Real share) const;
+  int order_seen(int ended, Real share) const;
   int repeated = 0;         // substeps of the last run that was estimated and repeated; 0: none
   Real repeated_share = 0;  // its error; of a note that had stalled, the error then
 };

@@ -173,7 +173,7 @@ bool may_stop(const World& world, const Passes& p, const Passes::Island& island)
     return borne > 0 && change > borne && now.norm() < kAccuracyStop * change;
   };
   bool any = false;
-  if (island.rows == 0) return any;
+  if (island.rows == 0 || island.bodies > kAccuracyFew) return any;
   each_member(p, island, [&](std::uint32_t k, std::uint32_t) {
     any |= stops(p.ended[k].v, p.begun[k].v, dials[Dial::accuracy_place]) ||
            stops(p.ended[k].omega, p.begun[k].omega, dials[Dial::accuracy_turn]);

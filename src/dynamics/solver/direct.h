@@ -14,11 +14,12 @@ namespace carom::dynamics {
 /// step: 1e-4 m/s would be 6 mm in a minute.
 inline constexpr Real kDirectShare = 0.01;
 
-/// Steps of as many substeps as the dial says that a step has: bounds of work are for one of these. An accuracy that is
-/// asked for may take more substeps, and has its own bound.
+/// Steps of as many substeps as the dial says that a step has, 16 at most: bounds of work are for one of these. An accuracy
+/// that is asked for may take more substeps, and has its own bound.
 inline std::uint64_t steps_worth(const World& world) {
+  constexpr int kMost = 16;
   const int usual = std::max(1, world.scene.dials.whole(Dial::substeps));
-  return static_cast<std::uint64_t>(std::max(1, world.plan->substeps / usual));
+  return static_cast<std::uint64_t>(std::clamp(world.plan->substeps / usual, 1, kMost));
 }
 
 /// What is known within a step of whether a group lies still.

@@ -333,8 +333,9 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
 
 /// Block products that it may take in a step, whatever others there are.
 std::uint64_t ConeGroup::own_work(std::uint64_t most) const {
-  if (is_joined()) return std::max(most, steps_worth(world_) * kWorkOfJoined);
-  return std::min(most, steps_worth(world_) * std::max(kLeastWork.value, kWorkOfPoint * problem_.contacts.size()));
+  if (is_joined()) return std::max(most, kWorkOfJoined.value);
+  const std::uint64_t steps = problem_.last - problem_.first <= kFewInManySubsteps ? steps_worth(world_) : 1;
+  return std::min(most, steps * std::max(kLeastWork.value, kWorkOfPoint * problem_.contacts.size()));
 }
 
 /// It moves, and one step of Newton's method is more than there is for the step of the world.

@@ -55,6 +55,12 @@ inline constexpr Constant<std::uint32_t> kMostSteps{
 inline constexpr Constant<std::uint32_t> kWorkOfContact{
     "direct_work_of_contact", 3, "block products", "that a contact takes as long as, in a step of Newton's method",
     "more or fewer: budgets of groups with many points to a body are too small or too large"};
+inline constexpr Constant<std::uint32_t> kFewInManySubsteps{
+    "direct_few_in_many_substeps", 4, "bodies",
+    "of a group that may take its work of a step as often as its substeps go into those of the dial, where an accuracy "
+    "asks for more",
+    "more: heaps that fall are solved hundreds of times a step; fewer: two blocks that slide to a stop are given up "
+    "within that step, and settle on soft contacts"};
 inline constexpr Constant<std::uint64_t> kWorkOfPoint{
     "direct_work_of_point", 16, "block products",
     "of a step that a group may take for each of its points: some 2 us, twice what soft contacts take for a point",
@@ -92,8 +98,8 @@ inline constexpr Constant<Real> kBends{
     "larger: what spins fast is thrown by the square of it; smaller: coins and wheels lose energy as they go round"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {
-    kFineShare,    kConeShare,   kRest,           kJerks,         kLongestTurn, kJointPush, kGap,
-    kGapShare,     kAlways,      kMostSteps,      kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving,
-    kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne,       kBends};
+    kFineShare,    kConeShare,   kRest,           kJerks,         kLongestTurn, kJointPush,        kGap,
+    kGapShare,     kAlways,      kMostSteps,      kWorkOfContact, kWorkOfPoint, kLeastWork,        kExpectedOfMoving,
+    kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne,       kBends,       kFewInManySubsteps};
 
 }  // namespace carom::dynamics
