@@ -1,12 +1,13 @@
 // An engine: shapes, and the worlds that share them.
-import { compile } from "./module.js";
+import * as constants from "./constants.js";
+import { CaromError } from "./errors.js";
 import { net, Owned } from "./owner.js";
 import { bring } from "./side_module.js";
 import { World } from "./world.js";
 
 /** @returns {{ pointer: number }} for engine.useShape()   @throws TypeError (no side module of a shape) */
 export async function bringShape(module, source) {
-  return { pointer: await bring(module, await compile(source)) };
+  return { pointer: await bring(module, source) };
 }
 
 /** A shape of an engine, shared by any number of bodies. */
@@ -73,9 +74,21 @@ export class Shape {
   }
 }
 
+function checkThreads(module, threads) {
+  if (threads === 1 || threads === module.threads) return;
+  const text = `no ${threads} threads to be had: the module was loaded with ${module.threads}`;
+  const remedy = `Load it with load({ threads: ${threads} }), or make the engine with one thread`;
+  throw new CaromError(
+    { code: constants.CAROM_E_UNSUPPORTED, result: "CAROM_E_UNSUPPORTED", argument: 1, text, remedy, witness: null },
+    "engine",
+  );
+}
+
 export class Engine {
-  constructor(module) {
+  constructor(module, { threads = module.threads } = {}) {
     this.module = module;
+    this.threads = threads;
+    checkThreads(module, threads);
     const pointer = module.frame((room) => {
       const out = room(8);
       module.call("carom_engine_create", 0, out);
@@ -86,6 +99,11 @@ export class Engine {
     );
     net.register(this, this.owned, this);
     module.call("carom_plugins_register_standard", pointer);
+    if (threads > 1)
+      module.frame((room) => {
+        const desc = module.put(room, "carom_jobs_desc", { run: module.raw.carom_js_run_pointer() });
+        module.call("carom_engine_set_jobs", pointer, desc);
+      });
   }
 
   get pointer() {

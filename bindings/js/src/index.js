@@ -2,6 +2,7 @@
 import * as constants from "./constants.js";
 import { bringShape, Engine } from "./engine.js";
 import { instantiate } from "./module.js";
+import { instantiateShared, stopThreads, threadsToUse } from "./threads.js";
 
 export { Body, Joint } from "./body.js";
 export { constants };
@@ -26,8 +27,19 @@ class Carom {
     });
   }
 
-  engine() {
-    return new Engine(this.module);
+  /** Threads that share a step, the calling one included. */
+  get threads() {
+    return this.module.threads;
+  }
+
+  /** @param options  threads: 1 leaves the others alone */
+  engine(options) {
+    return new Engine(this.module, options);
+  }
+
+  /** End the workers; worlds go on with one thread, and the same bits. */
+  stopThreads() {
+    stopThreads(this.module);
   }
 
   /** A shape plugin as a side module, for any number of engines.   @throws TypeError (no side module of a shape) */
@@ -71,7 +83,11 @@ class Carom {
 }
 
 /** Load the engine.   @param source  where carom.wasm is: bytes, a URL, a Response, a compiled module; by default the
- * package's */
+ *  package's. Or options: { source, threads }, where threads is a number or "auto": one where there can be no more
+ *  @throws CaromError (UNSUPPORTED) for more than one thread where memory cannot be shared */
 export async function load(source) {
-  return new Carom(await instantiate(source));
+  const isOptions = source && Object.getPrototypeOf(source) === Object.prototype;
+  const options = isOptions ? source : { source };
+  const threads = await threadsToUse(options.threads ?? 1);
+  return new Carom(await (threads > 1 ? instantiateShared(options.source, threads) : instantiate(options.source)));
 }

@@ -6,9 +6,11 @@ import { imports } from "./wasi.js";
 const SCRATCH = 4096; // bytes: arguments of one call
 
 export class Module {
-  /** @param {WebAssembly.Exports} exports */
-  constructor(exports) {
+  /** @param {WebAssembly.Exports} exports  with memory
+   *  @param workers  that share the work of steps: threads.js */
+  constructor(exports, workers = []) {
     this.raw = exports;
+    this.workers = workers;
     exports._initialize?.();
     this.structs = new Structs(this.text(exports.carom_abi_manifest()));
     const errorSize = this.structs.size("carom_error");
@@ -17,6 +19,16 @@ export class Module {
     this.view.setUint32(this.error, errorSize, true);
     this.scratch = this.claim(SCRATCH);
     this.used = 0;
+  }
+
+  /** In a step, the calling one included. */
+  get threads() {
+    return this.workers.length + 1;
+  }
+
+  /** The module's memory is shared: side modules and typed arrays have to do with that. */
+  get isShared() {
+    return !!this.raw.carom_js_start;
   }
 
   get buffer() {
@@ -154,22 +166,27 @@ export async function instantiate(source, say = (text) => console.error(text)) {
   let instance = null;
   const needs = imports(() => instance.exports.memory, say);
   const compiled = await compile(source ?? new URL("../dist/carom.wasm", import.meta.url));
+  if (WebAssembly.Module.imports(compiled).some((i) => i.kind === "memory"))
+    throw new TypeError("carom.threads.wasm was given, but no threads: load({ source, threads: 2 })");
   instance = await WebAssembly.instantiate(compiled, needs);
   return new Module(instance.exports);
 }
 
 export async function compile(source) {
-  if (source instanceof WebAssembly.Module) return source;
-  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source);
-  if (typeof Response !== "undefined" && source instanceof Response)
-    return WebAssembly.compile(await source.arrayBuffer());
+  return source instanceof WebAssembly.Module ? source : WebAssembly.compile(await read(source));
+}
+
+/** @param source  bytes, a Response or a URL   @returns bytes */
+export async function read(source) {
+  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return source;
+  if (typeof Response !== "undefined" && source instanceof Response) return source.arrayBuffer();
   const url = new URL(source, import.meta.url);
   if (url.protocol === "file:") {
     const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
-    return WebAssembly.compile(await readFile(url));
+    return readFile(url);
   }
   const response = await fetch(url);
   if (!response.ok)
-    throw new Error(`${url}: ${response.status} ${response.statusText}; is carom.wasm served beside the script?`);
-  return WebAssembly.compile(await response.arrayBuffer());
+    throw new Error(`${url}: ${response.status} ${response.statusText}; is it served beside the script?`);
+  return response.arrayBuffer();
 }
