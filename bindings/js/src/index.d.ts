@@ -38,9 +38,14 @@ export interface Carom {
   readonly version: string;
   /** The C interface, for what has no method here. */
   readonly raw: Raw;
-  engine(): Engine;
+  /** Threads that share a step, the calling one included. */
+  readonly threads: number;
+  /** threads: 1 leaves the others alone; all of them by default. */
+  engine(options?: { threads?: number }): Engine;
+  /** End the workers. Worlds go on with one thread, and the same bits. */
+  stopThreads(): void;
   /** A shape plugin as a side module, for any number of engines: engine.useShape(). */
-  bringShape(source: string | URL | Response | BufferSource | WebAssembly.Module): Promise<ShapePlugin>;
+  bringShape(source: Source): Promise<ShapePlugin>;
   dials(): Dial[];
   /** Names by CAROM_PRESET_*. */
   presets(): string[];
@@ -48,8 +53,11 @@ export interface Carom {
   stages(): string[];
 }
 
-/** Load the engine.   @param source  where carom.wasm is; by default beside the package */
-export function load(source?: string | URL | Response | BufferSource | WebAssembly.Module): Promise<Carom>;
+export type Source = string | URL | Response | BufferSource | WebAssembly.Module;
+
+/** Load the engine.   @param source  where carom.wasm is; by default beside the package. Or options: threads above 1
+ *  take carom.threads.wasm, for which memory must be shared; "auto" takes one where it cannot be. */
+export function load(source?: Source | { source?: Source; threads?: number | "auto" }): Promise<Carom>;
 
 export class Shape {
   readonly engine: Engine;
@@ -71,6 +79,8 @@ export class Shape {
 }
 
 export class Engine {
+  /** In a step, the calling one included. */
+  readonly threads: number;
   shape(id: string, params: Vector): Shape;
   sphere(radius: number): Shape;
   /** Half extents, m. */
@@ -84,7 +94,7 @@ export class Engine {
   mesh(vertices: Vector, triangles: ArrayLike<number>, options?: { twoSided?: boolean }): Shape;
   heightField(heights: Vector, columns: number, spacing: Vector): Shape;
   /** A shape plugin as a side module.   @returns its id, for shape(id, params) */
-  loadShape(source: string | URL | Response | BufferSource | WebAssembly.Module): Promise<string>;
+  loadShape(source: Source): Promise<string>;
   /** A shape that carom.bringShape() brought.   @returns its id */
   useShape(plugin: ShapePlugin): string;
   /** What shape(id, params) takes at least. */

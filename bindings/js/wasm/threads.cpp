@@ -45,7 +45,8 @@ void carom_js_bring(const void* bytes, std::uint32_t size, std::uint32_t table_b
 /// @returns whether it runs
 int carom_js_start(std::uint32_t threads) {
   try {
-    pool = new JobPool(threads, [] {}, std::pmr::get_default_resource());
+    pool = new JobPool(
+        threads, [] {}, std::pmr::get_default_resource());
   } catch (const std::system_error&) {
     return false;
   }
