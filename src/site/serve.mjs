@@ -18,15 +18,22 @@ const TYPES = {
   ".world": "application/octet-stream",
 };
 
-/** @returns the server, once it listens   @param port 0: any that is free   @param root  folder, ends in / */
-export function serve(port = 0, root = DIST) {
+/** With these a page is cross-origin isolated: its threads may share memory. */
+export const ISOLATED = {
+  "cross-origin-opener-policy": "same-origin",
+  "cross-origin-embedder-policy": "require-corp",
+};
+
+/** @returns the server, once it listens   @param port 0: any that is free   @param root  folder, ends in /
+ *  @param headers  of each answer */
+export function serve(port = 0, root = DIST, headers = {}) {
   const server = createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname));
     const file = join(root, path.endsWith("/") ? `${path}index.html` : path);
     try {
       if (!file.startsWith(root)) throw new Error("outside");
       const body = await readFile(file);
-      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" });
+      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream", ...headers });
       response.end(body);
     } catch {
       response.writeHead(404, { "content-type": "text/plain" });

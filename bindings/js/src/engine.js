@@ -1,12 +1,14 @@
 // An engine: shapes, and the worlds that share them.
-import * as constants from './constants.js';
-import {CaromError} from './errors.js';
-import {net, Owned} from './owner.js';
-import {bring} from './side_module.js';
-import {World} from './world.js';
+import * as constants from "./constants.js";
+import { CaromError } from "./errors.js";
+import { net, Owned } from "./owner.js";
+import { bring } from "./side_module.js";
+import { World } from "./world.js";
 
 /** @returns {{ pointer: number }} for engine.useShape()   @throws TypeError (no side module of a shape) */
-export async function bringShape(module, source) { return {pointer: await bring(module, source)}; }
+export async function bringShape(module, source) {
+  return { pointer: await bring(module, source) };
+}
 
 /** A shape of an engine, shared by any number of bodies. */
 export class Shape {
@@ -19,31 +21,35 @@ export class Shape {
   get info() {
     const m = this.engine.module;
     const info = m.get(
-        'carom_shape_info',
-        (at) => m.raw.carom_shape_get_info(this.engine.pointer, this.handle, at, m.error),
-        'shape.info',
+      "carom_shape_info",
+      (at) => m.raw.carom_shape_get_info(this.engine.pointer, this.handle, at, m.error),
+      "shape.info",
     );
-    const plugin = info.plugin ? this.engine.pluginId(info.plugin) : info.is_half_space ? 'half_space' : 'scenery';
-    return {...info, kind: plugin};
+    const plugin = info.plugin ? this.engine.pluginId(info.plugin) : info.is_half_space ? "half_space" : "scenery";
+    return { ...info, kind: plugin };
   }
 
   /** The numbers that it was made of: of a box its half extents (m). */
   get params() {
-    const m = this.engine.module, n = Number(this.info.param_count);
+    const m = this.engine.module,
+      n = Number(this.info.param_count);
     return m.frame((room) => {
-      const at = room(8 * n), count = room(8);
+      const at = room(8 * n),
+        count = room(8);
       m.view.setBigUint64(count, BigInt(n), true);
-      m.call('carom_shape_get_params', this.engine.pointer, this.handle, at, count);
+      m.call("carom_shape_get_params", this.engine.pointer, this.handle, at, count);
       return m.doubles(at, n);
     });
   }
 
   /** Farthest points in directions. @param directions [3n]   @returns Float64Array [3n] m, shape frame */
   supports(directions) {
-    const m = this.engine.module, n = directions.length / 3;
+    const m = this.engine.module,
+      n = directions.length / 3;
     return m.frame((room) => {
-      const from = m.putDoubles(room, directions, 3 * n, 'supports(directions)'), to = room(24 * n);
-      m.call('carom_shape_support', this.engine.pointer, this.handle, from, BigInt(n), to);
+      const from = m.putDoubles(room, directions, 3 * n, "supports(directions)"),
+        to = room(24 * n);
+      m.call("carom_shape_support", this.engine.pointer, this.handle, from, BigInt(n), to);
       return new Float64Array(m.buffer, to, 3 * n).slice();
     });
   }
@@ -52,17 +58,19 @@ export class Shape {
   triangles() {
     const m = this.engine.module;
     return m.frame((room) => {
-      const count = room(8), next = room(8);
-      m.call('carom_shape_get_triangles', this.engine.pointer, this.handle, 0n, 0, count, next);
-      const n = Number(m.view.getBigUint64(count, true)), to = room(72 * n);
-      m.call('carom_shape_get_triangles', this.engine.pointer, this.handle, 0n, to, count, next);
+      const count = room(8),
+        next = room(8);
+      m.call("carom_shape_get_triangles", this.engine.pointer, this.handle, 0n, 0, count, next);
+      const n = Number(m.view.getBigUint64(count, true)),
+        to = room(72 * n);
+      m.call("carom_shape_get_triangles", this.engine.pointer, this.handle, 0n, to, count, next);
       return new Float64Array(m.buffer, to, 9 * n).slice();
     });
   }
 
   destroy() {
     const m = this.engine.module;
-    m.call('carom_shape_destroy', this.engine.pointer, this.handle);
+    m.call("carom_shape_destroy", this.engine.pointer, this.handle);
   }
 }
 
@@ -71,36 +79,35 @@ function checkThreads(module, threads) {
   const text = `no ${threads} threads to be had: the module was loaded with ${module.threads}`;
   const remedy = `Load it with load({ threads: ${threads} }), or make the engine with one thread`;
   throw new CaromError(
-      {code: constants.CAROM_E_UNSUPPORTED, result: 'CAROM_E_UNSUPPORTED', argument: 1, text, remedy, witness: null},
-      'engine',
+    { code: constants.CAROM_E_UNSUPPORTED, result: "CAROM_E_UNSUPPORTED", argument: 1, text, remedy, witness: null },
+    "engine",
   );
 }
 
 export class Engine {
-  constructor(module, {threads = module.threads} = {}) {
+  constructor(module, { threads = module.threads } = {}) {
     this.module = module;
     this.threads = threads;
     checkThreads(module, threads);
     const pointer = module.frame((room) => {
       const out = room(8);
-      module.call('carom_engine_create', 0, out);
+      module.call("carom_engine_create", 0, out);
       return module.view.getUint32(out, true);
     });
-    this.owned = new Owned(
-        pointer,
-        (p) => module.check(module.raw.carom_engine_destroy(p, module.error), 'engine.free'),
+    this.owned = new Owned(pointer, (p) =>
+      module.check(module.raw.carom_engine_destroy(p, module.error), "engine.free"),
     );
     net.register(this, this.owned, this);
-    module.call('carom_plugins_register_standard', pointer);
+    module.call("carom_plugins_register_standard", pointer);
     if (threads > 1)
       module.frame((room) => {
-        const desc = module.put(room, 'carom_jobs_desc', {run: module.raw.carom_js_run_pointer()});
-        module.call('carom_engine_set_jobs', pointer, desc);
+        const desc = module.put(room, "carom_jobs_desc", { run: module.raw.carom_js_run_pointer() });
+        module.call("carom_engine_set_jobs", pointer, desc);
       });
   }
 
   get pointer() {
-    if (!this.owned.pointer) throw new TypeError('this engine was freed: make another with carom.engine()');
+    if (!this.owned.pointer) throw new TypeError("this engine was freed: make another with carom.engine()");
     return this.owned.pointer;
   }
 
@@ -114,69 +121,85 @@ export class Engine {
   shape(id, params) {
     const m = this.module;
     const handle = m.frame((room) => {
-      const plugin = room(8), out = room(8);
-      m.call('carom_plugin_find', this.pointer, m.putText(room, id.includes('.') ? id : `carom.${id}`), plugin);
-      const numbers = m.putDoubles(room, params, params.length, 'shape(id, params)');
+      const plugin = room(8),
+        out = room(8);
+      m.call("carom_plugin_find", this.pointer, m.putText(room, id.includes(".") ? id : `carom.${id}`), plugin);
+      const numbers = m.putDoubles(room, params, params.length, "shape(id, params)");
       m.call(
-          'carom_shape_create',
-          this.pointer,
-          m.view.getBigUint64(plugin, true),
-          numbers,
-          BigInt(params.length),
-          out,
+        "carom_shape_create",
+        this.pointer,
+        m.view.getBigUint64(plugin, true),
+        numbers,
+        BigInt(params.length),
+        out,
       );
       return m.view.getBigUint64(out, true);
     });
     return new Shape(this, handle);
   }
 
-  sphere(radius) { return this.shape('sphere', [radius]); }
-  box(x, y, z) { return this.shape('box', [x, y, z]); }
-  capsule(radius, halfHeight) { return this.shape('capsule', [radius, halfHeight]); }
-  cylinder(radius, halfHeight) { return this.shape('cylinder', [radius, halfHeight]); }
-  cone(radius, halfHeight) { return this.shape('cone', [radius, halfHeight]); }
-  ellipsoid(x, y, z) { return this.shape('ellipsoid', [x, y, z]); }
+  sphere(radius) {
+    return this.shape("sphere", [radius]);
+  }
+  box(x, y, z) {
+    return this.shape("box", [x, y, z]);
+  }
+  capsule(radius, halfHeight) {
+    return this.shape("capsule", [radius, halfHeight]);
+  }
+  cylinder(radius, halfHeight) {
+    return this.shape("cylinder", [radius, halfHeight]);
+  }
+  cone(radius, halfHeight) {
+    return this.shape("cone", [radius, halfHeight]);
+  }
+  ellipsoid(x, y, z) {
+    return this.shape("ellipsoid", [x, y, z]);
+  }
   /** Convex hull of points. @param points [3n] m */
-  hull(points) { return this.shape('hull', points); }
+  hull(points) {
+    return this.shape("hull", points);
+  }
 
   /** All points p with normal . p <= offset.   @param normal [3] unit   @param offset m */
   halfSpace(normal = [0, 1, 0], offset = 0) {
     const m = this.module;
     return new Shape(
-        this,
-        m.frame((room) => {
-          const out = room(8);
-          m.call(
-              'carom_shape_create_half_space',
-              this.pointer,
-              m.putDoubles(room, normal, 3, 'halfSpace(normal)'),
-              offset,
-              out,
-          );
-          return m.view.getBigUint64(out, true);
-        }),
+      this,
+      m.frame((room) => {
+        const out = room(8);
+        m.call(
+          "carom_shape_create_half_space",
+          this.pointer,
+          m.putDoubles(room, normal, 3, "halfSpace(normal)"),
+          offset,
+          out,
+        );
+        return m.view.getBigUint64(out, true);
+      }),
     );
   }
 
   /** Scenery of triangles, for bodies that do not move.   @param vertices [3n] m   @param triangles [3m] indices */
-  mesh(vertices, triangles, {twoSided = false} = {}) {
+  mesh(vertices, triangles, { twoSided = false } = {}) {
     const m = this.module;
     return new Shape(
-        this,
-        m.frame((room) => {
-          const at = m.putDoubles(room, vertices, vertices.length, 'mesh(vertices)');
-          const corners = room(4 * triangles.length), out = room(8);
-          new Uint32Array(m.buffer, corners, triangles.length).set(triangles);
-          const desc = m.put(room, 'carom_mesh_desc', {
-            vertices: at,
-            vertex_count: BigInt(Math.floor(vertices.length / 3)),
-            triangles: corners,
-            triangle_count: BigInt(Math.floor(triangles.length / 3)),
-            flags: twoSided ? 1 : 0,
-          });
-          m.call('carom_shape_create_mesh', this.pointer, desc, out);
-          return m.view.getBigUint64(out, true);
-        }),
+      this,
+      m.frame((room) => {
+        const at = m.putDoubles(room, vertices, vertices.length, "mesh(vertices)");
+        const corners = room(4 * triangles.length),
+          out = room(8);
+        new Uint32Array(m.buffer, corners, triangles.length).set(triangles);
+        const desc = m.put(room, "carom_mesh_desc", {
+          vertices: at,
+          vertex_count: BigInt(Math.floor(vertices.length / 3)),
+          triangles: corners,
+          triangle_count: BigInt(Math.floor(triangles.length / 3)),
+          flags: twoSided ? 1 : 0,
+        });
+        m.call("carom_shape_create_mesh", this.pointer, desc, out);
+        return m.view.getBigUint64(out, true);
+      }),
     );
   }
 
@@ -185,35 +208,38 @@ export class Engine {
   heightField(heights, columns, spacing) {
     const m = this.module;
     return new Shape(
-        this,
-        m.frame((room) => {
-          const at = m.putDoubles(room, heights, heights.length, 'heightField(heights)'), out = room(8);
-          const desc = m.put(room, 'carom_height_field_desc', {
-            heights: at,
-            columns,
-            rows: heights.length / columns,
-            spacing,
-          });
-          m.call('carom_shape_create_height_field', this.pointer, desc, out);
-          return m.view.getBigUint64(out, true);
-        }),
+      this,
+      m.frame((room) => {
+        const at = m.putDoubles(room, heights, heights.length, "heightField(heights)"),
+          out = room(8);
+        const desc = m.put(room, "carom_height_field_desc", {
+          heights: at,
+          columns,
+          rows: heights.length / columns,
+          spacing,
+        });
+        m.call("carom_shape_create_height_field", this.pointer, desc, out);
+        return m.view.getBigUint64(out, true);
+      }),
     );
   }
 
   /** A shape plugin of your own, as a side module: see side_module.js.   @returns its id, for shape(id, params)
    *  @throws TypeError (no side module of a shape), CaromError (the engine refuses it, e.g. as invalid) */
-  async loadShape(source) { return this.useShape(await bringShape(this.module, source)); }
+  async loadShape(source) {
+    return this.useShape(await bringShape(this.module, source));
+  }
 
   /** A shape that carom.bringShape() brought.   @returns its id, for shape(id, params)
    *  @throws CaromError (the engine refuses it, e.g. as invalid) */
-  useShape({pointer}) {
+  useShape({ pointer }) {
     const m = this.module;
     return this.pluginId(
-        m.frame((room) => {
-          const out = room(8);
-          m.call('carom_plugin_register', this.pointer, pointer, out);
-          return m.view.getBigUint64(out, true);
-        }),
+      m.frame((room) => {
+        const out = room(8);
+        m.call("carom_plugin_register", this.pointer, pointer, out);
+        return m.view.getBigUint64(out, true);
+      }),
     );
   }
 
@@ -222,8 +248,8 @@ export class Engine {
     const m = this.module;
     return m.frame((room) => {
       const out = room(8);
-      m.call('carom_plugin_describe', this.pointer, plugin, out);
-      const {offset} = m.structs.layouts.get('carom_shape_plugin').fields.get('id');
+      m.call("carom_plugin_describe", this.pointer, plugin, out);
+      const { offset } = m.structs.layouts.get("carom_shape_plugin").fields.get("id");
       return m.text(m.view.getUint32(m.view.getUint32(out, true) + offset, true));
     });
   }
@@ -232,19 +258,22 @@ export class Engine {
   parameters(id) {
     const m = this.module;
     return m.frame((room) => {
-      const plugin = room(8), out = room(8);
-      m.call('carom_plugin_find', this.pointer, m.putText(room, id.includes('.') ? id : `carom.${id}`), plugin);
-      m.call('carom_plugin_describe', this.pointer, m.view.getBigUint64(plugin, true), out);
-      const about = m.structs.read(m.view, 'carom_shape_plugin', m.view.getUint32(out, true));
-      return Array.from({length: about.param_count}, (_, i) => {
-        const row = m.structs.read(m.view, 'carom_param', about.params + i * m.structs.size('carom_param'));
-        return {...row, name: m.text(row.name), unit: m.text(row.unit)};
+      const plugin = room(8),
+        out = room(8);
+      m.call("carom_plugin_find", this.pointer, m.putText(room, id.includes(".") ? id : `carom.${id}`), plugin);
+      m.call("carom_plugin_describe", this.pointer, m.view.getBigUint64(plugin, true), out);
+      const about = m.structs.read(m.view, "carom_shape_plugin", m.view.getUint32(out, true));
+      return Array.from({ length: about.param_count }, (_, i) => {
+        const row = m.structs.read(m.view, "carom_param", about.params + i * m.structs.size("carom_param"));
+        return { ...row, name: m.text(row.name), unit: m.text(row.unit) };
       });
     });
   }
 
   /** @param options  gravity [3] m/s^2, body_capacity */
-  world(options = {}) { return new World(this, options); }
+  world(options = {}) {
+    return new World(this, options);
+  }
 }
 
 if (Symbol.dispose) Engine.prototype[Symbol.dispose] = Engine.prototype.free;

@@ -1,16 +1,16 @@
 // Carom for JavaScript: the C interface in WebAssembly, with objects, exceptions and views. See ../README.md.
-import * as constants from './constants.js';
-import {bringShape, Engine} from './engine.js';
-import {instantiate} from './module.js';
-import {instantiateShared, stopThreads, threadsToUse} from './threads.js';
+import * as constants from "./constants.js";
+import { bringShape, Engine } from "./engine.js";
+import { instantiate } from "./module.js";
+import { instantiateShared, stopThreads, threadsToUse } from "./threads.js";
 
-export {Body, Joint} from './body.js';
-export {Engine, Shape} from './engine.js';
-export {CaromError} from './errors.js';
-export {Recording} from './recording.js';
-export {BodyView} from './view.js';
-export {World} from './world.js';
-export {constants};
+export { Body, Joint } from "./body.js";
+export { constants };
+export { Engine, Shape } from "./engine.js";
+export { CaromError } from "./errors.js";
+export { Recording } from "./recording.js";
+export { BodyView } from "./view.js";
+export { World } from "./world.js";
 
 class Carom {
   constructor(module) {
@@ -22,57 +22,62 @@ class Carom {
     const m = this.module;
     return m.frame((room) => {
       const at = room(12);
-      m.check(m.raw.carom_version(at, at + 4, at + 8), 'version');
-      return [0, 4, 8].map((i) => m.view.getUint32(at + i, true)).join('.');
+      m.check(m.raw.carom_version(at, at + 4, at + 8), "version");
+      return [0, 4, 8].map((i) => m.view.getUint32(at + i, true)).join(".");
     });
   }
 
   /** Threads that share a step, the calling one included. */
-  get threads() { return this.module.threads; }
+  get threads() {
+    return this.module.threads;
+  }
 
   /** @param options  threads: 1 leaves the others alone */
-  engine(options) { return new Engine(this.module, options); }
+  engine(options) {
+    return new Engine(this.module, options);
+  }
 
   /** End the workers; worlds go on with one thread, and the same bits. */
-  stopThreads() { stopThreads(this.module); }
+  stopThreads() {
+    stopThreads(this.module);
+  }
 
   /** A shape plugin as a side module, for any number of engines.   @throws TypeError (no side module of a shape) */
-  bringShape(source) { return bringShape(this.module, source); }
+  bringShape(source) {
+    return bringShape(this.module, source);
+  }
 
   /** Every dial: name, bounds, choices, what it trades. */
   dials() {
     const m = this.module;
     const count = m.frame((room) => {
       const at = room(4);
-      m.check(m.raw.carom_dial_get_count(at), 'dials');
+      m.check(m.raw.carom_dial_get_count(at), "dials");
       return m.view.getUint32(at, true);
     });
-    return Array.from({length: count}, (_, dial) => this.#dial(dial));
+    return Array.from({ length: count }, (_, dial) => this.#dial(dial));
   }
 
   #dial(dial) {
     const m = this.module;
-    const info = m.get('carom_dial_info', (at) => m.raw.carom_dial_get_info(dial, at, m.error), 'dials');
-    for (const field of ['name', 'unit', 'summary']) info[field] = m.text(info[field]);
-    info.choices = Array.from(
-        {length: info.choice_count},
-        (_, i) => m.text(m.view.getUint32(info.choices + 4 * i, true)),
+    const info = m.get("carom_dial_info", (at) => m.raw.carom_dial_get_info(dial, at, m.error), "dials");
+    for (const field of ["name", "unit", "summary"]) info[field] = m.text(info[field]);
+    info.choices = Array.from({ length: info.choice_count }, (_, i) =>
+      m.text(m.view.getUint32(info.choices + 4 * i, true)),
     );
     return info;
   }
 
   /** Names by CAROM_PRESET_*. */
   presets() {
-    return Array.from(
-        {length: constants.CAROM_PRESET_COUNT},
-        (_, i) => this.module.text(this.raw.carom_preset_name(i)),
+    return Array.from({ length: constants.CAROM_PRESET_COUNT }, (_, i) =>
+      this.module.text(this.raw.carom_preset_name(i)),
     );
   }
   /** Names by CAROM_STAGE_*. */
   stages() {
-    return Array.from(
-        {length: constants.CAROM_STAGE_COUNT},
-        (_, i) => this.module.text(this.raw.carom_stage_name(i)),
+    return Array.from({ length: constants.CAROM_STAGE_COUNT }, (_, i) =>
+      this.module.text(this.raw.carom_stage_name(i)),
     );
   }
 }
@@ -82,7 +87,7 @@ class Carom {
  *  @throws CaromError (UNSUPPORTED) for more than one thread where memory cannot be shared */
 export async function load(source) {
   const isOptions = source && Object.getPrototypeOf(source) === Object.prototype;
-  const options = isOptions ? source : {source};
+  const options = isOptions ? source : { source };
   const threads = await threadsToUse(options.threads ?? 1);
   return new Carom(await (threads > 1 ? instantiateShared(options.source, threads) : instantiate(options.source)));
 }

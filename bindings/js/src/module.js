@@ -1,9 +1,9 @@
 // The WebAssembly module: its memory, its errors, and calls of the C interface.
-import {CaromError} from './errors.js';
-import {Structs} from './structs.js';
-import {imports} from './wasi.js';
+import { CaromError } from "./errors.js";
+import { Structs } from "./structs.js";
+import { imports } from "./wasi.js";
 
-const SCRATCH = 4096;  // bytes: arguments of one call
+const SCRATCH = 4096; // bytes: arguments of one call
 
 export class Module {
   /** @param {WebAssembly.Exports} exports  with memory
@@ -13,7 +13,7 @@ export class Module {
     this.workers = workers;
     exports._initialize?.();
     this.structs = new Structs(this.text(exports.carom_abi_manifest()));
-    const errorSize = this.structs.size('carom_error');
+    const errorSize = this.structs.size("carom_error");
     this.error = this.claim(errorSize);
     new Uint8Array(this.buffer, this.error, errorSize).fill(0);
     this.view.setUint32(this.error, errorSize, true);
@@ -22,12 +22,18 @@ export class Module {
   }
 
   /** In a step, the calling one included. */
-  get threads() { return this.workers.length + 1; }
+  get threads() {
+    return this.workers.length + 1;
+  }
 
   /** The module's memory is shared: side modules and typed arrays have to do with that. */
-  get isShared() { return !!this.raw.carom_js_start; }
+  get isShared() {
+    return !!this.raw.carom_js_start;
+  }
 
-  get buffer() { return this.raw.memory.buffer; }
+  get buffer() {
+    return this.raw.memory.buffer;
+  }
 
   /** Of all memory, also after it has grown. */
   get view() {
@@ -43,7 +49,7 @@ export class Module {
 
   /** Zero-terminated text at a pointer. */
   text(at) {
-    if (!at) return '';
+    if (!at) return "";
     const bytes = new Uint8Array(this.buffer);
     return new TextDecoder().decode(bytes.slice(at, bytes.indexOf(0, at)));
   }
@@ -75,25 +81,29 @@ export class Module {
   /** @throws CaromError unless the result is OK */
   check(result, doing) {
     if (result === 0) return;
-    const e = this.structs.read(this.view, 'carom_error', this.error);
+    const e = this.structs.read(this.view, "carom_error", this.error);
     const own = e.code === result;
     throw new CaromError(
-        {
-          code: result,
-          result: this.text(this.raw.carom_result_name(result)),
-          argument: own ? e.argument : 0,
-          text: own && e.message ? e.message : this.text(this.raw.carom_result_name(result)),
-          remedy: own && e.remedy ? e.remedy : this.text(this.raw.carom_result_remedy(result)),
-          witness: own && e.has_witness ? {direction: e.witness_dir, point: e.witness_out} : null,
-        },
-        doing,
+      {
+        code: result,
+        result: this.text(this.raw.carom_result_name(result)),
+        argument: own ? e.argument : 0,
+        text: own && e.message ? e.message : this.text(this.raw.carom_result_name(result)),
+        remedy: own && e.remedy ? e.remedy : this.text(this.raw.carom_result_remedy(result)),
+        witness: own && e.has_witness ? { direction: e.witness_dir, point: e.witness_out } : null,
+      },
+      doing,
     );
   }
 
   /** A call whose last argument is the error. */
-  call(name, ...args) { this.check(this.raw[name](...args, this.error), name); }
+  call(name, ...args) {
+    this.check(this.raw[name](...args, this.error), name);
+  }
 
-  doubles(at, count) { return Array.from(new Float64Array(this.buffer, at, count)); }
+  doubles(at, count) {
+    return Array.from(new Float64Array(this.buffer, at, count));
+  }
 
   putDoubles(room, values, count, what) {
     if (!values || values.length !== count) throw new TypeError(`${what} takes ${count} numbers`);
@@ -112,10 +122,8 @@ export class Module {
   /** A struct filled by its `*_init` where it has one, then by `values`. */
   put(room, name, values, init = `${name}_init`) {
     const at = room(this.structs.size(name));
-    if (this.raw[init])
-      this.check(this.raw[init](at, this.structs.size(name)), init);
-    else
-      this.view.setUint32(at, this.structs.size(name), true);
+    if (this.raw[init]) this.check(this.raw[init](at, this.structs.size(name)), init);
+    else this.view.setUint32(at, this.structs.size(name), true);
     this.structs.write(this.view, name, at, values);
     return at;
   }
@@ -148,7 +156,7 @@ export class Module {
       if (!n) return [];
       const at = room(n * size);
       this.check(call(at, BigInt(size), BigInt(n), count), doing);
-      return Array.from({length: n}, (_, i) => this.structs.read(this.view, name, at + i * size));
+      return Array.from({ length: n }, (_, i) => this.structs.read(this.view, name, at + i * size));
     });
   }
 }
@@ -157,9 +165,9 @@ export class Module {
 export async function instantiate(source, say = (text) => console.error(text)) {
   let instance = null;
   const needs = imports(() => instance.exports.memory, say);
-  const compiled = await compile(source ?? new URL('../dist/carom.wasm', import.meta.url));
-  if (WebAssembly.Module.imports(compiled).some((i) => i.kind === 'memory'))
-    throw new TypeError('carom.threads.wasm was given, but no threads: load({ source, threads: 2 })');
+  const compiled = await compile(source ?? new URL("../dist/carom.wasm", import.meta.url));
+  if (WebAssembly.Module.imports(compiled).some((i) => i.kind === "memory"))
+    throw new TypeError("carom.threads.wasm was given, but no threads: load({ source, threads: 2 })");
   instance = await WebAssembly.instantiate(compiled, needs);
   return new Module(instance.exports);
 }
@@ -171,10 +179,10 @@ export async function compile(source) {
 /** @param source  bytes, a Response or a URL   @returns bytes */
 export async function read(source) {
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return source;
-  if (typeof Response !== 'undefined' && source instanceof Response) return source.arrayBuffer();
+  if (typeof Response !== "undefined" && source instanceof Response) return source.arrayBuffer();
   const url = new URL(source, import.meta.url);
-  if (url.protocol === 'file:') {
-    const {readFile} = await import(/* @vite-ignore */ 'node:fs/promises');
+  if (url.protocol === "file:") {
+    const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
     return readFile(url);
   }
   const response = await fetch(url);

@@ -1,34 +1,34 @@
 // One thread of carom.threads.wasm: a worker with an instance of its own on the memory of all. It is told first what to
 // instantiate, then which thread it is, and from then on it works or waits inside the module.
-import {bringCopy} from './side_module.js';
-import {sharedImports} from './threads.js';
+import { bringCopy } from "./side_module.js";
+import { sharedImports } from "./threads.js";
 
-const port = globalThis.postMessage ? globalThis : (await import(/* @vite-ignore */ 'node:worker_threads')).parentPort;
+const port = globalThis.postMessage ? globalThis : (await import(/* @vite-ignore */ "node:worker_threads")).parentPort;
 
 let exports = null;
 
-async function instantiate({compiled, memory}) {
+async function instantiate({ compiled, memory }) {
   const needs = sharedImports(compiled, memory, (text) => console.error(text), {
-    carom_js_bring: (at, size, first) => bringCopy({raw: exports, memory}, at, size, first),
+    carom_js_bring: (at, size, first) => bringCopy({ raw: exports, memory }, at, size, first),
   });
-  ({exports} = await WebAssembly.instantiate(compiled, needs));
-  return 'ready';
+  ({ exports } = await WebAssembly.instantiate(compiled, needs));
+  return "ready";
 }
 
 /** Its stack, its thread-local variables, its work: does not return. */
-function run({thread, start, argument, stack}) {
+function run({ thread, start, argument, stack }) {
   exports._emscripten_thread_init(thread, 0, 0, 1, 0);
   exports.stackRestore(stack);
   exports.emscripten_tls_init();
   exports.__indirect_function_table.get(start)(argument);
 }
 
-const hear = (data) => data.compiled ? instantiate(data).then(
-                                           (text) => port.postMessage(text),
-                                           (error) => port.postMessage(String(error)),
-                                           ) :
-                                       run(data);
-if (port.on)
-  port.on('message', hear);
-else
-  port.addEventListener('message', (event) => hear(event.data));
+const hear = (data) =>
+  data.compiled
+    ? instantiate(data).then(
+        (text) => port.postMessage(text),
+        (error) => port.postMessage(String(error)),
+      )
+    : run(data);
+if (port.on) port.on("message", hear);
+else port.addEventListener("message", (event) => hear(event.data));
