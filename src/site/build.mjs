@@ -24,7 +24,7 @@ await build({
   minify: true,
   target: "es2022",
   alias: { carom: `${here}../../bindings/js/src/index.js` },
-  external: ["node:fs/promises"],
+  external: ["node:*"],
   legalComments: "linked",
 });
 for (const file of ["index.html", "style.css"]) cpSync(`${here}${file}`, `${here}dist/${file}`);

@@ -8,6 +8,7 @@ import { imports } from "./wasi.js";
 const PAGE = 65536; // bytes
 const FIRST_PAGES = 64; // as wasm/CMakeLists.txt has it
 const MOST_PAGES = [65536, 32768, 16384, 8192]; // all that there can be, else less: some browsers reserve it at once
+const GROWTH_PAGES = 16; // at least, if there are as many: all threads are told of it
 const MOST_THREADS = 256;
 const AUTO_THREADS = 4; // at most, of "auto": workers that wait for work take a core for moments
 
@@ -59,14 +60,16 @@ export function sharedImports(compiled, memory, say, own) {
     emscripten_date_now: () => Date.now(),
     emscripten_check_blocking_allowed() {},
     emscripten_resize_heap(bytes) {
-      const pages = Math.ceil((bytes >>> 0) / PAGE) - memory.buffer.byteLength / PAGE;
-      if (pages <= 0) return 1; // another thread was faster
-      try {
-        memory.grow(pages);
-        return 1;
-      } catch {
-        return 0;
-      }
+      const needed = Math.ceil((bytes >>> 0) / PAGE) - memory.grow(0); // what it is by now, in all threads
+      if (needed <= 0) return 1;
+      for (const pages of [Math.max(needed, GROWTH_PAGES), needed])
+        try {
+          memory.grow(pages);
+          return 1;
+        } catch (error) {
+          if (!(error instanceof RangeError)) throw error;
+        }
+      return 0;
     },
     ...own,
   });

@@ -1,5 +1,5 @@
 // Types of carom/three. Those of three.js are described by what is used of them, so its own are not needed.
-import type { Body, Carom, Engine, Vector, World } from "./index.js";
+import type { Body, Carom, Engine, Source, Vector, World } from "./index.js";
 
 /** A vector or a quaternion of three.js. */
 export interface Tuple {
@@ -45,7 +45,8 @@ export class Physics {
 
 export function CaromPhysics(
   options?: PhysicsOptions & {
-    source?: string | URL | Response | BufferSource | WebAssembly.Module;
+    source?: Source;
+    threads?: number | "auto";
     running?: boolean;
   },
 ): Promise<Physics>;

@@ -17,7 +17,7 @@ await build({
   minify: true,
   target: "es2022",
   alias: { carom: new URL("../../../bindings/js/src/index.js", import.meta.url).pathname },
-  external: ["node:fs/promises"],
+  external: ["node:*"],
 });
 const { index } = await pagefind.createIndex();
 const { page_count, errors } = await index.addDirectory({ path: out });
