@@ -20,7 +20,12 @@ function run({ thread, start, argument, stack }) {
   exports._emscripten_thread_init(thread, 0, 0, 1, 0);
   exports.stackRestore(stack);
   exports.emscripten_tls_init();
-  exports.__indirect_function_table.get(start)(argument);
+  try {
+    exports.__indirect_function_table.get(start)(argument);
+  } catch (error) {
+    console.error(`a thread of the engine stopped: ${error}`);
+    exports.carom_js_crashed(); // a step that waits for it throws
+  }
 }
 
 const hear = (data) =>

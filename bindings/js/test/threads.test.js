@@ -228,6 +228,22 @@ test("the C interface starts no threads beside the module's own", { skip }, () =
   })(),
 );
 
+test("a step whose worker has stopped throws, and does not wait for good", { skip }, async () => {
+  const text = `import { load } from ${JSON.stringify(new URL("../src/index.js", import.meta.url).href)};
+    import { heap } from ${JSON.stringify(new URL("../bench/heap.mjs", import.meta.url).href)};
+    const carom = await load({ threads: 2 });
+    const at = carom.module.claim(64); // what is no module: the worker throws when it is to bring it
+    carom.module.view.setUint32(at + 4, 8, true);
+    carom.raw.carom_js_share(at);
+    try {
+      for (let i = 0; i < 100; ++i) heap(carom, { steps: 10 });
+    } catch (error) {
+      console.log(error.constructor.name);
+    }`;
+  const run = promisify(execFile)(process.execPath, ["--input-type=module", "--eval", text], { timeout: 60000 });
+  assert.equal((await run).stdout, "RuntimeError\n");
+});
+
 test("a program ends though its workers wait", { skip }, async () => {
   const text = `import { load } from ${JSON.stringify(new URL("../src/index.js", import.meta.url).href)};
     const carom = await load({ threads: 3 });

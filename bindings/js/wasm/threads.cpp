@@ -27,6 +27,7 @@ constinit SideModule none{};
 constinit thread_local SideModule* last_known = &none;
 
 JobPool* pool = nullptr;  // for good: workers end with the page or by force
+std::atomic<bool> crashed{false};
 
 struct Loop {
   carom_job_fn job;
@@ -55,6 +56,16 @@ int carom_js_start(std::uint32_t threads) {
 
 /// From now on the stepping thread works alone: its workers may be ended.
 void carom_js_stop() { pool = nullptr; }
+
+/// A worker has left its work by a trap or an exception of JavaScript: nobody will end the loop it is in.
+void carom_js_crashed() { crashed.store(true, std::memory_order_release); }
+
+/// The pool calls it now and then while it waits. A step that waits for a part in vain traps, too, as it would have
+/// without threads.
+int sched_yield() {
+  if (crashed.load(std::memory_order_acquire)) __builtin_trap();
+  return 0;
+}
 
 /// carom_jobs_desc.run
 void carom_js_run(void*, carom_job_fn job, void* context, std::uint32_t count) {
