@@ -99,11 +99,7 @@ export class Engine {
     );
     net.register(this, this.owned, this);
     module.call("carom_plugins_register_standard", pointer);
-    if (threads > 1)
-      module.frame((room) => {
-        const desc = module.put(room, "carom_jobs_desc", { run: module.raw.carom_js_run_pointer() });
-        module.call("carom_engine_set_jobs", pointer, desc);
-      });
+    if (threads > 1 && !module.raw.carom_js_use(pointer)) throw new RangeError("no memory for an engine with threads");
   }
 
   get pointer() {

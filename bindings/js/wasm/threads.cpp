@@ -9,12 +9,14 @@
 #include <memory_resource>
 #include <system_error>
 
-#include "carom/engine.h"
+#include "abi/engine.h"
+#include "abi/guard.h"
 #include "core/job_pool.h"
 
 namespace {
 
 using carom::core::JobPool;
+using carom::core::Jobs;
 
 /// A shape that the main thread has loaded. Tables of functions are a thread's own, so each thread loads it too, before
 /// it does its next part.
@@ -29,11 +31,6 @@ constinit thread_local SideModule* last_known = &none;
 JobPool* pool = nullptr;  // for good: workers end with the page or by force
 std::atomic<bool> crashed{false};
 
-struct Loop {
-  carom_job_fn job;
-  void* context;
-};
-
 }  // namespace
 
 extern "C" {
@@ -42,12 +39,44 @@ double emscripten_get_now();   // ms, since a fixed moment
 double emscripten_date_now();  // ms, since 1970
 void carom_js_bring(const void* bytes, std::uint32_t size, std::uint32_t table_base);
 
+}  // extern "C"
+
+namespace {
+
+/// What an engine of the module has for jobs.
+class SharedJobs final : public Jobs {
+ public:
+  void run(Task task, void* context, std::uint32_t count, std::uint32_t grain) override {
+    if (!pool) return task(context, 0, count);
+    Loop loop{task, context};
+    pool->run(
+        [](void* given, std::uint32_t begin, std::uint32_t end) {
+          while (SideModule* next = last_known->next.load(std::memory_order_acquire)) {
+            carom_js_bring(next + 1, next->size, next->table_base);
+            last_known = next;
+          }
+          const Loop& l = *static_cast<const Loop*>(given);
+          l.task(l.context, begin, end);
+        },
+        &loop, count, grain);
+  }
+
+ private:
+  struct Loop {
+    Task task;
+    void* context;
+  };
+};
+
+}  // namespace
+
+extern "C" {
+
 /// Start the pool on `threads` threads, the caller's included. There must be as many idle workers.
 /// @returns whether it runs
 int carom_js_start(std::uint32_t threads) {
   try {
-    pool = new JobPool(
-        threads, [] {}, std::pmr::get_default_resource());
+    pool = new JobPool(threads, carom::abi::mark_inside, std::pmr::get_default_resource());
   } catch (const std::system_error&) {
     return false;
   }
@@ -67,22 +96,15 @@ int sched_yield() {
   return 0;
 }
 
-/// carom_jobs_desc.run
-void carom_js_run(void*, carom_job_fn job, void* context, std::uint32_t count) {
-  if (!pool) return job(context, 0, count);
-  Loop loop{job, context};
-  pool->run(
-      [](void* given, std::uint32_t begin, std::uint32_t end) {
-        while (SideModule* next = last_known->next.load(std::memory_order_acquire)) {
-          carom_js_bring(next + 1, next->size, next->table_base);
-          last_known = next;
-        }
-        const Loop& l = *static_cast<const Loop*>(given);
-        l.job(l.context, begin, end);
-      },
-      &loop, count, 1);
+/// Let a new engine's worlds step on the pool.   @returns whether there was memory for it
+int carom_js_use(carom_engine* engine) {
+  try {
+    engine->jobs = carom::core::make_owned<Jobs, SharedJobs>(&engine->memory);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  return true;
 }
-void (*carom_js_run_pointer())(void*, carom_job_fn, void*, std::uint32_t) { return carom_js_run; }
 
 /// Let the other threads know of a shape that the calling one has loaded, the only one that ever loads any.
 /// @param side  SideModule with its bytes, from malloc; it stays
