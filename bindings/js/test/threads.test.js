@@ -154,6 +154,31 @@ test(
   }),
 );
 
+test("memory that ends is an error with a remedy, also inside of a step", { skip }, async (t) => {
+  const { Memory } = WebAssembly;
+  const isOut = (e) => e instanceof CaromError && e.result === "CAROM_E_OUT_OF_MEMORY" && e.remedy.length > 10;
+  for (const maximum of [120, 1300]) {
+    WebAssembly.Memory = function (limits) {
+      return new Memory({ ...limits, maximum });
+    };
+    await withThreads(3, (carom) => {
+      const engine = carom.engine(),
+        world = engine.world(),
+        shape = engine.box(0.5, 0.5, 0.5);
+      const fill = () => {
+        for (let i = 0; i < 40000; ++i)
+          world.body({ shape, position: [0.9 * (i % 20), 0.9 * Math.floor(i / 400), 0.9 * (Math.floor(i / 20) % 20)] });
+      };
+      if (maximum === 120) assert.throws(fill, isOut);
+      else fill();
+      assert.throws(() => world.step(1 / 60), isOut);
+      for (const body of world.bodies().slice(100)) body.destroy();
+      if (maximum > 120) world.step(1 / 60);
+      (world.free(), engine.free());
+    })(t).finally(() => (WebAssembly.Memory = Memory));
+  }
+});
+
 test("a side module's shape is asked by all threads", { skip }, async (t) => {
   const run = async (carom) => {
     const { pointer } = await carom.bringShape(template);
