@@ -1,6 +1,7 @@
 // What tests of threads step, in node and in browsers.
 
-/** 300 bodies, and the hashes of some steps.   @param threads  of the engine   @param shape  (engine) => Shape, or four kinds */
+/** 300 bodies, and the hashes of some steps.
+ *  @param threads  of the engine   @param shape  (engine) => Shape, or four kinds */
 export function heap(carom, { threads, shape = null, steps = 60 } = {}) {
   const engine = carom.engine(threads && { threads });
   const world = engine.world();

@@ -239,7 +239,8 @@ export class Physics {
 }
 
 /** The engine, with time that passes by itself, as in three.js' addons.
- *  @param options  gravity, dt; source, threads: as load() takes them; running: false, where you call update() or step() */
+ *  @param options  gravity, dt; source, threads: as load() takes them; running: false,
+ *                  where you call update() or step() */
 export async function CaromPhysics({ source, threads, running = true, ...options } = {}) {
   const physics = new Physics(await load({ source, threads }), options);
   if (!running) return physics;

@@ -1,4 +1,5 @@
-// Threads: the same bits for any number of them, and what shared memory changes. In node; threads_page.test.js: in a browser.
+// Threads: the same bits for any number of them, and what shared memory changes. In node;
+// threads_page.test.js has a browser.
 import { strict as assert } from "node:assert";
 import { execFile } from "node:child_process";
 import { existsSync } from "node:fs";

@@ -14,7 +14,8 @@ target_compile_options(carom_flags INTERFACE -fwasm-exceptions ${CAROM_WASM_OPTI
   "SHELL:-mllvm -unroll-runtime=false" "SHELL:-mllvm -unroll-allow-partial=false"
   $<$<BOOL:${CAROM_WASM_SIMD}>:-msimd128> -fno-slp-vectorize -fno-vectorize)
 target_link_options(carom_flags INTERFACE -fwasm-exceptions)
-# Preset wasm-threads: memory that workers share, and atomic instructions. CMakeLists.txt links carom.threads.wasm of it.
+# Preset wasm-threads: memory that workers share, and atomic instructions. CMakeLists.txt links the
+# module of it.
 option(CAROM_WASM_THREADS "Steps on several threads, where memory can be shared" OFF)
 if(CAROM_WASM_THREADS)
   target_compile_options(carom_flags INTERFACE -pthread)

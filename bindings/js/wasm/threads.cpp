@@ -1,5 +1,6 @@
-// What carom.threads.wasm has beside carom.wasm: one pool of threads for all engines of the module, and the few functions
-// of libc that emscripten would write in JavaScript. bindings/js/src/threads.js starts the workers and calls carom_js_*.
+// What carom.threads.wasm has beside carom.wasm: one pool of threads for all engines of the module, and the few
+// functions of libc that emscripten would write in JavaScript. bindings/js/src/threads.js starts the workers and calls
+// carom_js_*.
 #include <pthread.h>
 #include <time.h>
 
