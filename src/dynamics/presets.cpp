@@ -19,7 +19,8 @@ constexpr PresetRow kPresetRows[] = {
     {Dial::substeps, 1, 8, 32},
     {Dial::solver, kAuto, kAuto, kAuto},
     {Dial::precision, kBySize, kDouble, kDouble},
-    {Dial::velocity_tolerance, 1e-3, 1e-6, 1e-6},
+    {Dial::velocity_tolerance, 1e-3, 1e-6, 1e-9},
+    {Dial::direct_work, 2e4, 2e4, 1e6},  // a tolerance of 1e-9 takes many rounds in each substep
     {Dial::restitution_speed, 0.25, 0.05, 0.01},
     {Dial::contact_frequency, 30, 120, 480},
     {Dial::direct_sink, 1e-3, 6.25e-5, 3.9e-6},
