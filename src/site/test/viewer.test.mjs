@@ -256,6 +256,13 @@ test("three widths: nothing is cut off; names for readers of screens", { skip, t
   for (const width of [360, 800, 1600]) {
     const page = await visit("?scene=wall&step=2", { width, height: 780 });
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} px`);
+    const beyond = await page.evaluate(() => {
+      const margin = document.querySelector("canvas").getBoundingClientRect().left;
+      return [...document.querySelectorAll("#transport *")]
+        .filter((e) => e.getBoundingClientRect().right > innerWidth - margin + 1)
+        .map((e) => e.id || e.textContent);
+    });
+    assert.deepEqual(beyond, [], `${width} px: in the margin`);
     const nameless = await page.evaluate(
       () =>
         [...document.querySelectorAll("button, select, input, canvas")].filter(
