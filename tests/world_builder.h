@@ -72,6 +72,19 @@ struct TestWorld {
   World world;
 };
 
+/// Ask for an accuracy of place (m) and turn (rad), a second of motion.
+inline void ask_accuracy(TestWorld& t, Real tolerance) {
+  t.world.set_dial(Dial::accuracy_place, tolerance);
+  t.world.set_dial(Dial::accuracy_turn, tolerance);
+}
+
+/// kg m/s, of all bodies.
+inline Vec3 momentum(const World& w) {
+  Vec3 p = Vec3::zero();
+  for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i) p += w.scene.mass[i] * w.state.v[i];
+  return p;
+}
+
 /// Bits of a scene (a TestWorld) after some steps of 1/60 s.
 /// @param solver  as of the dial   @param threads  that share a step
 template <class Scene>

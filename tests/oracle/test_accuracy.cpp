@@ -13,8 +13,7 @@ using namespace carom::test;
 namespace {
 
 void ask(TestWorld& t, Real tolerance, int most = 1024) {
-  t.world.set_dial(Dial::accuracy_place, tolerance);
-  t.world.set_dial(Dial::accuracy_turn, tolerance);
+  ask_accuracy(t, tolerance);
   t.world.set_dial(Dial::accuracy_substeps, most);
 }
 

@@ -15,11 +15,6 @@ namespace {
 
 constexpr Real kG = 9.81;
 
-void ask(TestWorld& t, Real tolerance) {
-  t.world.set_dial(Dial::accuracy_place, tolerance);
-  t.world.set_dial(Dial::accuracy_turn, tolerance);
-}
-
 /// A block on a plane that leans along x.
 struct Slide {
   const char* what;
@@ -48,7 +43,7 @@ struct Slid {
 
 Slid run(const Slide& s) {
   TestWorld t(kG * Vec3(std::sin(s.lean), -std::cos(s.lean), 0));
-  ask(t, s.tolerance);
+  ask_accuracy(t, s.tolerance);
   const std::uint32_t m = t.material(s.friction, 0), grips = t.material(1.5, 0);
   t.ground(m);
   const std::uint32_t block =

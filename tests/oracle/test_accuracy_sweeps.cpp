@@ -14,11 +14,6 @@ using namespace carom::test;
 
 namespace {
 
-void ask(TestWorld& t, Real tolerance) {
-  t.world.set_dial(Dial::accuracy_place, tolerance);
-  t.world.set_dial(Dial::accuracy_turn, tolerance);
-}
-
 /// A ball that flies to and fro along z between two walls, so fast that every step sweeps it.
 std::uint32_t shuttle(TestWorld& t, const Vec3& at, Real speed) {
   const std::uint32_t m = t.material(0, 1);
@@ -71,13 +66,6 @@ Real energy(const World& w) {
   return e;
 }
 
-Vec3 momentum(const World& w) {
-  Vec3 p = Vec3::zero();
-  for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i)
-    if (w.scene.type[i] == BodyType::dynamic) p += w.scene.mass[i] * w.state.v[i];
-  return p;
-}
-
 /// What balls of a row do beside the row, which says whose substeps they take: nothing, so that they go with what is
 /// swept; hang on a spring or lie on a floor, so that each is an island of its own.
 enum class Held { free, by_springs, by_a_floor };
@@ -87,7 +75,7 @@ enum class Held { free, by_springs, by_a_floor };
 void strike_row(const char* what, Held held, std::initializer_list<Real> places, std::initializer_list<Real> masses,
                 Real speed, Real r, Real every, int steps) {
   TestWorld t(held == Held::by_a_floor ? Vec3(0, -0.1, 0) : Vec3::zero());
-  ask(t, 1e-4);
+  ask_accuracy(t, 1e-4);
   const std::uint32_t m = t.material(0, 1);
   if (held == Held::by_a_floor) t.ground(m);
   std::vector<std::uint32_t> row;
@@ -132,7 +120,7 @@ static void others_get_their_own_substeps(void**) {
                               Others{.roller = true}, Others{true, true, true, true, true}}) {
     for (const Real solver : {4.0, 0.0, 1.0, 2.0}) {
       TestWorld alone, beside;
-      for (TestWorld* t : {&alone, &beside}) ask(*t, 1e-4), t->world.set_dial(Dial::solver, solver);
+      for (TestWorld* t : {&alone, &beside}) ask_accuracy(*t, 1e-4), t->world.set_dial(Dial::solver, solver);
       const auto truth = run_others(alone, which, dt, kSteps);
       shuttle(beside, Vec3(0, 30, 0), 200);
       const auto got = run_others(beside, which, dt, kSteps);
@@ -147,7 +135,7 @@ static void others_get_their_own_substeps(void**) {
 static void a_sweep_takes_no_accuracy_from_others(void**) {
   for (const Real tolerance : {1e-2, 1e-3, 1e-4}) {
     TestWorld t(Vec3::zero());
-    ask(t, tolerance);
+    ask_accuracy(t, tolerance);
     shuttle(t, Vec3(0, 30, 0), 300);
     const std::uint32_t ball = add_body(t, Vec3(1, 0, 0), 1, Vec3(1, 1, 1));
     SpringDef spring;
@@ -166,7 +154,7 @@ static void what_is_swept_takes_the_dials_substeps(void**) {
     Vec3 x[2], v[2], near[2];
     for (int asked = 0; asked < 2; ++asked) {
       TestWorld t;
-      if (asked) ask(t, 1e-5);
+      if (asked) ask_accuracy(t, 1e-5);
       const std::uint32_t ball = shuttle(t, Vec3(0, 5, 0), speed);
       t.ground();
       const std::uint32_t block = t.add(t.keep(box(Vec3(0.3, 0.3, 0.3))), Vec3(0, 5.4, 1.2));
@@ -183,7 +171,7 @@ static void a_ledger_changes_no_bit_of_it(void**) {
     std::uint64_t hash[2];
     for (int booked = 0; booked < 2; ++booked) {
       TestWorld t;
-      ask(t, 1e-3);
+      ask_accuracy(t, 1e-3);
       if (which == 3) t.world.set_dial(Dial::sleep_time, 0.2), t.world.set_dial(Dial::sleep, 1);
       t.ground(t.material(0.5, 0.3));
       for (int i = 0; i < 5; ++i) t.add(t.keep(box(Vec3(0.5, 0.5, 0.5))), Vec3(1.3 * (i % 2), 0.5 + i / 2 * 1.01, 0));
@@ -237,7 +225,7 @@ static void bullets_among_what_floats(void**) {
           4, [] {}, std::pmr::new_delete_resource());
       TestWorld t(Vec3::zero());
       if (many) t.world.jobs = &pool;
-      ask(t, 1e-4);
+      ask_accuracy(t, 1e-4);
       Random random(static_cast<std::uint64_t>(seed));
       const auto within = [&](Real r) {
         return Vec3(random.uniform(-r, r), random.uniform(-r, r), random.uniform(-r, r));

@@ -19,12 +19,6 @@ constexpr int kPhases = 16;
 
 Real energy(const World& w) { return w.report.linear_energy + w.report.angular_energy; }
 
-Vec3 momentum(const World& w) {
-  Vec3 p = Vec3::zero();
-  for (std::uint32_t i = 0; i < w.scene.bodies.slots(); ++i) p += w.scene.mass[i] * w.state.v[i];
-  return p;
-}
-
 /// About the origin.
 Vec3 angular_momentum(const World& w) {
   Vec3 l = Vec3::zero();

@@ -1,6 +1,6 @@
 // An engine: shapes, and the worlds that share them.
 import * as constants from "./constants.js";
-import { CaromError } from "./errors.js";
+import { unsupported } from "./errors.js";
 import { net, Owned } from "./owner.js";
 import { bring } from "./side_module.js";
 import { World } from "./world.js";
@@ -78,10 +78,7 @@ function checkThreads(module, threads) {
   if (threads === 1 || threads === module.threads) return;
   const text = `no ${threads} threads to be had: the module was loaded with ${module.threads}`;
   const remedy = `Load it with load({ threads: ${threads} }), or make the engine with one thread`;
-  throw new CaromError(
-    { code: constants.CAROM_E_UNSUPPORTED, result: "CAROM_E_UNSUPPORTED", argument: 1, text, remedy, witness: null },
-    "engine",
-  );
+  throw unsupported("engine", 1, text, remedy);
 }
 
 export class Engine {

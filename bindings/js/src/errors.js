@@ -1,3 +1,5 @@
+import * as constants from "./constants.js";
+
 /** What a call that failed throws. The call changed nothing. */
 export class CaromError extends Error {
   /** @param {{code: number, result: string, argument: number, text: string, remedy: string,
@@ -12,4 +14,10 @@ export class CaromError extends Error {
     this.remedy = remedy;
     this.witness = witness;
   }
+}
+
+/** What is not to be had here, said before the engine is asked.   @param argument  which is at fault, from 0 */
+export function unsupported(doing, argument, text, remedy) {
+  const result = "CAROM_E_UNSUPPORTED";
+  return new CaromError({ code: constants[result], result, argument, text, remedy, witness: null }, doing);
 }

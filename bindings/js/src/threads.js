@@ -1,7 +1,6 @@
 // carom.threads.wasm: workers that share its memory. Here is what emscripten's JavaScript would be: thread_worker.js is
 // the other side, wasm/threads.cpp the pool that runs on them.
-import * as constants from "./constants.js";
-import { CaromError } from "./errors.js";
+import { unsupported } from "./errors.js";
 import { compile, Module } from "./module.js";
 import { imports } from "./wasi.js";
 
@@ -13,14 +12,6 @@ const MOST_THREADS = 256;
 const AUTO_THREADS = 4; // at most, of "auto": workers that wait for work take a core for moments
 
 const AGAIN = 6; // EAGAIN
-
-function unsupported(text, remedy) {
-  const result = "CAROM_E_UNSUPPORTED";
-  return new CaromError(
-    { code: constants.CAROM_E_UNSUPPORTED, result, argument: 0, text, remedy, witness: null },
-    "load",
-  );
-}
 
 /** Why memory cannot be shared between threads here; null where it can. */
 function whyAlone() {
@@ -44,6 +35,8 @@ export async function threadsToUse(asked) {
     throw new TypeError(`threads is a whole number from 1 to ${MOST_THREADS}, or "auto"`);
   if (asked > 1 && why)
     throw unsupported(
+      "load",
+      0,
       `no ${asked} threads: ${why}`,
       "Serve the page and its scripts with the headers Cross-Origin-Opener-Policy: same-origin and " +
         'Cross-Origin-Embedder-Policy: require-corp, or load with threads: "auto"',

@@ -172,8 +172,8 @@ bool may_stop(const World& world, const Passes& p, const Passes::Island& island)
     const Real change = (now - before).norm();
     return borne > 0 && change > borne && now.norm() < kAccuracyStop * change;
   };
+  if (island.rows == 0 || island.bodies > kAccuracyFew) return false;
   bool any = false;
-  if (island.rows == 0 || island.bodies > kAccuracyFew) return any;
   each_member(p, island, [&](std::uint32_t k, std::uint32_t) {
     any |= stops(p.ended[k].v, p.begun[k].v, dials[Dial::accuracy_place]) ||
            stops(p.ended[k].omega, p.begun[k].omega, dials[Dial::accuracy_turn]);
