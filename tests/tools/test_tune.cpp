@@ -96,17 +96,22 @@ static void what_is_far_too_dear_is_given_up_at_once(void**) {
 
 [[maybe_unused]] static void no_setting_is_offered_that_lets_a_stack_fall(void**) {
   // A tonne on a kilogram on springs and a few sweeps: solvers other than the direct one drop it.
-  Question q = question("massratio1e4", 4, ErrorKind::pose);
-  q.kind_chosen = true;
-  const Result a = ask(q);
-  assert_true(a.let_fall > 0 && a.pick >= 0);
-  bool fell = false;
-  for (const Measured& m : a.all) {
-    fell |= m.fallen > 0;
-    if (m.fallen > 0) assert_true(std::isinf(m.error));
+  // Candidates that fell in the first part of 4 s are not run over all of it: no more than the front is known of them.
+  // 2 s are too few for a first part, so `all` has every candidate, whatever the times of this machine are.
+  for (const double seconds : {4.0, 2.0}) {
+    Question q = question("massratio1e4", seconds, ErrorKind::pose);
+    q.kind_chosen = true;
+    const Result a = ask(q);
+    assert_true(a.let_fall > 0 && a.pick >= 0);
+    for (const Measured& m : a.front) assert_true(m.fallen == 0 && std::isfinite(m.error));
+    int fell = 0;
+    for (const Measured& m : a.all) {
+      fell += m.fallen > 0;
+      if (m.fallen > 0) assert_true(std::isinf(m.error));
+    }
+    if (seconds == 2.0) assert_int_equal(fell, a.let_fall);
+    assert_true(fell <= a.let_fall);
   }
-  assert_true(fell);
-  for (const Measured& m : a.front) assert_true(m.fallen == 0 && std::isfinite(m.error));
 }
 
 static void bodies_that_stand_in_both_references_must_stand(void**) {
