@@ -11,34 +11,37 @@ import socket
 import struct
 import sys
 import time
-from collections import Counter
 from importlib.metadata import version
-from math import pi, sqrt
+from math import pi
 
 for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ[_name] = "1"  # the comparison has one thread; to be told before numpy is loaded
 sys.path.insert(0, sys.argv[1])
 
+from drake_laws import relaxation_for, surfaces_of  # noqa: E402
+
 import numpy as np  # noqa: E402
 import pydrake  # noqa: E402, F401
 from pydrake.common.value import Value  # noqa: E402
 from pydrake.geometry import (AddCompliantHydroelasticProperties, AddRigidHydroelasticProperties, Box,  # noqa: E402
-                              CollisionFilterDeclaration, GeometrySet, HalfSpace, ProximityProperties, Sphere)
+                              Capsule, CollisionFilterDeclaration, Cylinder, GeometrySet, HalfSpace,
+                              ProximityProperties, Sphere)
 from pydrake.math import RigidTransform, RotationMatrix  # noqa: E402
 from pydrake.multibody.math import SpatialForce, SpatialVelocity  # noqa: E402
 from pydrake.multibody.plant import (AddMultibodyPlant, CoulombFriction, ExternallyAppliedSpatialForce,  # noqa: E402
                                      MultibodyPlantConfig)
-from pydrake.multibody.tree import BallRpyJoint, FixedOffsetFrame, SpatialInertia, UnitInertia  # noqa: E402
+from pydrake.multibody.tree import (BallRpyJoint, FixedOffsetFrame, PrismaticJoint, PrismaticSpring,  # noqa: E402
+                                    SpatialInertia, UnitInertia)
 from pydrake.systems.analysis import ApplySimulatorConfig, Simulator, SimulatorConfig  # noqa: E402
 from pydrake.systems.framework import DiagramBuilder  # noqa: E402
 from pydrake.common.eigen_geometry import Quaternion  # noqa: E402
 
 DIALS = ("approximation", "integrator", "accuracy", "substeps", "stiffness", "modulus", "dissipation", "relaxation",
-         "threshold", "stiction", "bounce_steps", "bounce_time")
+         "threshold", "stiction", "bounce_steps", "bounce_time", "resolution")
 APPROXIMATIONS = ("lagged", "similar", "sap", "tamsi")
 INTEGRATORS = ("", "cenic", "implicit_euler", "radau3", "runge_kutta3", "runge_kutta5")
-NONE, HALF_SPACE, SPHERE, BOX, HULL = range(5)
-BODY_NUMBERS, JOINT_NUMBERS = 25, 8
+NONE, HALF_SPACE, SPHERE, BOX, HULL, CAPSULE, CYLINDER, CONE = range(8)
+BODY_NUMBERS, JOINT_NUMBERS = 28, 22
 RIGID = 1e18  # N/m, of what stands still: the pair's stiffness is the other side's (an infinite one gives NaN)
 
 
@@ -46,63 +49,32 @@ class Refused(Exception):
     """What Drake can't be asked, in words."""
 
 
+def rotation(xyzw):
+    q = xyzw / np.linalg.norm(xyzw)
+    return RotationMatrix(Quaternion(q[3], q[0], q[1], q[2]))
+
+
+class Joint:
+    """A ball joint, or a slider: B slides along x of its frame, driven by a motor or pulled by a spring."""
+
+    def __init__(self, x):
+        self.ends, self.points = (int(x[0]), int(x[1])), (x[2:5], x[5:8])
+        self.is_slider, self.axes = x[8] != 0, (x[9:13], x[13:17])
+        self.speed, self.force, self.stiffness, self.damping, self.target = x[17:22]
+        if self.force > 0:  # a force that falls to nothing at the motor's speed: Drake takes damping implicitly
+            self.damping += self.force / abs(self.speed)
+            self.force *= np.sign(self.speed)
+
+
 class Body:
     def __init__(self, x):
         self.solid, self.params, self.is_static, self.mass = int(x[0]), x[1:5], x[5] != 0, x[6]
         self.inertia, self.kind = x[7:10], (x[10], x[11])  # friction, restitution
         self.place, self.turn, self.velocity, self.omega = x[12:15], x[15:19], x[19:22], x[22:25]
-        self.start = x[12:25]
+        self.start, self.shape_at = x[12:25], x[25:28]
 
     def pose(self):
-        q = self.turn / np.linalg.norm(self.turn)
-        return RigidTransform(RotationMatrix(Quaternion(q[3], q[0], q[1], q[2])), self.place)
-
-
-def law(a, b):
-    """Of a pair: the geometric mean of frictions, the larger restitution."""
-    return sqrt(a[0] * b[0]), max(a[1], b[1])
-
-
-def surfaces_of(bodies):
-    """How Drake, which takes the harmonic mean of frictions, is told of each kind of surface (friction, restitution).
-
-    One law for all pairs that can touch: each surface has it. Else a surface has a geometry for each kind it meets.
-    @return  {kind: [(its law, kind that it is for or None)]}
-    """
-    moving = Counter(b.kind for b in bodies if b.solid != NONE and not b.is_static)
-    fixed = {b.kind for b in bodies if b.solid != NONE and b.is_static}
-    laws = {law(a, b) for a in moving for b in moving if a != b or moving[a] > 1}
-    laws |= {law(a, b) for a in moving for b in fixed}
-    kinds = sorted(set(moving) | fixed)
-    if len(laws) <= 1:
-        return {kind: [(next(iter(laws), (0.0, 0.0)), None)] for kind in kinds}
-    return {a: [(law(a, b), b) for b in kinds] for a in kinds}
-
-
-def returned(relaxation, steps):
-    """Share of its speed with which a mass leaves a spring and damper, by SAP's implicit steps.
-
-    @param relaxation  the damper's constant over the spring's, in steps   @param steps  half a period of the spring
-    """
-    pull, x, v = (pi / steps) ** 2, 0.0, -1.0
-    while v < 1:
-        force = -pull * (x + (1 + relaxation) * v) / (1 + pull * (1 + relaxation))
-        if force <= 0:
-            break
-        v += force
-        x += v
-    return v
-
-
-def relaxation_for(restitution, steps):
-    """Where the steps themselves lose more than restitution leaves, there is no damper."""
-    least, most = 0.0, 100.0 * steps
-    if returned(least, steps) <= restitution:
-        return least
-    for _ in range(60):
-        middle = (least + most) / 2
-        least, most = (middle, most) if returned(middle, steps) > restitution else (least, middle)
-    return least
+        return RigidTransform(rotation(self.turn), self.place)
 
 
 class World:
@@ -113,20 +85,22 @@ class World:
         rest = numbers[5 + len(DIALS):]
         self.bodies = [Body(rest[BODY_NUMBERS * i:][:BODY_NUMBERS]) for i in range(count)]
         rest = rest[BODY_NUMBERS * count:]
-        self.joints = [rest[JOINT_NUMBERS * i:][:JOINT_NUMBERS] for i in range(joints)]
+        self.joints = [Joint(rest[JOINT_NUMBERS * i:][:JOINT_NUMBERS]) for i in range(joints)]
         self.integrator = INTEGRATORS[int(self.dials["integrator"])]
         self.approximation = APPROXIMATIONS[int(self.dials["approximation"])]
-        self.surfaces = surfaces_of(self.bodies)
+        self.surfaces = surfaces_of([b for b in self.bodies if b.solid != NONE])
         returned = {e for laws in self.surfaces.values() for (_, e), _ in laws if e > 0}
         if any(e < 1 for e in returned):
             if self.integrator:
                 raise Refused("its continuous contacts have Hunt and Crossley's dissipation in place of a restitution")
             self.approximation = "sap"  # its damper is linear: the same share is left of every speed
-        if any(b.solid == HULL for b in self.bodies):
-            raise Refused("this module has no hulls")
+        if any(b.solid in (HULL, CONE) for b in self.bodies):
+            raise Refused("this module has no hulls and no cones")
         self.forest()
         if self.loops and (self.integrator or self.approximation == "tamsi"):
             raise Refused("joints that close a loop need the SAP solver or a tree")
+        if any(joint.is_slider for joint in self.loops):
+            raise Refused("this module has no slider that closes a loop")
         self.pushed = False
         self.build(1 / 60)  # so that what this Drake can't build is refused now, and not a state that was lost later
 
@@ -134,7 +108,7 @@ class World:
         """Joints as a forest, grown from the world: self.tree has (parent or -1, child, joint), self.loops the rest."""
         at = {}
         for joint in self.joints:
-            for end in (int(joint[0]), int(joint[1])):
+            for end in joint.ends:
                 at.setdefault(end, []).append(joint)
         placed, used, self.tree = set(), set(), []
 
@@ -142,7 +116,7 @@ class World:
             queue = [root]
             for body in queue:
                 for joint in at.get(body, ()):
-                    other = int(joint[1] if int(joint[0]) == body else joint[0])
+                    other = joint.ends[1 if joint.ends[0] == body else 0]
                     if id(joint) in used or other < 0 or other in placed or self.bodies[other].is_static:
                         continue
                     used.add(id(joint)), placed.add(other)
@@ -180,6 +154,9 @@ class World:
         if dials["modulus"] > 0 and not bounces:
             if body.solid == BOX:
                 AddCompliantHydroelasticProperties(1.0, dials["modulus"], properties)
+            elif body.solid in (CAPSULE, CYLINDER) and dials["resolution"] > 0:  # as polyhedra of edges so long
+                edge = dials["resolution"] * body.params[0]
+                AddCompliantHydroelasticProperties(edge, dials["modulus"], properties)
             elif body.solid == HALF_SPACE:
                 AddRigidHydroelasticProperties(properties)
         return properties
@@ -193,6 +170,10 @@ class World:
             shape = HalfSpace()
         elif body.solid == SPHERE:
             shape = Sphere(body.params[0])
+        elif body.solid in (CAPSULE, CYLINDER):  # Drake's are along z
+            radius, half = body.params[:2]
+            shape = Capsule(radius, 2 * half) if body.solid == CAPSULE else Cylinder(radius, 2 * half)
+            pose = pose @ RigidTransform(RotationMatrix.MakeXRotation(-pi / 2), body.shape_at)
         else:
             shape = Box(*(2 * body.params[:3]))
         for k, (surface_law, partner) in enumerate(self.surfaces[body.kind]):
@@ -210,7 +191,7 @@ class World:
                 if partner is not None and (partner != other or others_partner != kind):
                     manager.Apply(CollisionFilterDeclaration().ExcludeBetween(ids, other_ids))
         for joint in self.joints:  # what is joined does not touch
-            ends = [self.of[int(end)] for end in joint[:2] if end >= 0 and not self.bodies[int(end)].is_static]
+            ends = [self.of[end] for end in joint.ends if end >= 0 and not self.bodies[end].is_static]
             shapes = [g for body in ends for g in self.plant.GetCollisionGeometriesForBody(body)]
             if len(ends) == 2 and shapes:
                 manager.Apply(CollisionFilterDeclaration().ExcludeWithin(GeometrySet(shapes)))
@@ -232,7 +213,7 @@ class World:
         self.plant, scene_graph = AddMultibodyPlant(config, builder)
         plant = self.plant
         plant.mutable_gravity_field().set_gravity_vector(self.gravity)
-        self.groups, self.of = {}, {-1: plant.world_body()}
+        self.groups, self.of, self.forces_of_motors = {}, {-1: plant.world_body()}, []
         for i, body in enumerate(self.bodies):
             if body.is_static:
                 self.of[i] = plant.world_body()
@@ -241,7 +222,7 @@ class World:
             inertia = UnitInertia(*(body.inertia / body.mass))
             self.of[i] = plant.AddRigidBody(f"b{i}", SpatialInertia(body.mass, np.zeros(3), inertia))
             self.add_shapes(body, f"b{i}", self.of[i], RigidTransform(), h)
-        balls = [self.add_ball(*link) for link in self.tree]
+        links = [(self.add_slider if link[2].is_slider else self.add_ball)(*link) for link in self.tree]
         for joint in self.loops:
             (a, on_a), (b, on_b) = self.end(joint, 0), self.end(joint, 1)
             plant.AddBallConstraint(self.of[a], on_a, self.of[b], on_b)
@@ -259,9 +240,10 @@ class World:
             body = self.bodies[i]
             plant.SetFreeBodyPose(self.context, self.of[i], body.pose())
             plant.SetFreeBodySpatialVelocity(self.context, self.of[i], SpatialVelocity(body.omega, body.velocity))
-        for (parent, child, _), ball in zip(self.tree, balls):
-            spin = self.bodies[parent].omega if parent >= 0 else np.zeros(3)
-            ball.set_angular_velocity(self.context, self.bodies[child].omega - spin)
+        for link, joint in zip(self.tree, links):
+            self.start(link, joint)
+        if plant.num_actuators():
+            plant.get_actuation_input_port().FixValue(self.context, np.array(self.forces_of_motors))
         self.at_q = np.array([self.of[i].floating_positions_start() for i in self.free], dtype=int)
         self.at_v = np.array([self.of[i].floating_velocities_start_in_v() for i in self.free], dtype=int)
         self.hung = [child for _, child, _ in self.tree]
@@ -272,22 +254,54 @@ class World:
 
     def end(self, joint, k):
         """A joint's end: body and point. A static body's is the world's."""
-        i, point = int(joint[k]), joint[2 + 3 * k:5 + 3 * k]
+        i, point = joint.ends[k], joint.points[k]
         if i >= 0 and self.bodies[i].is_static:
             return -1, self.bodies[i].pose() @ point
         return i, point
 
     def add_ball(self, parent, child, joint):
         """Its frames have the axes of the world at the start: angles are 0 then, and a turn about z stays one angle."""
-        k = 1 if int(joint[1]) == child else 0
-        (_, on_child), (_, on_parent) = self.end(joint, k), self.end(joint, 1 - k)
+        return self.plant.AddJoint(BallRpyJoint(f"j{parent}_{child}", *self.frames(parent, child, joint)))
+
+    def frames(self, parent, child, joint):
+        """Of parent and child, at the joint, with the axes of the world at the start."""
+        k = 1 if joint.ends[1] == child else 0
 
         def frame(i, point):
             turn = self.bodies[i].pose().rotation().inverse() if i >= 0 else RotationMatrix()
             return self.plant.AddFrame(FixedOffsetFrame(f"f{parent}_{child}_{i}", self.of[i].body_frame(),
                                                         RigidTransform(turn, point)))
 
-        return self.plant.AddJoint(BallRpyJoint(f"j{parent}_{child}", frame(parent, on_parent), frame(child, on_child)))
+        return frame(parent, self.end(joint, 1 - k)[1]), frame(child, self.end(joint, k)[1])
+
+    def way_of(self, child, joint):
+        """What a slider's child goes along where B goes along A's x; world, at the start."""
+        k = 1 if joint.ends[1] == child else 0
+        way = (self.bodies[child].pose().rotation() @ rotation(joint.axes[k])).matrix()[:, 0]
+        return way if k == 1 else -way
+
+    def add_slider(self, parent, child, joint):
+        name = f"j{parent}_{child}"
+        slider = self.plant.AddJoint(PrismaticJoint(name, *self.frames(parent, child, joint),
+                                                    self.way_of(child, joint), damping=joint.damping))
+        if joint.stiffness > 0:
+            self.plant.AddForceElement(PrismaticSpring(slider, joint.target, joint.stiffness))
+        if joint.force != 0:
+            self.plant.AddJointActuator(name, slider)
+            self.forces_of_motors.append(joint.force)
+        return slider
+
+    def start(self, link, made):
+        """Velocities of a joint of the tree."""
+        parent, child, joint = link
+        body, spin, velocity = self.bodies[child], np.zeros(3), np.zeros(3)
+        if parent >= 0:
+            spin = self.bodies[parent].omega
+            velocity = self.bodies[parent].velocity + np.cross(spin, body.place - self.bodies[parent].place)
+        if joint.is_slider:
+            made.set_translation_rate(self.context, self.way_of(child, joint) @ (body.velocity - velocity))
+        else:
+            made.set_angular_velocity(self.context, body.omega - spin)
 
     def step(self, dt, pushes):
         """@return  s of CPU time"""

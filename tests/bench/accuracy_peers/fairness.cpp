@@ -48,6 +48,79 @@ void weightless(Stage& stage) {
   carom_world_set_gravity(stage.world.get(), none, nullptr);
 }
 
+/// A body of one shape, 2 kg.   @param along  where its y axis points
+std::size_t add_solid(Stage& stage, const char* shape, const std::vector<double>& params, const Vec& at,
+                      const Vec& along = Vec::UnitY()) {
+  tools::Actor actor;
+  actor.kind = actor.name = shape, actor.position = at, actor.mass = 2;
+  actor.orientation = Quat::FromTwoVectors(Vec::UnitY(), along);
+  tools::Part part;
+  part.shape = shape, part.params = params, part.friction = 0.5;
+  actor.parts.push_back(part);
+  return stage.add(std::move(actor));
+}
+
+/// Solids that stand or lie on the ground stay at their height, where the engine has them.
+void check_solids(tools::Engine& engine, const PeerEngine& peer, Judge& judge) {
+  struct Case {
+    const char* shape;
+    std::vector<double> params;
+    Vec along;
+    double height;  // m, of its origin
+  };
+  const std::vector<Case> cases = {{"capsule", {0.1, 0.3}, Vec::UnitZ(), 0.1},
+                                   {"capsule", {0.1, 0.3}, Vec::UnitY(), 0.4},
+                                   {"cylinder", {0.2, 0.3}, Vec::UnitY(), 0.3},
+                                   {"cylinder", {0.2, 0.3}, Vec::UnitX(), 0.2},
+                                   {"cone", {0.4, 0.3}, Vec::UnitY(), 0.3}};
+  for (const Case& c : cases) {
+    Stage stage(engine);
+    add_ground(stage, 0.5);
+    const std::size_t body = add_solid(stage, c.shape, c.params, Vec(0, c.height, 0), c.along);
+    try {
+      PeerMover mover(stage, peer, {});
+      run(stage, mover, {}, kSteps / 4);
+    } catch (const tools::Error& error) {
+      if (error.code != CAROM_E_UNSUPPORTED) throw;
+      continue;
+    }
+    judge.expect(std::string("height of a ") + c.shape + " at rest", stage.position(body).y(), c.height, 5e-3);
+  }
+}
+
+/// Sliders along a slanted axis, the world at either end: a motor gets to its speed, a spring swings to the other side.
+void check_sliders(tools::Engine& engine, const PeerEngine& peer, Judge& judge) {
+  const Vec way(0.6, 0, 0.8);
+  const Quat axes = Quat::FromTwoVectors(Vec::UnitX(), way), turned(Eigen::AngleAxisd(0.7, Vec(1, 2, 2) / 3));
+  for (const bool world_first : {true, false})
+    for (const bool has_motor : {true, false}) {
+      Stage stage(engine);
+      weightless(stage);
+      const std::size_t body = add_link(stage, "sledge", Vec(1, 2, 3), 2, Vec(0.02, 0.03, 0.04), {}, turned);
+      const carom_body moved = stage.actors[body].body;
+      const carom_joint rail = join(stage, CAROM_JOINT_SLIDER, world_first ? CAROM_NULL_HANDLE : moved,
+                                    world_first ? moved : CAROM_NULL_HANDLE, Vec(1.5, 2, 3), axes);
+      carom_joint_motor motor;
+      carom_joint_spring spring;
+      carom_joint_motor_init(&motor, sizeof motor), carom_joint_spring_init(&spring, sizeof spring);
+      motor.enabled = 1, motor.speed = 0.5, motor.max_force = 6;
+      spring.enabled = 1, spring.target = 0.3, spring.frequency = 0.5, spring.damping = 0;
+      tools::Call call;
+      call.done(has_motor ? carom_joint_set_motor(stage.world.get(), rail, CAROM_COORDINATE_SLIDE, &motor, call)
+                          : carom_joint_set_spring(stage.world.get(), rail, CAROM_COORDINATE_SLIDE, &spring, call),
+                "driving a slider");
+      PeerMover mover(stage, peer, {});
+      run(stage, mover);
+      const double sign = world_first ? 1 : -1;
+      if (has_motor)
+        judge.expect("speed that a motor keeps", sign * stage.velocity(body).dot(way), 0.5, 5e-3);
+      else
+        judge.expect("way of a spring in half a period", sign * (stage.position(body) - Vec(1, 2, 3)).dot(way), 0.6,
+                     0.02);
+      judge.expect("way off the slider's axis", (stage.position(body) - Vec(1, 2, 3)).cross(way).norm(), 0, 2e-3);
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> unfair(tools::Engine& engine, const PeerEngine& peer) {
@@ -102,6 +175,8 @@ std::vector<std::string> unfair(tools::Engine& engine, const PeerEngine& peer) {
     }
     judge.expect("height of a bounce", highest, 0.25, 0.03);
   }
+  check_solids(engine, peer, judge);
+  check_sliders(engine, peer, judge);
   return judge.complaints;
 }
 

@@ -1,11 +1,12 @@
 // Drake in a module. Its wheel has no headers, so a child process runs drake_server.py, which builds worlds and steps
-// them, and tells the CPU time of each step. Joints are a tree of ball joints in reduced coordinates; one that closes a
-// loop is a constraint, of discrete plants alone. Boxes touch half-spaces and each other by hydroelastic patches, since
-// a point a pair is all that they have otherwise; balls touch by points. Dials: approximation (of a discrete plant: 0
-// lagged, 1 similar, 2 SAP, 3 TAMSI), integrator (of a continuous one: 1 CENIC, 2 implicit Euler, 3 Radau, 4 and 5
-// Runge-Kutta of those orders; 0: the plant is discrete), accuracy, substeps, modulus (Pa, of boxes; 0: points),
-// stiffness (N/m, of points), dissipation (s/m), relaxation (s), threshold (of near-rigid contacts), stiction (m/s),
-// bounce_steps and bounce_time (s; of a bounce in a discrete and in a continuous plant).
+// them, and tells the CPU time of each step. Joints are a tree of ball and prismatic joints in reduced coordinates; a ball
+// joint that closes a loop is a constraint, of discrete plants alone. Boxes, capsules and cylinders touch half-spaces and
+// each other by hydroelastic patches, since a point a pair is all that they have otherwise; balls touch by points.
+// Dials: approximation (of a discrete plant: 0 lagged, 1 similar, 2 SAP, 3 TAMSI), integrator (of a continuous one: 1
+// CENIC, 2 implicit Euler, 3 Radau, 4 and 5 Runge-Kutta of those orders; 0: the plant is discrete), accuracy, substeps,
+// modulus (Pa, of patches; 0: points), resolution (of the patches of capsules and cylinders, in radii; 0: they touch by
+// points), stiffness (N/m, of points), dissipation (s/m), relaxation (s), threshold (of near-rigid contacts), stiction
+// (m/s), bounce_steps and bounce_time (s; of a bounce in a discrete and in a continuous plant).
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
@@ -133,11 +134,12 @@ struct Dial {
 };
 constexpr Dial kDials[] = {{"approximation", 0}, {"integrator", 0}, {"accuracy", 1e-4},   {"substeps", 1},
                            {"stiffness", 0},     {"modulus", 1e7},  {"dissipation", -1},  {"relaxation", -1},
-                           {"threshold", -1},    {"stiction", -1},  {"bounce_steps", 10}, {"bounce_time", 1e-3}};
+                           {"threshold", -1},    {"stiction", -1},  {"bounce_steps", 10}, {"bounce_time", 1e-3},
+                           {"resolution", 0.1}};
 
 void append(std::vector<double>& list, const double* x, std::size_t n) { list.insert(list.end(), x, x + n); }
 
-/// As drake_server.py reads it: counts, gravity, dials, 25 numbers a body, 8 a joint.
+/// As drake_server.py reads it: counts, gravity, dials, 28 numbers a body, 22 a joint.
 std::vector<double> numbers_of(const WorldPlan& plan) {
   std::vector<double> list = {static_cast<double>(plan.count), static_cast<double>(plan.joint_count)};
   append(list, plan.gravity, 3);
@@ -153,11 +155,15 @@ std::vector<double> numbers_of(const WorldPlan& plan) {
     list.push_back(b.friction), list.push_back(b.restitution);
     append(list, b.start.position, 3), append(list, b.start.orientation, 4);
     append(list, b.start.velocity, 3), append(list, b.start.omega, 3);
+    append(list, b.shape_at, 3);
   }
   for (std::size_t i = 0; i < plan.joint_count; ++i) {
     const JointPlan& j = plan.joints[i];
     for (const std::size_t end : {j.a, j.b}) list.push_back(end == kWorldBody ? -1 : static_cast<double>(end));
     append(list, j.on_a, 3), append(list, j.on_b, 3);
+    list.push_back(static_cast<double>(j.kind));
+    append(list, j.axes_on_a, 4), append(list, j.axes_on_b, 4);
+    for (const double x : {j.motor_speed, j.motor_force, j.stiffness, j.damping, j.target}) list.push_back(x);
   }
   return list;
 }

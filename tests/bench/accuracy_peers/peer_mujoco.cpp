@@ -1,5 +1,6 @@
-// MuJoCo in a module. What hangs together by joints is a tree of ball joints, as its users build it, in coordinates
-// that cannot gape; a joint that would close a loop is an equality constraint. Friction and restitution are those of
+// MuJoCo in a module. What hangs together by joints is a tree of ball and slide joints, as its users build it, in
+// coordinates that cannot gape; a ball joint that would close a loop is an equality constraint. A motor is a force that
+// falls to nothing at the motor's speed: the damping of its joint, which MuJoCo takes implicitly. Friction and restitution are those of
 // the comparison, put into each contact after it is found: MuJoCo itself takes the larger coefficient of two, and knows
 // springs and dampers where others know restitution. Dials: integrator (0 Euler, 1 RK4: for scenes without contacts, as
 // it asks for contacts behind our back), substeps, solref (s, of contacts that do not bounce), impratio, noslip
@@ -39,8 +40,8 @@ std::array<double, 4> quat_of(const double (&xyzw)[4]) { return {xyzw[3], xyzw[0
 struct Forest {
   struct Node {
     std::size_t parent = kWorldBody;
-    bool joined = false;            // to its parent, by `joint`
-    std::array<double, 3> pivot{};  // m, own frame
+    const JointPlan* joint = nullptr;  // to its parent; null: it is free
+    std::array<double, 3> pivot{};     // m, own frame
     std::vector<std::size_t> children;
   };
   std::vector<Node> nodes;
@@ -60,7 +61,7 @@ struct Forest {
           if (other == kWorldBody || plan.bodies[other].is_static || placed[other]) continue;
           used[j] = placed[other] = true;
           Node& node = nodes[other];
-          node.parent = at, node.joined = true;
+          node.parent = at, node.joint = &joint;
           const double* const pivot = other == joint.b ? joint.on_b : joint.on_a;
           std::copy_n(pivot, 3, node.pivot.begin());
           (at == kWorldBody ? roots : nodes[at].children).push_back(other);
@@ -78,6 +79,14 @@ struct Forest {
       if (!used[j]) loops.push_back(&plan.joints[j]);
   }
 };
+
+/// What `child`, A or B of a slider, moves along where B moves along A's x.   @return own frame
+std::array<double, 3> slider_axis(const JointPlan& j, std::size_t child) {
+  const double x[3] = {child == j.b ? 1.0 : -1.0, 0, 0};
+  std::array<double, 3> axis;
+  mju_rotVecQuat(axis.data(), x, quat_of(child == j.b ? j.axes_on_b : j.axes_on_a).data());
+  return axis;
+}
 
 std::string name_of(std::size_t body) { return "b" + std::to_string(body); }
 
@@ -100,7 +109,7 @@ class Text {
     for (const std::size_t root : forest.roots) add_body(root);
     text_ += "</worldbody><equality>";
     for (const JointPlan* j : forest.loops) add_loop(*j);
-    text_ += "</equality><contact>";
+    text_ += "</equality><actuator>" + motors_ + "</actuator><contact>";
     for (std::size_t i = 0; i < plan.joint_count; ++i) {
       const JointPlan& j = plan.joints[i];
       if (j.a != kWorldBody && j.b != kWorldBody && !plan.bodies[j.a].is_static && !plan.bodies[j.b].is_static)
@@ -144,26 +153,49 @@ class Text {
       return;
     }
     if (in_world) text_ += pose(b.start, kWorldBody) + " ";
+    const bool is_round = b.solid == Solid::capsule || b.solid == Solid::cylinder;
     if (b.solid == Solid::sphere)
       text_ += "type='sphere' size='" + numbers(p, 1) + "'/>";
     else if (b.solid == Solid::box)
       text_ += "type='box' size='" + numbers(p, 3) + "'/>";
+    else if (is_round && !in_world)  // MuJoCo's are along z
+      text_ += std::string("type='") + (b.solid == Solid::capsule ? "capsule" : "cylinder") + "' size='" +
+               numbers(p, 2) + "' pos='" + numbers(b.shape_at, 3) + "' zaxis='0 1 0'/>";
     else
-      throw std::runtime_error("MuJoCo's module has no hulls");
+      throw std::runtime_error("MuJoCo's module has no hulls or cones, and no capsule or cylinder that stands still");
   }
 
   void add_body(std::size_t i) {
     const BodyPlan& b = plan_.bodies[i];
     const Forest::Node& node = forest_.nodes[i];
     text_ += "<body name='" + name_of(i) + "' " + pose(b.start, node.parent) + ">";
-    text_ += node.joined ? "<joint type='ball' pos='" + numbers(node.pivot.data(), 3) + "'/>" : "<freejoint/>";
+    if (!node.joint)
+      text_ += "<freejoint/>";
+    else if (node.joint->kind == JointKind::ball)
+      text_ += "<joint type='ball' pos='" + numbers(node.pivot.data(), 3) + "'/>";
+    else
+      add_slider(i, *node.joint);
     text_ += "<inertial pos='0 0 0' mass='" + numbers(&b.mass, 1) + "' diaginertia='" + numbers(b.inertia, 3) + "'/>";
     add_geom(i, false);
     for (const std::size_t child : node.children) add_body(child);
     text_ += "</body>";
   }
 
+  void add_slider(std::size_t i, const JointPlan& j) {
+    const std::array<double, 3> axis = slider_axis(j, i);
+    const double resistance = j.motor_force > 0 ? j.motor_force / std::fabs(j.motor_speed) : 0;  // N s/m
+    const double damping = j.damping + resistance;
+    const std::string name = "j" + std::to_string(i);
+    text_ += "<joint name='" + name + "' type='slide' axis='" + numbers(axis.data(), 3) + "' damping='" +
+             numbers(&damping, 1) + "' stiffness='" + numbers(&j.stiffness, 1) + "' springref='" +
+             numbers(&j.target, 1) + "'/>";
+    if (resistance == 0) return;
+    const double force = j.motor_speed > 0 ? j.motor_force : -j.motor_force;
+    motors_ += "<motor joint='" + name + "' gear='" + numbers(&force, 1) + "'/>";  // for a control of 1
+  }
+
   void add_loop(const JointPlan& j) {
+    if (j.kind != JointKind::ball) throw std::runtime_error("MuJoCo's module has no slider that closes a loop");
     const bool of_a = j.a != kWorldBody;
     text_ += "<connect body1='" + name_of(of_a ? j.a : j.b) + "'";
     if (of_a && j.b != kWorldBody) text_ += " body2='" + name_of(j.b) + "'";
@@ -172,7 +204,7 @@ class Text {
 
   const WorldPlan& plan_;
   const Forest& forest_;
-  std::string text_;
+  std::string text_, motors_;
 };
 
 struct FreeModel {
@@ -219,6 +251,7 @@ class MujocoWorld : public PeerWorld {
     }
     for (std::size_t i = 0; i < plan.count; ++i)
       if (!plan.bodies[i].is_static) start(plan, i);
+    std::fill_n(data_->ctrl, model_->nu, 1.0);
     mj_forward(model_.get(), data_.get());
   }
 
@@ -301,7 +334,17 @@ class MujocoWorld : public PeerWorld {
     double omega[3] = {s.omega[0], s.omega[1], s.omega[2]}, back[4];
     const std::array<double, 4> q = quat_of(s.orientation);
     mju_negQuat(back, q.data());
-    if (!node.joined) {
+    if (node.joint && node.joint->kind == JointKind::slider) {
+      static const BodyState rest;
+      const BodyState& p = node.parent == kWorldBody ? rest : plan.bodies[node.parent].start;
+      double apart[3], way[3], relative[3], axis[3];
+      mju_sub3(apart, s.position, p.position), mju_cross(way, p.omega, apart);  // of the parent's point
+      mju_sub3(relative, s.velocity, p.velocity), mju_subFrom3(relative, way);
+      mju_rotVecQuat(axis, slider_axis(*node.joint, i).data(), q.data());
+      data_->qvel[at] = mju_dot3(relative, axis);
+      return;
+    }
+    if (!node.joint) {
       std::copy_n(s.velocity, 3, &data_->qvel[at]);
       mju_rotVecQuat(&data_->qvel[at + 3], omega, back);
       return;

@@ -17,6 +17,8 @@ bool something_bounces(const std::string& scene) {
 bool is_smooth(const std::string& scene) {
   return is_of_joints_alone(scene) || (something_bounces(scene) && scene != "bounce05");
 }
+/// Something that Drake takes for a polyhedron, unless it is told to take a point a pair.
+bool has_round_patches(const std::string& scene) { return is_one_of(scene, {"wheel", "ladder", "grip"}); }
 bool has_boxes(const std::string& scene) {
   return something_touches(scene) && !something_bounces(scene) && scene != "pack666" && scene != "skid";
 }
@@ -55,6 +57,10 @@ std::vector<PeerSetting> settings_of(const std::string& engine) {
             {"lagged, 4 substeps", {{"substeps", 4}}},
             {"lagged, 16 substeps", {{"substeps", 16}}},
             {"lagged, stiff", {{"modulus", 1e15}, {"stiffness", 1e12}}, something_touches},
+            {"lagged, round shapes by points", {{"resolution", 0}}, has_round_patches},
+            {"lagged, stiff, round shapes by points",
+             {{"modulus", 1e15}, {"stiffness", 1e12}, {"resolution", 0}},
+             has_round_patches},
             {"lagged, stiff, 4 substeps", {{"modulus", 1e12}, {"stiffness", 1e12}, {"substeps", 4}}, something_touches},
             {"similar, boxes of 1 GPa", {{"approximation", 1}, {"modulus", 1e9}}, has_boxes},
             {"SAP", {{"approximation", 2}}, something_touches},
@@ -89,31 +95,32 @@ std::vector<PeerSetting> settings_of(const std::string& engine) {
 std::string note_on(const std::string& engine) {
   if (engine.starts_with("ODE"))
     return "Debian's libode-dev; sweep-and-prune space, four points a pair, friction in proportion to the normal force "
-           "(dContactApprox1), bounces from 0.25 m/s on";
+           "(dContactApprox1), bounces from 0.25 m/s on; springs as stops that give";
   if (engine.starts_with("MuJoCo"))
     return std::string(engine.starts_with("MuJoCo 2") ? "Debian's libmujoco-dev"
                                                       : "the C library of the Python wheel mujoco-core") +
-           "; joints as trees of ball joints in reduced coordinates, loops as equality constraints; "
-           "elliptic cones, no collision of joined bodies; friction and restitution of each contact set to the "
+           "; joints as trees of ball and slide joints in reduced coordinates, loops as equality constraints; a motor "
+           "as a force and its joint's damping; elliptic cones, no collision of joined bodies; friction and restitution of each contact set to the "
            "comparison's (a bounce is a spring and damper over 20 steps)";
   if (engine.starts_with("Drake"))
-    return "the Python wheel drake, a process of its own that tells its CPU time; joints as trees of ball joints in "
-           "reduced coordinates; boxes by hydroelastic patches, balls by points; friction the comparison's; "
-           "restitution "
-           "by a spring and damper (SAP) over 10 steps; where an integrator has its own steps by a spring alone, over "
+    return "the Python wheel drake, a process of its own that tells its CPU time; joints as trees of ball and "
+           "prismatic joints in reduced coordinates, a motor as a force and its joint's damping; boxes, capsules and "
+           "cylinders by hydroelastic patches, balls by points; friction the comparison's; "
+           "restitution by a spring and damper (SAP) over 10 steps; where an integrator has its own steps by a spring alone, over "
            "1 ms (CENIC: 10 ms), and none but 0 and 1";
   if (engine.starts_with("Rapier"))
-    return "the crate rapier3d-f64; a wide box in the place of a half-space, no sleeping, impulse joints, frictions by their geometric "
-           "mean, the larger restitution";
+    return "the crate rapier3d-f64; a wide box in the place of a half-space, no sleeping, impulse joints, "
+           "motors that hold their speed up to their force, frictions by their geometric mean, the larger restitution";
   return "Debian's; stepSimulation(dt, 0), no sleeping, gyroscopic term as it comes, restitution the larger of both";
 }
 
 const std::vector<std::string>& scenes_for_peers() {
   static const std::vector<std::string> names = {
-      "pendulum",     "chain1",       "chain100",     "chain1e4",     "wrecking",    "bouncing", "bounce05",
-      "cradle",       "cannon",       "elastic666",   "pack666",      "slide",       "slip",     "stick",
-      "rolling",      "skid",         "stack10",      "stack20",      "stack50",     "cards",    "tower100",
-      "massratio1e2", "massratio1e3", "massratio1e4", "massratio1e5", "massratio1e6"};
+      "pendulum",     "chain1",       "chain100",     "chain1e4",     "wrecking",     "bouncing", "bounce05",
+      "cradle",       "cannon",       "elastic666",   "pack666",      "slide",        "slip",     "stick",
+      "rolling",      "skid",         "stack10",      "stack20",      "stack50",      "cards",    "tower100",
+      "massratio1e2", "massratio1e3", "massratio1e4", "massratio1e5", "massratio1e6", "wheel",    "cone",
+      "ladder",       "grip",         "shake"};
   return names;
 }
 

@@ -14,7 +14,8 @@ struct PeerSetting {
 std::vector<PeerSetting> settings_of(const std::string& engine);
 std::string note_on(const std::string& engine);
 
-/// Scenes that are made of what every engine has: boxes, balls, half-spaces, ball joints.
+/// Scenes of boxes, balls, half-spaces and ball joints, which every engine has, and of capsules, cylinders, cones and
+/// sliders: what an engine lacks it refuses, and is left out.
 const std::vector<std::string>& scenes_for_peers();
 /// Whether joints are all there is in one of them.
 bool is_of_joints_alone(const std::string& scene);

@@ -7,7 +7,8 @@
 
 namespace carom::bench {
 
-enum class Solid { none, half_space, sphere, box, hull };
+/// The last three are asked of the engines of accuracy_peers alone.
+enum class Solid { none, half_space, sphere, box, hull, capsule, cylinder, cone };
 
 struct BodyState {
   double position[3] = {0, 0, 0};        // m, world: origin of the body frame
@@ -19,24 +20,33 @@ struct BodyState {
 /// A body in its principal axes about its centre of mass. Equal shapes share one `params`.
 struct BodyPlan {
   Solid solid = Solid::none;
-  const double* params = nullptr;  // half-space: normal, offset; sphere: radius; box: half extents; hull: xyz each
+  // half-space: normal, offset; sphere: radius; box: half extents; hull: xyz each; capsule, cylinder, cone: radius, half
+  // the height along y (a capsule's without its caps; a cone's apex is up)
+  const double* params = nullptr;
   std::size_t param_count = 0;
   const std::uint32_t* triangles = nullptr;  // hull: three indices each, counter-clockwise seen from outside
   std::size_t triangle_count = 0;
   bool is_static = false;
-  double mass = 0;                // kg
-  double inertia[3] = {0, 0, 0};  // kg m^2
-  double friction = 0;            // of every pair it is in: the geometric mean of both
-  double restitution = 0;         // likewise: the larger of both
+  double mass = 0;                 // kg
+  double inertia[3] = {0, 0, 0};   // kg m^2
+  double friction = 0;             // of every pair it is in: the geometric mean of both
+  double restitution = 0;          // likewise: the larger of both
+  double shape_at[3] = {0, 0, 0};  // m, body frame: the shape's own origin
   BodyState start;
 };
 
 inline constexpr std::size_t kWorldBody = static_cast<std::size_t>(-1);
 
-/// A ball joint.
+enum class JointKind { ball, slider };  // sliders are asked of the engines of accuracy_peers alone
+
+/// The frames of a slider are one at the start. B slides along x of A's; it is a body that moves.
 struct JointPlan {
   std::size_t a = 0, b = 0;                         // bodies, or kWorldBody
   double on_a[3] = {0, 0, 0}, on_b[3] = {0, 0, 0};  // m, body frames
+  JointKind kind = JointKind::ball;
+  double axes_on_a[4] = {0, 0, 0, 1}, axes_on_b[4] = {0, 0, 0, 1};  // x, y, z, w: of a slider's frame to the body's
+  double motor_speed = 0, motor_force = 0;        // m/s of B along the axis; N at most, 0: there is no motor
+  double stiffness = 0, damping = 0, target = 0;  // N/m, N s/m, m along the axis: of a spring, 0: there is none
 };
 
 /// Something that an engine can be asked to do otherwise than by default. Which names it has, its module says.

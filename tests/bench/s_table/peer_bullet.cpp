@@ -3,6 +3,7 @@
 // gradients, 2 Dantzig's direct method), bounce_speed.
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btEmptyShape.h>
+#include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
@@ -20,6 +21,9 @@ namespace carom::bench {
 namespace {
 
 btVector3 vec(const double* v) { return btVector3(btScalar(v[0]), btScalar(v[1]), btScalar(v[2])); }
+btQuaternion quat(const double* q) {
+  return btQuaternion(btScalar(q[0]), btScalar(q[1]), btScalar(q[2]), btScalar(q[3]));
+}
 void put(double* out, const btVector3& v) {
   for (int i = 0; i < 3; ++i) out[i] = v[i];
 }
@@ -42,12 +46,7 @@ class BulletWorld : public PeerWorld {
     for (std::size_t i = 0; i < plan.count; ++i) add(plan.bodies[i]);
     for (std::size_t i = 0; i < plan.joint_count; ++i) {
       const JointPlan& j = plan.joints[i];
-      if (j.a == kWorldBody || j.b == kWorldBody)
-        joints_.push_back(j.a == kWorldBody ? std::make_unique<btPoint2PointConstraint>(*bodies_[j.b], vec(j.on_b))
-                                            : std::make_unique<btPoint2PointConstraint>(*bodies_[j.a], vec(j.on_a)));
-      else
-        joints_.push_back(
-            std::make_unique<btPoint2PointConstraint>(*bodies_[j.a], *bodies_[j.b], vec(j.on_a), vec(j.on_b)));
+      joints_.push_back(j.kind == JointKind::slider ? slider(j) : ball_joint(j));
       world_.addConstraint(joints_.back().get(), true);
     }
     world_.updateAabbs();
@@ -108,30 +107,72 @@ class BulletWorld : public PeerWorld {
     return std::make_unique<btSequentialImpulseConstraintSolver>();
   }
 
-  btCollisionShape* shape(const BodyPlan& plan) {
-    std::unique_ptr<btCollisionShape>& shared = shapes_[{plan.solid, plan.params}];
-    if (shared) return shared.get();
+  std::unique_ptr<btTypedConstraint> ball_joint(const JointPlan& j) {
+    if (j.a == kWorldBody) return std::make_unique<btPoint2PointConstraint>(*bodies_[j.b], vec(j.on_b));
+    if (j.b == kWorldBody) return std::make_unique<btPoint2PointConstraint>(*bodies_[j.a], vec(j.on_a));
+    return std::make_unique<btPoint2PointConstraint>(*bodies_[j.a], *bodies_[j.b], vec(j.on_a), vec(j.on_b));
+  }
+
+  std::unique_ptr<btTypedConstraint> slider(const JointPlan& j) {
+    using Joint = btGeneric6DofSpring2Constraint;
+    const btTransform in_b(quat(j.axes_on_b), vec(j.on_b)), in_a(quat(j.axes_on_a), vec(j.on_a));
+    auto joint = j.a == kWorldBody ? std::make_unique<Joint>(*bodies_[j.b], in_b)
+                                   : std::make_unique<Joint>(*bodies_[j.a], *bodies_[j.b], in_a, in_b);
+    joint->setLinearLowerLimit(btVector3(1, 0, 0)), joint->setLinearUpperLimit(btVector3(-1, 0, 0));  // x is free
+    joint->setAngularLowerLimit(btVector3(0, 0, 0)), joint->setAngularUpperLimit(btVector3(0, 0, 0));
+    if (j.motor_force > 0) {
+      joint->enableMotor(0, true);
+      joint->setTargetVelocity(0, btScalar(-j.motor_speed));  // its motors drive A along B
+      joint->setMaxMotorForce(0, btScalar(j.motor_force));
+    }
+    if (j.stiffness > 0) {
+      joint->enableSpring(0, true);
+      joint->setStiffness(0, btScalar(j.stiffness)), joint->setDamping(0, btScalar(j.damping));
+      joint->setEquilibriumPoint(0, btScalar(j.target));
+    }
+    return joint;
+  }
+
+  std::unique_ptr<btCollisionShape> make_shape(const BodyPlan& plan) {
     const double* p = plan.params;
     switch (plan.solid) {
       case Solid::none:
-        shared = std::make_unique<btEmptyShape>();
         break;
       case Solid::half_space:
-        shared = std::make_unique<btStaticPlaneShape>(vec(p), btScalar(p[3]));
-        break;
+        return std::make_unique<btStaticPlaneShape>(vec(p), btScalar(p[3]));
       case Solid::sphere:
-        shared = std::make_unique<btSphereShape>(btScalar(p[0]));
-        break;
+        return std::make_unique<btSphereShape>(btScalar(p[0]));
       case Solid::box:
-        shared = std::make_unique<btBoxShape>(vec(p));
-        break;
+        return std::make_unique<btBoxShape>(vec(p));
       case Solid::hull: {
         auto hull = std::make_unique<btConvexHullShape>();
         for (std::size_t i = 0; i + 3 <= plan.param_count; i += 3) hull->addPoint(vec(p + i), false);
         hull->recalcLocalAabb();
-        shared = std::move(hull);
+        return hull;
+      }
+      case Solid::capsule:
+        return std::make_unique<btCapsuleShape>(btScalar(p[0]), btScalar(2 * p[1]));
+      case Solid::cylinder:
+        return std::make_unique<btCylinderShape>(btVector3(btScalar(p[0]), btScalar(p[1]), btScalar(p[0])));
+      case Solid::cone: {
+        auto cone = std::make_unique<btConeShape>(btScalar(p[0]), btScalar(2 * p[1]));
+        cone->setMargin(btScalar(1e-4 * p[1]));  // its usual 4 cm are around it, not within as a box's are
+        return cone;
       }
     }
+    return std::make_unique<btEmptyShape>();
+  }
+
+  btCollisionShape* shape(const BodyPlan& plan) {
+    std::unique_ptr<btCollisionShape>& shared = shapes_[{plan.solid, plan.params}];
+    if (shared) return shared.get();
+    shared = make_shape(plan);
+    const btVector3 at = vec(plan.shape_at);
+    if (at.isZero()) return shared.get();
+    parts_.push_back(std::move(shared));
+    auto moved = std::make_unique<btCompoundShape>();
+    moved->addChildShape(btTransform(btQuaternion::getIdentity(), at), parts_.back().get());
+    shared = std::move(moved);
     return shared.get();
   }
 
@@ -139,9 +180,7 @@ class BulletWorld : public PeerWorld {
     const BodyState& start = plan.start;
     btRigidBody::btRigidBodyConstructionInfo info(btScalar(plan.is_static ? 0 : plan.mass), nullptr, shape(plan),
                                                   plan.is_static ? btVector3(0, 0, 0) : vec(plan.inertia));
-    const double* q = start.orientation;
-    info.m_startWorldTransform =
-        btTransform(btQuaternion(btScalar(q[0]), btScalar(q[1]), btScalar(q[2]), btScalar(q[3])), vec(start.position));
+    info.m_startWorldTransform = btTransform(quat(start.orientation), vec(start.position));
     info.m_friction = btScalar(std::sqrt(plan.friction));  // Bullet multiplies the two coefficients of a pair
     info.m_restitution = btScalar(plan.restitution);
     bodies_.push_back(std::make_unique<btRigidBody>(info));
@@ -163,9 +202,10 @@ class BulletWorld : public PeerWorld {
   btDbvtBroadphase broadphase_;
   std::unique_ptr<btConstraintSolver> solver_;
   btDiscreteDynamicsWorld world_;
+  std::vector<std::unique_ptr<btCollisionShape>> parts_;  // of shapes that are not at their bodies' origins
   std::map<std::pair<Solid, const double*>, std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;  // in the plan's order
-  std::vector<std::unique_ptr<btPoint2PointConstraint>> joints_;
+  std::vector<std::unique_ptr<btTypedConstraint>> joints_;
 };
 
 #ifdef BT_USE_DOUBLE_PRECISION

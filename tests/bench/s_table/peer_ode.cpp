@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <deque>
 #include <map>
+#include <stdexcept>
 #include <vector>
 
 #include "counted_memory.h"
@@ -56,6 +58,10 @@ class OdeWorld : public PeerWorld {
       const JointPlan& j = plan.joints[i];
       const dBodyID a = j.a == kWorldBody ? nullptr : members_[j.a].body;
       const dBodyID b = j.b == kWorldBody ? nullptr : members_[j.b].body;
+      if (j.kind == JointKind::slider) {
+        add_slider(j, a, b);
+        continue;
+      }
       const dJointID joint = dJointCreateBall(world_, nullptr);
       dJointAttach(joint, a, b);
       dVector3 at;
@@ -74,6 +80,7 @@ class OdeWorld : public PeerWorld {
   void step(double dt) override {
     for (int i = 0; i < substeps_; ++i) {
       contacts_ = 0;
+      for (const Spring& spring : springs_) set_spring(spring, dt / substeps_);
       for (const Push& p : pushes_)
         dBodyAddForce(p.body, p.force[0], p.force[1], p.force[2]);  // forgotten after a step
       dSpaceCollide(space_, this,
@@ -121,6 +128,36 @@ class OdeWorld : public PeerWorld {
     double force[3];  // N, for the next step
   };
 
+  struct Spring {
+    dJointID joint;
+    double stiffness, damping;  // N/m, N s/m
+  };
+
+  /// Its position is that of its first body, from where the other one is now.
+  void add_slider(const JointPlan& j, dBodyID a, dBodyID b) {
+    const double* q = j.axes_on_b;
+    const double x[3] = {1 - 2 * (q[1] * q[1] + q[2] * q[2]), 2 * (q[0] * q[1] + q[2] * q[3]),
+                         2 * (q[0] * q[2] - q[1] * q[3])};
+    dVector3 axis;
+    dBodyVectorToWorld(b, x[0], x[1], x[2], axis);
+    const dJointID joint = dJointCreateSlider(world_, nullptr);
+    dJointAttach(joint, b, a);
+    dJointSetSliderAxis(joint, axis[0], axis[1], axis[2]);
+    if (j.motor_force > 0)
+      dJointSetSliderParam(joint, dParamVel, j.motor_speed), dJointSetSliderParam(joint, dParamFMax, j.motor_force);
+    if (j.stiffness > 0) {
+      dJointSetSliderParam(joint, dParamLoStop, j.target), dJointSetSliderParam(joint, dParamHiStop, j.target);
+      springs_.push_back({joint, j.stiffness, j.damping});
+    }
+  }
+
+  /// ODE's springs are stops at one place, as soft as its manual says for a step of dt.
+  static void set_spring(const Spring& spring, double dt) {
+    const double give = 1 / (dt * spring.stiffness + spring.damping);
+    dJointSetSliderParam(spring.joint, dParamStopERP, dt * spring.stiffness * give);
+    dJointSetSliderParam(spring.joint, dParamStopCFM, give);
+  }
+
   void collide(dGeomID a, dGeomID b) {
     const dBodyID body_a = dGeomGetBody(a), body_b = dGeomGetBody(b);
     if (body_a && body_b && dAreConnectedExcluding(body_a, body_b, dJointTypeContact)) return;
@@ -156,6 +193,12 @@ class OdeWorld : public PeerWorld {
         return dCreateSphere(space_, p[0]);
       case Solid::box:
         return dCreateBox(space_, 2 * p[0], 2 * p[1], 2 * p[2]);
+      case Solid::capsule:
+        return dCreateCapsule(space_, p[0], 2 * p[1]);
+      case Solid::cylinder:
+        return dCreateCylinder(space_, p[0], 2 * p[1]);
+      case Solid::cone:
+        throw std::runtime_error("ODE has no cones");
       case Solid::hull:
         break;
     }
@@ -168,6 +211,9 @@ class OdeWorld : public PeerWorld {
     const BodyState& start = plan.start;
     const double* q = start.orientation;
     const dQuaternion turn = {q[3], q[0], q[1], q[2]};
+    // ODE's capsules and cylinders are along z.
+    const bool is_round = plan.solid == Solid::capsule || plan.solid == Solid::cylinder;
+    const dQuaternion y_of_z = {M_SQRT1_2, -M_SQRT1_2, 0, 0};
     dBodyID body = nullptr;
     if (!plan.is_static) {
       body = dBodyCreate(world_);
@@ -185,9 +231,14 @@ class OdeWorld : public PeerWorld {
     dGeomSetData(shape, &members_.back());
     if (body) {
       dGeomSetBody(shape, body);
+      if (is_round) dGeomSetOffsetQuaternion(shape, y_of_z);
+      const double* at = plan.shape_at;
+      if (at[0] != 0 || at[1] != 0 || at[2] != 0) dGeomSetOffsetPosition(shape, at[0], at[1], at[2]);
     } else if (plan.solid != Solid::half_space) {
+      dQuaternion whole;
+      dQMultiply0(whole, turn, y_of_z);
       dGeomSetPosition(shape, start.position[0], start.position[1], start.position[2]);
-      dGeomSetQuaternion(shape, turn);
+      dGeomSetQuaternion(shape, is_round ? whole : turn);
     }
   }
 
@@ -199,6 +250,7 @@ class OdeWorld : public PeerWorld {
   int substeps_ = 1;
   double bounce_speed_ = 0.25;  // m/s, below which nothing bounces: Carom's default; ODE asks for one and has none
   std::vector<Push> pushes_;
+  std::vector<Spring> springs_;
   std::deque<Member> members_;  // in the plan's order; geoms point to them
   std::map<const double*, Convex> hulls_;
 };
@@ -211,8 +263,15 @@ extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine(
   dSetFreeHandler([](void* block, dsizeint) { counted_free(block); });
   dInitODE2(0);
   dAllocateODEDataForThread(dAllocateMaskAll);
-  return {"ODE 0.16 (double)", [](const WorldPlan& plan) -> PeerWorld* { return new OdeWorld(plan); },
-          [] { return live_bytes.load(); }};
+  const auto make = [](const WorldPlan& plan) -> PeerWorld* {
+    try {
+      return new OdeWorld(plan);
+    } catch (const std::exception& error) {  // no exception crosses a link namespace
+      std::fprintf(stderr, "%s\n", error.what());
+      return nullptr;
+    }
+  };
+  return {"ODE 0.16 (double)", make, [] { return live_bytes.load(); }};
 }
 
 }  // namespace carom::bench

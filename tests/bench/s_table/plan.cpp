@@ -7,11 +7,15 @@
 namespace carom::bench {
 namespace {
 
-Solid solid_of(const std::string& shape) {
+/// @param of_all  only what every engine of the S-table has
+Solid solid_of(const std::string& shape, bool of_all) {
   if (shape == "half_space") return Solid::half_space;
   if (shape == "sphere") return Solid::sphere;
   if (shape == "box") return Solid::box;
   if (shape == "hull") return Solid::hull;
+  if (!of_all && shape == "capsule") return Solid::capsule;
+  if (!of_all && shape == "cylinder") return Solid::cylinder;
+  if (!of_all && shape == "cone") return Solid::cone;
   throw tools::Error("not every engine has the shape " + shape, "choose a scene of boxes, spheres and hulls");
 }
 
@@ -29,17 +33,16 @@ Plan::Plan(tools::Stage& stage, bool as_given) : stage_(stage), as_given_(as_giv
   call.done(carom_world_get_joints(stage.world.get(), nullptr, 0, &count, call), "counting joints");
   std::vector<carom_joint> joints(count);
   call.done(carom_world_get_joints(stage.world.get(), joints.data(), count, &count, call), "listing joints");
-  for (const carom_joint joint : joints) {
-    carom_joint_desc desc;
-    call.done(carom_joint_desc_init(&desc, sizeof desc), "asking for joints");
-    call.done(carom_joint_get(stage.world.get(), joint, &desc, call), "asking for joints");
-    add(desc);
-  }
+  for (const carom_joint joint : joints) add(joint);
 }
 
-void Plan::add(const carom_joint_desc& joint) {
-  if (joint.kind != CAROM_JOINT_BALL)
-    throw tools::Error("a joint is not a ball joint", "choose a scene whose joints every engine has");
+void Plan::add(carom_joint handle) {
+  carom_joint_desc joint;
+  tools::Call call;
+  call.done(carom_joint_desc_init(&joint, sizeof joint), "asking for a joint");
+  call.done(carom_joint_get(stage_.world.get(), handle, &joint, call), "asking for a joint");
+  if (joint.kind != CAROM_JOINT_BALL && joint.kind != CAROM_JOINT_SLIDER)
+    throw tools::Error("a joint is neither ball joint nor slider", "choose a scene whose joints every engine has");
   const auto index_of = [&](carom_body body) {
     for (std::size_t i = 0; i < stage_.actors.size(); ++i)
       if (body != CAROM_NULL_HANDLE && stage_.actors[i].body == body) return i;
@@ -52,6 +55,7 @@ void Plan::add(const carom_joint_desc& joint) {
     Vec::Map(on) = members_[i].axes.conjugate() * (vec(at) - members_[i].center);
   };
   place(plan.a, joint.position_a, plan.on_a), place(plan.b, joint.position_b, plan.on_b);
+  if (joint.kind == CAROM_JOINT_SLIDER) place_slider(joint, plan), drive_slider(handle, plan);
   joints_.push_back(plan);
 }
 
@@ -69,9 +73,12 @@ void Plan::add(const tools::Tie& tie) {
 }
 
 void Plan::add(const tools::Actor& actor) {
-  if (actor.parts.size() > 1 || (!actor.parts.empty() && !actor.parts[0].position.isZero(0)))
+  if (actor.parts.size() > 1 ||
+      (!actor.parts.empty() && !(actor.parts[0].position.isZero(0) && actor.parts[0].orientation.vec().isZero(0))))
     throw tools::Error("'" + actor.name + "' is not one shape at its body's origin",
                        "choose a scene whose bodies have one part each");
+  if (actor.type == CAROM_BODY_KINEMATIC)
+    throw tools::Error("'" + actor.name + "' is moved by its host", "choose a scene of bodies that move by themselves");
   tools::Call call;
   carom_body_desc body;
   call.done(carom_body_desc_init(&body, sizeof body), "asking for masses");
@@ -87,7 +94,7 @@ void Plan::add(const tools::Actor& actor) {
   if (!actor.parts.empty() && actor.parts[0].collider != CAROM_NULL_HANDLE) {  // else a part is there for the eye alone
     const tools::Part& part = actor.parts[0];
     tools::Engine& engine = stage_.engine();
-    member.solid = plan.solid = solid_of(part.shape);
+    member.solid = plan.solid = solid_of(part.shape, !as_given_);
     member.shape = member.solid == Solid::half_space ? engine.half_space(part.params.data(), part.params.at(3))
                                                      : engine.shape(part.shape, part.params);
     member.radius = engine.info(member.shape).bounding_radius;
@@ -96,6 +103,8 @@ void Plan::add(const tools::Actor& actor) {
       Eigen::Matrix3d axes = principal.eigenvectors();
       if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
       member.axes = Quat(axes);
+    } else if (!member.is_static) {
+      Vec::Map(plan.shape_at) = -member.center;
     }
     plan.friction = part.friction;
     if (as_given_) plan.restitution = part.restitution;

@@ -28,12 +28,12 @@ struct Member {
   Quat axes = Quat::Identity();                       // principal axes to body frame
 };
 
-/// Bodies have at most one part each, at the body's origin: a shape that every engine has, or none.
+/// Bodies have at most one part each, at the body's origin: a shape that a module knows, or none.
 class Plan {
  public:
   /// @param as_given  with the stage's restitution and gravity, and its world's joints, the stage knowing of them or not;
   ///                  else as the S-table has it: no restitution, 9.81 m/s^2, the stage's own ties
-  /// @throws Error if an actor has several parts, or a shape or a joint that not every engine has
+  /// @throws Error if an actor has several parts, or a shape or a joint that no engine is asked for
   explicit Plan(tools::Stage& stage, bool as_given = false);
 
   /// For another engine; lives as long as this plan.
@@ -57,7 +57,9 @@ class Plan {
 
   void add(const tools::Actor& actor);
   void add(const tools::Tie& tie);
-  void add(const carom_joint_desc& joint);
+  void add(carom_joint joint);
+  void place_slider(const carom_joint_desc& joint, JointPlan& plan) const;
+  void drive_slider(carom_joint joint, JointPlan& plan) const;
   void describe_shape(const tools::Part& part, const Member& member, BodyPlan& plan);
 
   tools::Stage& stage_;

@@ -103,6 +103,7 @@ class Box3dWorld final : public PeerWorld {
     const double* p = plan.params;
     switch (plan.solid) {
       case Solid::none:
+      default:  // no plan of s_table has the others
         break;
       case Solid::half_space: {
         const b3BoxHull ground = ground_below(vec(p), float(p[3]));

@@ -205,6 +205,7 @@ class JoltWorld final : public PeerWorld {
       case Solid::box:
         return box(vec(p));
       case Solid::hull:
+      default:  // no plan of s_table has the others
         break;
     }
     JPH::Array<JPH::Vec3> points;

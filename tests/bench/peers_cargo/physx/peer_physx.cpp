@@ -158,6 +158,7 @@ class PhysxWorld final : public PeerWorld {
     };
     switch (plan.solid) {
       case Solid::none:
+      default:  // no plan of s_table has the others
         break;
       case Solid::half_space:
         return attach(PxPlaneGeometry());

@@ -22,8 +22,8 @@ namespace {
 
 // What plan/src/lib.rs takes for granted.
 static_assert(sizeof(Solid) == 4 && sizeof(BodyState) == 13 * 8);
-static_assert(std::is_standard_layout_v<BodyPlan> && offsetof(BodyPlan, is_static) == 40 && sizeof(BodyPlan) == 200);
-static_assert(std::is_standard_layout_v<JointPlan> && sizeof(JointPlan) == 64);
+static_assert(std::is_standard_layout_v<BodyPlan> && offsetof(BodyPlan, is_static) == 40 && sizeof(BodyPlan) == 224);
+static_assert(std::is_standard_layout_v<JointPlan> && sizeof(JointKind) == 4 && sizeof(JointPlan) == 176);
 static_assert(std::is_standard_layout_v<WorldPlan> && offsetof(WorldPlan, gravity) == 32 &&
               offsetof(WorldPlan, sleeping) == 72 && offsetof(WorldPlan, threads) == 80);
 

@@ -16,6 +16,11 @@ pub const HALF_SPACE: i32 = 1;
 pub const SPHERE: i32 = 2;
 pub const BOX: i32 = 3;
 pub const HULL: i32 = 4;
+pub const CAPSULE: i32 = 5;
+pub const CYLINDER: i32 = 6;
+pub const CONE: i32 = 7;
+
+pub const SLIDER: i32 = 1;
 
 #[repr(C)]
 pub struct BodyPlan {
@@ -29,6 +34,7 @@ pub struct BodyPlan {
     pub inertia: [f64; 3],
     pub friction: f64,
     pub restitution: f64,
+    pub shape_at: [f64; 3],
     pub start: BodyState,
 }
 
@@ -53,6 +59,14 @@ pub struct JointPlan {
     pub b: usize,
     pub on_a: [f64; 3],
     pub on_b: [f64; 3],
+    pub kind: i32,
+    pub axes_on_a: [f64; 4],
+    pub axes_on_b: [f64; 4],
+    pub motor_speed: f64,
+    pub motor_force: f64,
+    pub stiffness: f64,
+    pub damping: f64,
+    pub target: f64,
 }
 
 #[repr(C)]

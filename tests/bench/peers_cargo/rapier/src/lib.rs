@@ -6,7 +6,7 @@
 mod counted;
 mod queries;
 
-use plan::{BodyPlan, BodyState, WorldPlan, GROUND_HALF_DEPTH};
+use plan::{BodyPlan, BodyState, JointPlan, WorldPlan, GROUND_HALF_DEPTH};
 use rapier3d::math::{Pose, Real, Rotation, Vector};
 use rapier3d::prelude::*;
 use std::collections::HashMap;
@@ -50,6 +50,9 @@ fn shape(body: &BodyPlan, ground_half_width: f64) -> Option<SharedShape> {
             let points: Vec<Vector> = p.chunks_exact(3).map(vector).collect();
             SharedShape::convex_hull(&points)
         }
+        plan::CAPSULE => Some(SharedShape::capsule_y(p[1] as Real, p[0] as Real)),
+        plan::CYLINDER => Some(SharedShape::cylinder(p[1] as Real, p[0] as Real)),
+        plan::CONE => Some(SharedShape::cone(p[1] as Real, p[0] as Real)),
         _ => None,
     }
 }
@@ -69,8 +72,33 @@ fn collider(body: &BodyPlan, shape: SharedShape) -> ColliderBuilder {
             let turn = Rotation::from_rotation_arc(Vector::Y, normal);
             made.position(Pose::from_parts(normal * (p[3] - GROUND_HALF_DEPTH) as Real, turn))
         }
-        _ => made,
+        _ => made.translation(vector(&body.shape_at)),
     }
+}
+
+fn frame(on: &[f64; 3], axes: &[f64; 4]) -> Pose {
+    let q = axes.map(|x| x as Real);
+    Pose::from_parts(vector(on), Rotation::from_xyzw(q[0], q[1], q[2], q[3]))
+}
+
+/// Motors are as hard as floats bear: up to their greatest force they hold their speed.
+fn slider(plan: &JointPlan) -> GenericJoint {
+    const HARDNESS: f64 = 1e3; // the share of its speed at which a motor gives all it has is one over it
+    let axis = JointAxis::LinX;
+    let mut joint = GenericJointBuilder::new(JointAxesMask::LOCKED_PRISMATIC_AXES)
+        .local_frame1(frame(&plan.on_a, &plan.axes_on_a))
+        .local_frame2(frame(&plan.on_b, &plan.axes_on_b))
+        .contacts_enabled(false)
+        .motor_model(axis, MotorModel::ForceBased);
+    if plan.motor_force > 0.0 {
+        let factor = HARDNESS * plan.motor_force / plan.motor_speed.abs();
+        joint = joint.motor_velocity(axis, plan.motor_speed as Real, factor as Real);
+        joint = joint.motor_max_force(axis, plan.motor_force as Real);
+    }
+    if plan.stiffness > 0.0 {
+        joint = joint.motor_position(axis, plan.target as Real, plan.stiffness as Real, plan.damping as Real);
+    }
+    joint.build()
 }
 
 fn rigid_body(body: &BodyPlan, sleeping: bool) -> RigidBodyBuilder {
@@ -117,6 +145,10 @@ impl World {
                 _ => bodies[i],
             };
             let (a, b) = (end(joint.a), end(joint.b));
+            if joint.kind == plan::SLIDER {
+                physics.insert_impulse_joint(a, b, slider(joint));
+                continue;
+            }
             let ball = SphericalJointBuilder::new()
                 .local_anchor1(vector(&joint.on_a))
                 .local_anchor2(vector(&joint.on_b))
