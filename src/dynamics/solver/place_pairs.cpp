@@ -167,9 +167,11 @@ void colour(WideContacts& wide, std::uint32_t region, bool both_move) {
 void place_whole(WideContacts& wide) {
   colour(wide, 1, false), colour(wide, 1, true);
   std::array<std::uint32_t, kBuckets> next{};
-  each_of(wide, 1, [&](const Member& m) { ++next[m.bucket]; });
+  std::uint32_t first = kBuckets;  // the highest colours are taken first: a small world has few, and none is before it
+  each_of(wide, 1, [&](const Member& m) { ++next[m.bucket], first = std::min(first, m.bucket); });
+  for (auto& colour : wide.colours) colour = {};
   std::uint32_t lanes = 0, points = 0;
-  for (std::uint32_t i = 0; i < kBuckets; ++i) {
+  for (std::uint32_t i = first; i < kBuckets; ++i) {
     const std::uint32_t begin = lanes, count = next[i];
     lanes += i < kAlone ? (count + kLanes - 1) / kLanes * kLanes : count * kLanes;
     points += (lanes - begin) / kLanes * (i % kPairPoints + 1);

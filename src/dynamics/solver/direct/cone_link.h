@@ -35,6 +35,11 @@ struct ConeLink {
   /// Its impulse is whatever holds it: linear.
   bool is_lock() const { return k > 0 && low == high && give == 0 && most == kInfinity; }
 
+  /// Its impulse is told by where it is, and a little by velocity: what it was a substep ago says less.
+  bool is_spring() const { return k > 0 && low == high && give > k; }
+  /// What p is if nothing else acts, for velocities of bodies that give `v` without it, and `surface`.
+  Real alone(Real v) const { return std::clamp((low - v - surface) / (k + give), -most, most); }
+
   /// What p becomes at velocity v, in a round of resistance r.
   Real pulled(Real v, Real r, Real from) const {
     const Real g = 1 / (r + give), at_low = (r * from - (v - low)) * g, at_high = (r * from - (v - high)) * g;

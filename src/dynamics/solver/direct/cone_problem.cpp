@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dynamics/solver/direct/cone.h"
+#include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/solver/direct/round.h"
 
 namespace carom::dynamics {
@@ -40,6 +41,12 @@ Real largest_offence(const ConeProblem& problem, const Slip& slip) {
 
 }  // namespace
 
+Real most_borne(const ConeProblem& problem) {
+  Real most2 = 0;
+  for (const ConeContact& c : problem.contacts) most2 = std::max(most2, c.k * c.k * c.p.squared_norm());
+  return std::sqrt(most2);
+}
+
 Real residual(const ConeProblem& problem) { return largest_offence(problem, slip_of); }
 
 namespace {
@@ -59,10 +66,8 @@ bool is_borne(const ConeProblem& problem) {
 /// What there is to undo is so little beside what the group bears that hardly a contact will begin or cease to stick.
 bool is_little(const ConeProblem& problem, Real offence) {
   constexpr Real kLittle = 1e-3;
-  if (!problem.stood) return false;
-  Real most2 = 0;
-  for (const ConeContact& c : problem.contacts) most2 = std::max(most2, c.k * c.k * c.p.squared_norm());
-  return offence * offence < kLittle * kLittle * most2;
+  if (!problem.stood && !problem.goes_on) return false;
+  return offence < (problem.goes_on ? kGoesOn * kGiveOfContacts : kLittle) * most_borne(problem);
 }
 
 /// Rounds at one slip until the offence with that slip is small.

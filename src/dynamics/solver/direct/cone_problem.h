@@ -90,7 +90,8 @@ struct ConeProblem {
   Real factored = 0;  // softness of the round that the factor is for, with curvatures as they stand; 0: another matrix
   Real locked_softness = 0;  // of the locks in BlockFactor::common(); 0: that is of another solve
   std::span<ConeLink> links{};
-  bool stood = false;  // no body was faster, before this substep, than its loads alone make it
+  bool stood = false;    // no body was faster, before this substep, than its loads alone make it
+  bool goes_on = false;  // it differs by as little from its last solution as from that in which contacts yield
 };
 
 // ---- small parts that all files of this folder share ----
@@ -221,6 +222,8 @@ void return_to_impulses(ConeProblem& problem) {
   for (ConeLink& c : problem.links) c.p = c.*kLink;
 }
 
+/// m/s, of the largest impulse that a contact bears.
+Real most_borne(const ConeProblem& problem);
 /// The largest offence of all contacts. @return m/s
 Real residual(const ConeProblem& problem);
 

@@ -108,7 +108,9 @@ ConeSolution solve_yielding(ConeProblem& problem, Real share, Real tolerance, st
 
 ConeSolution solve_with_least_force(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
   ConeSolution solution;
-  if (residual(problem) > tolerance) {
+  const Real first = residual(problem);
+  problem.goes_on = first < kGoesOn * kGiveOfContacts * most_borne(problem);
+  if (first > tolerance) {
     solution = solve_yielding(problem, kGiveOfContacts, tolerance, most_steps);
     save_impulses<&ConeContact::least_p, &ConeLink::least_p>(problem);
   }
@@ -116,6 +118,7 @@ ConeSolution solve_with_least_force(ConeProblem& problem, Real tolerance, std::u
   const std::uint32_t taken = solution.factorisations, rounds = solution.rounds;
   solution = solve_cones(problem, tolerance, most_steps > taken ? most_steps - taken : 0);
   solution.factorisations += taken, solution.rounds += rounds;
+  problem.goes_on = false;
   if (taken > 0 && !solution.reached && borne(problem) > kFarMore * bears) {
     return_to_impulses<&ConeContact::least_p, &ConeLink::least_p>(problem);
     solution.is_wedged = true;
@@ -142,7 +145,8 @@ bool throws(const ConeProblem& problem) {
 }
 
 // Over a share s they take -(s p.u + s^2 p.A p / 2) of the energy of relative motion: least at s = -p.u / p.A p, and
-// more at 1 than at 0 where that is below a half.
+// more at 1 than at 0 where that is below a half. A spring's u counts from what it asks for, and its give is in A: it
+// may give energy.
 Real share_that_helps(const ConeProblem& problem) {
   if (problem.contacts.empty()) return 1;
   Real along = 0, size2 = 0;
@@ -151,7 +155,10 @@ Real share_that_helps(const ConeProblem& problem) {
     size2 += b.gradient.dot(velocity_of(b, b.gradient));
   }
   for (const ConeContact& c : problem.contacts) along += c.p.dot(c.surface);
-  for (const ConeLink& c : problem.links) along += c.p * c.surface;
+  for (const ConeLink& c : problem.links) {
+    along += c.p * c.surface;
+    if (c.is_spring()) along -= c.p * c.low, size2 += c.give * c.p * c.p;
+  }
   const Real best = size2 > 0 ? -along / size2 : 1;
   return best < 0.5 ? std::max(best, Real(0)) : 1;
 }

@@ -11,6 +11,12 @@ inline constexpr Constant<Real> kGiveOfContacts{
     "load; far above what rounds anchor impulses by, so that those that no load requires vanish",
     "larger: shares are those of softer contacts, and the exact law is farther away; smaller: what is wedged bears more, "
     "without end at 0"};
+inline constexpr Constant<Real> kGoesOn{
+    "direct_goes_on", 3, "1",
+    "times what is left where contacts have yielded: a group that starts with less to undo goes on as it did, its "
+    "contacts stick or slip as before, and its rounds are nearly linear",
+    "larger: rounds begin hard where contacts begin or cease to stick, and take more steps; smaller: what is merely held "
+    "takes two rounds for one"};
 inline constexpr Constant<Real> kWedged{
     "direct_wedged", 1e-10, "1",
     "of the sum of k p^2 of contacts, what they do to bodies: less is impulses that cancel each other; a cube under a "
@@ -40,8 +46,8 @@ inline constexpr Constant<std::uint32_t> kMostStepsOfJoints{
     "direct_most_steps_of_joints", 10, "steps of Newton", "that such a solution may take",
     "fewer: limits are found one or two a time, and some not; more: it costs as many more"};
 
-inline constexpr ConstantRow kLeastForceConstants[] = {kGiveOfContacts, kWedged,           kFarMore,
-                                                       kGiveOfSweeps,   kLastSweeps,       kSweepsBetweenJoints,
-                                                       kHeldByJoints,   kMostStepsOfJoints};
+inline constexpr ConstantRow kLeastForceConstants[] = {
+    kGiveOfContacts,      kGoesOn,       kWedged,           kFarMore, kGiveOfSweeps, kLastSweeps,
+    kSweepsBetweenJoints, kHeldByJoints, kMostStepsOfJoints};
 
 }  // namespace carom::dynamics

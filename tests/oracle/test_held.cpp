@@ -1,0 +1,129 @@
+// What pads hold by friction alone, against closed forms: it stays while friction bears it, and slides as it must where
+// friction does not. Written for solutions that go on from step to step (solver/direct/least_force.cpp).
+#include <cmath>
+#include <cstdio>
+
+#include "carom_test.h"
+#include "joint_scenes.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr Real kSettled = 0.5;     // s
+constexpr Real kThickness = 0.02;  // m, of a pad
+
+/// Pads on rails of the world around something, each pressed to the middle by a motor.
+struct Gripper {
+  TestWorld t;
+  std::uint32_t held = kInvalid;
+
+  Gripper(int solver, int substeps) { choose(t, solver, substeps); }
+
+  /// @param angle  rad about y, where the pad stands   @param away  m, of its inner face from the middle
+  void add_pad(Real angle, Real away, const Vec3& middle, Real force, std::uint32_t material) {
+    const Vec3 outwards(std::cos(angle), 0, std::sin(angle));
+    const Quat turn = x_along(outwards);
+    const Vec3 at = middle + (away + kThickness / 2 + 1e-4) * outwards;
+    const std::uint32_t pad =
+        t.add(t.keep(box(Vec3(kThickness / 2, 0.04, 0.02))), at, BodyType::dynamic, turn, material);
+    const std::uint32_t rail = join(t, JointKind::slider, kInvalid, pad, at, x_along(-outwards));
+    set_motor(t, rail, Coordinate::slide, 0.1, force);
+  }
+  Real mass() const { return t.world.scene.mass[held]; }
+  /// m, that it goes in some seconds after it has settled.
+  Real creep(Real seconds, Real dt) {
+    t.run(static_cast<int>(std::lround(kSettled / dt)), dt);
+    const Vec3 from = t.world.state.x[held];
+    t.run(static_cast<int>(std::lround(seconds / dt)), dt);
+    return (t.world.state.x[held] - from).norm();
+  }
+};
+
+/// m/s that the solver may leave at a contact, over the time: nothing else creeps.
+Real borne_creep(const Gripper& g, Real seconds) { return g.t.world.scene.dials[Dial::velocity_tolerance] * seconds; }
+
+}  // namespace
+
+/// Pads in pairs and threes, on boxes and on round things: friction bears some times the weight.
+static void what_friction_bears_stays(void**) {
+  struct Case {
+    int solver, pads;
+    bool round;
+    Real friction, times, dt;
+  };
+  for (const Case& c :
+       {Case{kAutoChoice, 2, false, 0.7, 30, 1.0 / 60}, Case{kDirectChoice, 2, true, 0.4, 5, 1.0 / 60},
+        Case{kAutoChoice, 3, true, 0.5, 3, 1.0 / 60}, Case{kDirectChoice, 3, true, 1, 100, 1.0 / 240},
+        Case{kAutoChoice, 4, false, 0.3, 2, 1.0 / 30}, Case{kDirectChoice, 4, true, 0.9, 1.5, 1.0 / 50}}) {
+    Gripper g(c.solver, 4);
+    const std::uint32_t material = g.t.material(c.friction, 0);
+    const Shape* shape = g.t.keep(c.round ? cylinder(0.03, 0.03) : box(Vec3::constant(0.03)));
+    g.held = g.t.add(shape, Vec3(0, 1, 0), BodyType::dynamic, Quat::identity(), material);
+    const Real force = c.times * g.mass() * kG / (c.friction * c.pads);
+    for (int k = 0; k < c.pads; ++k)
+      g.add_pad(2 * std::acos(Real(-1)) * k / c.pads, 0.03, Vec3(0, 1, 0), force, material);
+    const Real creep = g.creep(2, c.dt), most = borne_creep(g, 2);
+    std::printf("%d pads, %s, solver %d, %g times, %.0f Hz: %.2e of %.2e m\n", c.pads, c.round ? "cylinder" : "box",
+                c.solver, c.times, 1 / c.dt, creep, most);
+    assert_true(creep <= most);
+  }
+}
+
+/// Between two pads that bear a share of the weight it falls with the rest of it.
+static void what_friction_does_not_bear_slides(void**) {
+  for (const Real share : {0.25, 0.5, 0.8, 0.95})
+    for (const int solver : {kAutoChoice, kDirectChoice})
+      for (const Real dt : {1.0 / 60, 1.0 / 200}) {
+        Gripper g(solver, 4);
+        const std::uint32_t material = g.t.material(0.5, 0);
+        g.held =
+            g.t.add(g.t.keep(box(Vec3(0.03, 0.4, 0.03))), Vec3(0, 1, 0), BodyType::dynamic, Quat::identity(), material);
+        g.t.world.set_gravity(Vec3::zero());
+        const Real force = share * g.mass() * kG / (2 * 0.5);
+        for (int k = 0; k < 2; ++k) g.add_pad(std::acos(Real(-1)) * k, 0.03, Vec3(0, 1, 0), force, material);
+        g.t.run(static_cast<int>(std::lround(kSettled / dt)), dt);  // pads are closed
+        g.t.world.set_gravity(Vec3(0, -kG, 0));
+        const Real from = g.t.world.state.x[g.held].y(), time = 0.2;
+        const int steps = static_cast<int>(std::lround(time / dt));
+        g.t.run(steps, dt);
+        const Real gone = from - g.t.world.state.x[g.held].y(), a = (1 - share) * kG, want = a * time * time / 2;
+        // A step's worth of the way for where in a step friction begins to slide, as one of first order has it.
+        const Real most = a * time * dt + 1e-6;
+        std::printf("%g of the weight, solver %d, %.0f Hz: %.6f of %.6f m\n", share, solver, 1 / dt, gone, want);
+        assert_true(std::fabs(gone - want) <= most);
+      }
+}
+
+/// A shelf welded to the wall bears what lies on it, and a prop under it bears nothing: loads go where least force does.
+static void a_weld_bears_what_a_prop_only_touches(void**) {
+  for (const Real mass : {0.5, 5.0, 50.0})
+    for (const Real dt : {1.0 / 60, 1.0 / 250}) {
+      TestWorld t;
+      choose(t, kAutoChoice, 4);
+      t.ground();
+      const Shape* plank = t.keep(box(Vec3(0.5, 0.05, 0.2)));
+      const std::uint32_t shelf = t.add(plank, Vec3(0, 1.05, 0));
+      t.add(t.keep(box(Vec3(0.1, 0.5, 0.1))), Vec3(0.4, 0.5, 0), BodyType::fixed);
+      BodyDef def;
+      def.has_mass = true, def.mass = mass, def.pose.p = Vec3(0.1, 1.2, 0);
+      const std::uint32_t load = handle_slot(t.world.add_body(def));
+      t.world.add_collider(load, t.keep(box(Vec3::constant(0.1))), Pose{}, 1000, Colliders::kNoMaterial);
+      const std::uint32_t weld = join(t, JointKind::weld, kInvalid, shelf, Vec3(-0.5, 1.05, 0));
+      t.run(static_cast<int>(std::lround(1 / dt)), dt);
+      const Real want = (t.world.scene.mass[shelf] + mass) * kG;
+      const Real force = std::fabs(joint(t, weld).force.y());
+      std::printf("%g kg, %.0f Hz: %.5f of %.5f N\n", mass, 1 / dt, force, want);
+      assert_true(std::fabs(force - want) < 1e-3 * want);
+    }
+}
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(what_friction_bears_stays),
+      cmocka_unit_test(what_friction_does_not_bear_slides),
+      cmocka_unit_test(a_weld_bears_what_a_prop_only_touches),
+  };
+  return cmocka_run_group_tests_name("oracle/held", tests, nullptr, nullptr);
+}
