@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-#include "dynamics/contact/depth.h"
-#include "dynamics/contact/held_arms.h"
 #include "dynamics/solver/direct/at_rest.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/least_force.h"
 #include "dynamics/solver/direct/least_force_constants.h"
-#include "dynamics/solver/direct/load.h"
 #include "dynamics/solver/direct/round.h"
 
 namespace carom::dynamics {
@@ -48,11 +45,6 @@ Real rounding(const ConeProblem& problem) {
   for (const ConeContact& c : problem.contacts) most = std::max(most, c.k * c.p.norm());
   for (const ConeLink& c : problem.links) most = std::max(most, c.k * std::fabs(c.p));
   return 1e3 * kEpsilon * most;
-}
-
-/// (m/s)^2, of the points of a body that has velocity v, in the mean.
-Real speed2(const ConeBody& b, const Vec6& v) {
-  return v.linear().squared_norm() + b.inertia.trace() * b.inv_mass * v.angular().squared_norm();
 }
 
 /// m/s, the most that two points close or part, with impulses as they are.
@@ -119,93 +111,6 @@ bool ConeGroup::repeat(Velocities& to, Real tolerance) {
   }
   ++rest_.repeats;
   return true;
-}
-
-/// Contacts go with the bodies within a step. But not where a shape is curved: points that turned with it would stay
-/// behind the place where it touches as it rolls, and drive it on.
-void ConeGroup::follow_bodies() {
-  for (ConeBody& b : bodies_of(problem_)) {
-    if (b.turns) world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();  // others may have asked for it since, or not
-    load_mass(world_, b);
-  }
-  load_contacts(world_, {row_, problem_.contacts.size()}, problem_.bodies, problem_.contacts.data(),
-                LoadWhat::not_curved);
-}
-
-/// Where a body rolls, the middle of the ball that it rolls on leaves the tangent of its way. Velocities are to obey
-/// the law in the middle of the substep, where that of the point is by h/2 omega x (omega x l) another than at its
-/// beginning, where impulses act. Then they act on the mean of the velocities before and after, which is along the
-/// surface, and a body that goes round loses no energy by it. Not of what turns too far for that: its square would
-/// throw it.
-void ConeGroup::bend_ways(Real h) {
-  const auto bends = [&](std::uint32_t body, const Vec3& l) {
-    if (body == kInvalid || !problem_.bodies[body].turns) return Vec3(Vec3::zero());
-    const ConeBody& b = problem_.bodies[body];
-    const Vec3 omega = b.v.angular();
-    if (omega.squared_norm() * h * h > kBends * kBends) return Vec3(Vec3::zero());
-    return Vec3(h / 2 * omega.cross(omega.cross(world_.plan->rotation[b.slot] * l)));
-  };
-  each([&](ConeContact& contact, std::uint32_t i) {
-    if (!c_.rows[i].rolls) return;
-    contact.surface -= contact.curve;
-    contact.curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
-    contact.surface += contact.curve;
-  });
-}
-
-/// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
-Real ConeGroup::start(Real h) {
-  Real least = kInfinity;
-  problem_.stood = !is_joined(), rest_.load = 0;
-  was_held_ = problem_.stood;
-  for (ConeBody& b : bodies_of(problem_)) {
-    was_held_ &= b.v.linear() == Vec3::zero() && b.v.angular() == Vec3::zero();
-    b.gained = -b.v;
-    load(b);
-    const Real loaded2 = speed2(b, b.gained + b.v);
-    problem_.stood &= speed2(b, b.gained) <= loaded2;
-    rest_.load = std::max(rest_.load, std::sqrt(loaded2));
-    b.gradient.set_zero();
-  }
-  if (!rest_.is_first) follow_bodies();
-  bend_ways(h);
-  problem_.stood &=
-      std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.surface == Vec3::zero(); });
-  rest_.stood = problem_.stood;
-  // Gaps of nanometres are none to what stands: else they would say which corners of a stack bear it.
-  const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
-  each([&](ConeContact& contact, std::uint32_t i) {
-    const Row& row = c_.rows[i];
-    // Of what rolls as it stands: what is noted was measured before it was displaced, or after if others asked. What
-    // bounces has its leeway noted there.
-    const RowGeometry& g = c_.geometry[i];
-    const Real separation = row.rolls && row.restitution == 0 ? separation_of(world_, row, g) : g.separation;
-    least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
-    contact.friction = row.friction;
-    contact.want = std::min(Real(0), closes_anyway - separation / h);
-    contact.p = contact.start_p = row.p;
-    add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
-  });
-  if (is_joined()) stiffen(world_, problem_, link_row_, h);
-  load_links(world_, problem_, link_row_, LinkPhase::move, h);
-  for (ConeBody& b : bodies_of(problem_)) b.before = b.v;
-  for (ConeLink& link : problem_.links)
-    if (link.is_spring()) link.p = link.start_p = link.alone(relative<&ConeBody::before>(problem_.bodies, link));
-  for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
-  if (const Real share = share_that_helps(problem_); share < 1) {
-    for (ConeContact& contact : problem_.contacts) contact.p *= share, contact.start_p = contact.p;
-    for (ConeLink& link : problem_.links) link.p *= share, link.start_p = link.p;
-    for (ConeBody& b : bodies_of(problem_)) b.gradient = share * b.gradient;
-  }
-  for (ConeBody& b : bodies_of(problem_)) {
-    b.change = velocity_of(b, b.gradient);
-    b.start = b.v += b.change;
-    b.gained += b.v;
-  }
-  for (ConeContact& contact : problem_.contacts)
-    contact.u = contact.surface + relative<&ConeBody::v>(problem_.bodies, contact);
-  measure_links(problem_);
-  return least;
 }
 
 void ConeGroup::store(Velocities& to, const ConeBody& b) {

@@ -190,6 +190,11 @@ inline Real slip_of(const ConeContact& c) {
   return c.friction > 0 ? c.friction * (c.u - c.u.dot(c.n) * c.n).norm() : Real(0);
 }
 
+/// (m/s)^2, of the points of a body that has velocity v, in the mean.
+inline Real speed2(const ConeBody& b, const Vec6& v) {
+  return v.linear().squared_norm() + b.inertia.trace() * b.inv_mass * v.angular().squared_norm();
+}
+
 // ---- what the solver does ----
 
 struct ConeSolution {
