@@ -121,7 +121,7 @@ CAROM_LANES_INLINE void stop(Sides& sides, JointDriveLanes& drive) {
 
 /// @tparam kAxed  it may be a stop, or a spring whose target moves
 template <bool kPush, bool kAxed, class Sides>
-CAROM_LANES_INLINE void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
+CAROM_SHARED_PART void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
                             double inv_h) {
   if (kind == DriveKind::limit) return limit<kPush>(sides, joint, drive, inv_h);
   if constexpr (kAxed)
@@ -140,7 +140,7 @@ CAROM_LANES_INLINE void act(Sides& sides, const JointLanes& joint, JointDriveLan
 }
 
 template <bool kPush, class Sides>
-CAROM_LANES_INLINE void hold_all(Sides& sides, const JointLanes& joint, JointRowLanes* rows) {
+CAROM_SHARED_PART void hold_all(Sides& sides, const JointLanes& joint, JointRowLanes* rows) {
   switch (joint.layout.equalities) {
     case 1:
       return hold<kPush, 1>(sides, joint, rows);
@@ -159,7 +159,7 @@ CAROM_LANES_INLINE void hold_all(Sides& sides, const JointLanes& joint, JointRow
   }
 }
 
-CAROM_LANES_INLINE Pushes all_of(const JointRun& run, const JointLanes& joint) {
+CAROM_SHARED_PART Pushes all_of(const JointRun& run, const JointLanes& joint) {
   Pushes pushes;
   for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
     pushes.add(run.rows[joint.first + k], run.rows[joint.first + k].p);
@@ -169,7 +169,7 @@ CAROM_LANES_INLINE Pushes all_of(const JointRun& run, const JointLanes& joint) {
 }
 
 /// Let impulses act on the bodies of a joint.
-CAROM_LANES_INLINE void push_both(const JointRun& run, const JointLanes& joint, const Pushes& pushes) {
+CAROM_SHARED_PART void push_both(const JointRun& run, const JointLanes& joint, const Pushes& pushes) {
   const auto push = [&](auto sides) __attribute__((always_inline)) {
     sides.push(pushes);
     sides.store(run);
