@@ -72,7 +72,7 @@ CAROM_LANES_INLINE Lanes whole_of(const JointLanes& joint, const LockLanes* lock
 /// L D L^T of the coupling of n rows.
 template <bool kTwoWays>
 CAROM_SHARED_PART void factor_rows(JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
-                                    const JointRowLanes* rows) {
+                                   const JointRowLanes* rows) {
   const int n = static_cast<int>(joint.layout.equalities);
   Lanes* const f = joint.factor;
   for (int k = 0; k < n; ++k) {
@@ -115,7 +115,7 @@ CAROM_SHARED_PART void solve_any(const JointLanes& joint, Lanes* x) {
 /// Effective mass of a drive, what is locked staying so.
 template <bool kTwoWays>
 CAROM_SHARED_PART void weigh(const JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
-                              const JointRowLanes* rows, JointDriveLanes& drive) {
+                             const JointRowLanes* rows, JointDriveLanes& drive) {
   RowResponse<kTwoWays> response;
   response.set(joint, locks, drive.row, pull);
   Lanes coupled[kMostRows], x[kMostRows];

@@ -72,7 +72,7 @@ struct JointPlacing {
 
   /// @param locked  some of the bodies are
   CAROM_SHARED_PART JointPlacing(JointLanes& j, const BodyShift* shift, bool locked, PullLanes* of_pulley,
-                                  GearLanes* of_gear)
+                                 GearLanes* of_gear)
       : joint(j),
         a(shift, j.a),
         b(shift, j.b),

@@ -145,8 +145,7 @@ CAROM_LANES_INLINE void visit_all(const PairLanesOf<Number>& pair, Lanes* goal, 
 ///
 /// @tparam kSpare  what will bounce in the next substep keeps the impulse that it has
 template <bool kPush, bool kSpare, int kCount, int kOneNormal, class Number>
-CAROM_LANES_INLINE void solve_normal(Both<Number>& both, PointLanesOf<Number>* points, Number inv_h,
-                                     Number push_speed) {
+CAROM_SHARED_PART void solve_normal(Both<Number>& both, PointLanesOf<Number>* points, Number inv_h, Number push_speed) {
   using Lanes = LanesOf<Number>;
   constexpr auto kUnder = static_cast<Number>(kUnderLoad.value);
   const PairLanesOf<Number>& pair = both.pair;
@@ -239,8 +238,8 @@ void solve(const LaneRunOf<Number>& run, double per_substep, double most_push) {
 
 /// Separations at all points of four pairs, at the present poses.
 template <int kCount, int kOneNormal, class Number>
-CAROM_LANES_INLINE void separate(const LaneRunOf<Number>& run, const PairLanesOf<Number>& pair,
-                                 PointLanesOf<Number>* points) {
+CAROM_SHARED_PART void separate(const LaneRunOf<Number>& run, const PairLanesOf<Number>& pair,
+                                PointLanesOf<Number>* points) {
   using Lanes = LanesOf<Number>;
   using LaneVec = LaneVecOf<Number>;
   const BothShifts<Number> shifts(run.shift, pair);
