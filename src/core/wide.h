@@ -41,6 +41,16 @@ using LaneMask =
 
 #define CAROM_LANES_INLINE [[gnu::always_inline]] inline
 
+/// A part of a kernel of which one copy would do. Natively each kernel has its own, in registers. A module that is
+/// downloaded (bindings/js/wasm/flags.cmake) has one, and its kernels find out in a loop what natively the compiler knows.
+#if defined(CAROM_FEW_COPIES)
+#define CAROM_SHARED_PART [[gnu::noinline]]
+inline constexpr bool kFewCopies = true;
+#else
+#define CAROM_SHARED_PART CAROM_LANES_INLINE
+inline constexpr bool kFewCopies = false;
+#endif
+
 /// A number that a compiler must have at hand before it spreads it over lanes. clang 14 for WebAssembly would load
 /// and spread it at
 /// once, and does so behind stores to where it was (bindings/js/wasm/flags.cmake).

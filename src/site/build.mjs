@@ -4,6 +4,7 @@ import { cpSync, existsSync, mkdirSync, rmSync } from "node:fs";
 
 const here = new URL(".", import.meta.url).pathname;
 const wasm = `${here}../../bindings/js/dist/carom.wasm`;
+const threads = `${here}../../bindings/js/dist/carom.threads.wasm`;
 const scenes = process.env.CAROM_SCENES ?? `${here}../../out/scenes`;
 for (const [file, remedy] of [
   [wasm, "cmake --preset wasm && cmake --build --preset wasm"],
@@ -16,7 +17,9 @@ for (const [file, remedy] of [
 rmSync(`${here}dist`, { recursive: true, force: true });
 mkdirSync(`${here}dist`, { recursive: true });
 await build({
-  entryPoints: [`${here}src/main.js`],
+  // Workers of a page with threads are a file of their own, beside the code that starts them.
+  entryPoints: [`${here}src/main.js`, `${here}../../bindings/js/src/thread_worker.js`],
+  entryNames: "[name]",
   outdir: `${here}dist`,
   splitting: true, // readers of files come when they are needed
   bundle: true,
@@ -29,5 +32,6 @@ await build({
 });
 for (const file of ["index.html", "style.css"]) cpSync(`${here}${file}`, `${here}dist/${file}`);
 cpSync(wasm, `${here}dist/carom.wasm`);
+if (existsSync(threads)) cpSync(threads, `${here}dist/carom.threads.wasm`); // for ?threads=
 cpSync(scenes, `${here}dist/scenes`, { recursive: true });
 console.log(`${here}dist is ready: npm run view`);

@@ -44,6 +44,6 @@ export function serve(port = 0, root = DIST, headers = {}) {
 }
 
 if (process.argv[1] === new URL(import.meta.url).pathname) {
-  const server = await serve(Number(process.argv[2] ?? 8011));
+  const server = await serve(Number(process.argv[2] ?? 8011), DIST, ISOLATED); // as `carom view` does
   console.log(`http://localhost:${server.address().port}/  (ctrl-C ends it)`);
 }

@@ -139,6 +139,20 @@ static void a_page_and_its_scene_are_served(void**) {
   assert_int_equal(viewer.end(SIGINT), 0);
 }
 
+/// The page, its scripts, workers and scenes, those that are missing, too: a page is isolated only if all of it is.
+static void pages_may_share_memory_between_threads(void**) {
+  const Folder folder;
+  Viewer viewer("--site " + folder.site() + " stacks --steps 1");
+  for (const char* path : {"/", "/index.html", "/scenes/index.json", "/scenes/stacks.world", "/none.js"}) {
+    const std::string answer = viewer.ask(path), headers = answer.substr(0, answer.find("\r\n\r\n"));
+    for (const char* header : {"Cross-Origin-Opener-Policy: same-origin", "Cross-Origin-Embedder-Policy: require-corp",
+                               "Cross-Origin-Resource-Policy: same-origin"}) {
+      if (headers.find(header) == std::string::npos) std::printf("%s has no %s\n", path, header);
+      assert_true(headers.find(header) != std::string::npos);
+    }
+  }
+}
+
 static void nothing_else_is_served(void**) {
   const Folder folder;
   Viewer viewer("--site " + folder.site());
@@ -226,8 +240,11 @@ static void without_its_library_it_says_what_to_install(void**) {
 
 int main() {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(a_page_and_its_scene_are_served), cmocka_unit_test(nothing_else_is_served),
-      cmocka_unit_test(scenes_are_made_on_demand),       cmocka_unit_test(recordings_are_served_as_they_are),
+      cmocka_unit_test(a_page_and_its_scene_are_served),
+      cmocka_unit_test(pages_may_share_memory_between_threads),
+      cmocka_unit_test(nothing_else_is_served),
+      cmocka_unit_test(scenes_are_made_on_demand),
+      cmocka_unit_test(recordings_are_served_as_they_are),
       cmocka_unit_test(what_is_missing_is_told),
   };
   const struct CMUnitTest without[] = {cmocka_unit_test(without_its_library_it_says_what_to_install),

@@ -5,15 +5,18 @@ option(CAROM_WASM_SIMD "Use WebAssembly's 128-bit registers: same bits, faster" 
 # `v = m * v` then reads what it has just written. Its vectorisers make such code of ours; core/wide.h hides its own
 # spreads.
 #
-# For size, but small functions are inlined and small loops unrolled as at -O2: steps take 2 % longer, NOTES.md has figures.
-# emscripten inlines nothing at -Os unless INLINING_LIMIT is 0. The boundary, which runs once a call, is inlined less.
+# For size, but small functions are inlined and small loops unrolled as at -O2: NOTES.md has figures. emscripten inlines
+# nothing at -Os unless INLINING_LIMIT is 0. What runs seldom, the boundary with it, is for size alone
+# (src/CMakeLists.txt): a step of the rest is slow at -Oz.
 set(CAROM_WASM_OPTIMISE -Os CACHE STRING "How the module is optimised: -Os, or -O2; -Oz is slow")
-set(inlined $<IF:$<STREQUAL:$<TARGET_PROPERTY:NAME>,carom>,50,225>)
+set(CAROM_WASM_SELDOM "-Oz -mllvm -inline-threshold=50" CACHE STRING "How what runs seldom is optimised")
 target_compile_options(carom_flags INTERFACE -fwasm-exceptions ${CAROM_WASM_OPTIMISE} -sINLINING_LIMIT=0
-  "SHELL:-mllvm -inline-threshold=${inlined}" "SHELL:-mllvm -unroll-threshold=150"
+  "SHELL:-mllvm -inline-threshold=225" "SHELL:-mllvm -unroll-threshold=150"
   "SHELL:-mllvm -unroll-runtime=false" "SHELL:-mllvm -unroll-allow-partial=false"
-  $<$<BOOL:${CAROM_WASM_SIMD}>:-msimd128> -fno-slp-vectorize -fno-vectorize)
+  $<$<BOOL:${CAROM_WASM_SIMD}>:-msimd128> -fno-slp-vectorize -fno-vectorize
+  "$<$<STREQUAL:$<TARGET_PROPERTY:NAME>,carom>:SHELL:${CAROM_WASM_SELDOM}>")
 target_link_options(carom_flags INTERFACE -fwasm-exceptions)
+target_compile_definitions(carom_flags INTERFACE CAROM_FEW_COPIES)  # core/wide.h: kernels share their parts
 # Preset wasm-threads: memory that workers share, and atomic instructions. CMakeLists.txt links the
 # module of it.
 option(CAROM_WASM_THREADS "Steps on several threads, where memory can be shared" OFF)

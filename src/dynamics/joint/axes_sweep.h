@@ -33,7 +33,7 @@ struct AxesPlacing : JointPlacing {
     return x * axes_a.x + (y * axes_a.y + z * axes_a.z);
   }
 
-  CAROM_LANES_INLINE void axis(int which, JointRowLanes& r) const {
+  CAROM_SHARED_PART void axis(int which, JointRowLanes& r) const {
     switch (which) {
       case 0:
         return along(r, axes_a.x, dot(axes_a.x, joint.gap));

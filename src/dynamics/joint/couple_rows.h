@@ -71,8 +71,8 @@ CAROM_LANES_INLINE Lanes whole_of(const JointLanes& joint, const LockLanes* lock
 
 /// L D L^T of the coupling of n rows.
 template <bool kTwoWays>
-CAROM_LANES_INLINE void factor_rows(JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
-                                    const JointRowLanes* rows) {
+CAROM_SHARED_PART void factor_rows(JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
+                                   const JointRowLanes* rows) {
   const int n = static_cast<int>(joint.layout.equalities);
   Lanes* const f = joint.factor;
   for (int k = 0; k < n; ++k) {
@@ -93,7 +93,7 @@ CAROM_LANES_INLINE void factor_rows(JointLanes& joint, const LockLanes* locks, c
   }
 }
 
-CAROM_LANES_INLINE void solve_any(const JointLanes& joint, Lanes* x) {
+CAROM_SHARED_PART void solve_any(const JointLanes& joint, Lanes* x) {
   switch (joint.layout.equalities) {
     case 1:
       return solve_coupled<1>(joint.factor, x);
@@ -114,8 +114,8 @@ CAROM_LANES_INLINE void solve_any(const JointLanes& joint, Lanes* x) {
 
 /// Effective mass of a drive, what is locked staying so.
 template <bool kTwoWays>
-CAROM_LANES_INLINE void weigh(const JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
-                              const JointRowLanes* rows, JointDriveLanes& drive) {
+CAROM_SHARED_PART void weigh(const JointLanes& joint, const LockLanes* locks, const PullLanes* pull,
+                             const JointRowLanes* rows, JointDriveLanes& drive) {
   RowResponse<kTwoWays> response;
   response.set(joint, locks, drive.row, pull);
   Lanes coupled[kMostRows], x[kMostRows];

@@ -63,15 +63,20 @@ struct JointSides {
   CAROM_LANES_INLINE void push(const JointRowLanes& r, Lanes p) { push({p * r.d, p * r.w_a, p * r.w_b, p}); }
 };
 
-template <bool kPush, int n, class Sides>
+/// @tparam kRows  how many there are; 0: the layout says so
+template <bool kPush, int kRows, class Sides>
 CAROM_LANES_INLINE void hold(Sides& sides, const JointLanes& joint, JointRowLanes* rows) {
-  Lanes x[n];
+  const int n = kRows ? kRows : static_cast<int>(joint.layout.equalities);
+  Lanes x[kRows ? kRows : kMostRows];
   for (int k = 0; k < n; ++k) {
     const JointRowLanes& r = rows[k];
     x[k] = sides.along(r);
     if constexpr (kPush) x[k] = joint.mass_scale * (x[k] + r.curve + joint.bias_rate * r.error);
   }
-  solve_coupled<n>(joint.factor, x);
+  if constexpr (kRows)
+    solve_coupled<kRows>(joint.factor, x);
+  else
+    solve_any(joint, x);
   Pushes pushes;
   for (int k = 0; k < n; ++k) {
     Lanes change = -x[k];
@@ -121,8 +126,8 @@ CAROM_LANES_INLINE void stop(Sides& sides, JointDriveLanes& drive) {
 
 /// @tparam kAxed  it may be a stop, or a spring whose target moves
 template <bool kPush, bool kAxed, class Sides>
-CAROM_LANES_INLINE void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
-                            double inv_h) {
+CAROM_SHARED_PART void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
+                           double inv_h) {
   if (kind == DriveKind::limit) return limit<kPush>(sides, joint, drive, inv_h);
   if constexpr (kAxed)
     if (kind == DriveKind::stop) return stop<kPush>(sides, drive);
@@ -140,7 +145,11 @@ CAROM_LANES_INLINE void act(Sides& sides, const JointLanes& joint, JointDriveLan
 }
 
 template <bool kPush, class Sides>
-CAROM_LANES_INLINE void hold_all(Sides& sides, const JointLanes& joint, JointRowLanes* rows) {
+CAROM_SHARED_PART void hold_all(Sides& sides, const JointLanes& joint, JointRowLanes* rows) {
+  if constexpr (kFewCopies) {
+    if (joint.layout.equalities) hold<kPush, 0>(sides, joint, rows);
+    return;
+  }
   switch (joint.layout.equalities) {
     case 1:
       return hold<kPush, 1>(sides, joint, rows);
@@ -159,7 +168,7 @@ CAROM_LANES_INLINE void hold_all(Sides& sides, const JointLanes& joint, JointRow
   }
 }
 
-CAROM_LANES_INLINE Pushes all_of(const JointRun& run, const JointLanes& joint) {
+CAROM_SHARED_PART Pushes all_of(const JointRun& run, const JointLanes& joint) {
   Pushes pushes;
   for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
     pushes.add(run.rows[joint.first + k], run.rows[joint.first + k].p);
@@ -169,7 +178,7 @@ CAROM_LANES_INLINE Pushes all_of(const JointRun& run, const JointLanes& joint) {
 }
 
 /// Let impulses act on the bodies of a joint.
-CAROM_LANES_INLINE void push_both(const JointRun& run, const JointLanes& joint, const Pushes& pushes) {
+CAROM_SHARED_PART void push_both(const JointRun& run, const JointLanes& joint, const Pushes& pushes) {
   const auto push = [&](auto sides) __attribute__((always_inline)) {
     sides.push(pushes);
     sides.store(run);

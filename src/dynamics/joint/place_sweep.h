@@ -71,8 +71,8 @@ struct JointPlacing {
   GearLanes* gear;  // of a gear; else null
 
   /// @param locked  some of the bodies are
-  CAROM_LANES_INLINE JointPlacing(JointLanes& j, const BodyShift* shift, bool locked, PullLanes* of_pulley,
-                                  GearLanes* of_gear)
+  CAROM_SHARED_PART JointPlacing(JointLanes& j, const BodyShift* shift, bool locked, PullLanes* of_pulley,
+                                 GearLanes* of_gear)
       : joint(j),
         a(shift, j.a),
         b(shift, j.b),
@@ -118,7 +118,7 @@ struct JointPlacing {
     r.curve = all(0);
   }
 
-  CAROM_LANES_INLINE JointRowLanes* part(JointPart which, JointRowLanes* r) const {
+  CAROM_SHARED_PART JointRowLanes* part(JointPart which, JointRowLanes* r) const {
     switch (which) {
       case JointPart::point: {
         const LaneVec e[3] = {{all(1), all(0), all(0)}, {all(0), all(1), all(0)}, {all(0), all(0), all(1)}};
@@ -213,7 +213,7 @@ struct JointPlacing {
     along(r, {apart ? d.x : axes_a.x.x, apart ? d.y : axes_a.x.y, apart ? d.z : axes_a.x.z}, far);
   }
 
-  CAROM_LANES_INLINE void coordinate(int which, JointRowLanes& r) const {
+  CAROM_SHARED_PART void coordinate(int which, JointRowLanes& r) const {
     switch (which) {
       case 0: {  // twist: its rate is omega . (x_a + x_b) / (1 + x_a.x_b)
         const LaneQuat t = conjugate(q_a) * q_b;

@@ -12,6 +12,15 @@
 namespace carom::dynamics {
 namespace {
 
+/// How many points a pair has, and how many one may have: as the compiler knows, or 0 where it does not.
+template <int kCount>
+inline constexpr int most_points = kCount ? kCount : kPairPoints;
+template <int kCount, class Number>
+CAROM_LANES_INLINE int points_of(const PairLanesOf<Number>& pair) {
+  if constexpr (kCount > 0) return kCount;
+  return static_cast<int>(pair.points);
+}
+
 template <class Number>
 struct Both;
 

@@ -14,6 +14,7 @@ namespace carom::dynamics {
 namespace {
 
 /// f(count, one_normal) as the pair has it, known to the compiler: points then stay in registers.
+/// Where few copies are wanted only the normals are: count is 0, @see points_of
 template <int n>
 struct Count {
   static constexpr int value = n;
@@ -21,23 +22,28 @@ struct Count {
 template <class Pair, class F>
 CAROM_LANES_INLINE void as_it_is(const Pair& pair, const F& f) {
   static_assert(kPairPoints == 4);
-  if (pair.one_normal) switch (pair.points) {
-      case 1:
-        return f(Count<1>(), Count<1>());
+  if constexpr (kFewCopies) {
+    if (pair.one_normal) return f(Count<0>(), Count<1>());
+    return f(Count<0>(), Count<0>());
+  } else {
+    if (pair.one_normal) switch (pair.points) {
+        case 1:
+          return f(Count<1>(), Count<1>());
+        case 2:
+          return f(Count<2>(), Count<1>());
+        case 3:
+          return f(Count<3>(), Count<1>());
+        default:
+          return f(Count<4>(), Count<1>());
+      }
+    switch (pair.points) {  // one point is always on the pair's normal
       case 2:
-        return f(Count<2>(), Count<1>());
+        return f(Count<2>(), Count<0>());
       case 3:
-        return f(Count<3>(), Count<1>());
+        return f(Count<3>(), Count<0>());
       default:
-        return f(Count<4>(), Count<1>());
+        return f(Count<4>(), Count<0>());
     }
-  switch (pair.points) {  // one point is always on the pair's normal
-    case 2:
-      return f(Count<2>(), Count<0>());
-    case 3:
-      return f(Count<3>(), Count<0>());
-    default:
-      return f(Count<4>(), Count<0>());
   }
 }
 
@@ -51,10 +57,11 @@ struct NormalImpulse {
   /// @param impulse  [kCount] N s
   CAROM_LANES_INLINE NormalImpulse(const PairLanesOf<Number>& pair, const PointLanesOf<Number>* points,
                                    const Lanes* impulse) {
+    const int count = points_of<kCount>(pair);
     if constexpr (kOneNormal) {
       Lanes sum = impulse[0];
       LaneVec arm = impulse[0] * points[0].d;
-      for (int k = 1; k < kCount; ++k) {
+      for (int k = 1; k < count; ++k) {
         sum += impulse[k];
         arm = arm + impulse[k] * points[k].d;
       }
@@ -62,7 +69,7 @@ struct NormalImpulse {
       moment = cross(arm, pair.n);
     } else {
       force = moment = {all<Number>(0), all<Number>(0), all<Number>(0)};
-      for (int k = 0; k < kCount; ++k) {
+      for (int k = 0; k < count; ++k) {
         const LaneVec p = impulse[k] * points[k].n;
         force = force + p;
         moment = moment + cross(points[k].d, p);
@@ -94,6 +101,40 @@ struct Closing {
   }
 };
 
+/// The visits of solve_normal() to the points of a pair.
+template <int kCount, class Number, class Lanes = LanesOf<Number>>
+CAROM_SHARED_PART void visit_points(const PairLanesOf<Number>& pair, Lanes* goal, const Lanes* gain, Lanes* impulse) {
+  Lanes take[kCount][kCount];  // of a point's goal, per impulse at another
+  for (int k = 0; k < kCount; ++k)
+    for (int l = 0; l < kCount; ++l)
+      if (k != l) take[k][l] = gain[l] * pair.coupling[coupling_of(k, l)];
+  const auto visit = [&](int k) __attribute__((always_inline)) {
+    const Lanes next = larger(goal[k], all<Number>(0)), d = next - impulse[k];
+    impulse[k] = next;
+    for (int l = 0; l < kCount; ++l)
+      if (l != k) goal[l] -= take[k][l] * d;
+  };
+  visit(0);
+  for (int i = 0; i < (kCount > 1 ? kInnerSweeps.value : 0);
+       ++i) {  // a point needs no second visit where the way turns
+    for (int k = 1; k < kCount; ++k) visit(k);
+    for (int k = kCount - 2; k >= 0; --k) visit(k);
+  }
+}
+template <class Number, class Lanes = LanesOf<Number>>
+CAROM_LANES_INLINE void visit_all(const PairLanesOf<Number>& pair, Lanes* goal, const Lanes* gain, Lanes* impulse) {
+  switch (pair.points) {
+    case 1:
+      return visit_points<1>(pair, goal, gain, impulse);
+    case 2:
+      return visit_points<2>(pair, goal, gain, impulse);
+    case 3:
+      return visit_points<3>(pair, goal, gain, impulse);
+    default:
+      return visit_points<4>(pair, goal, gain, impulse);
+  }
+}
+
 /// The normal law at all points of four pairs together: no pull, and no closing faster than the separation allows.
 /// Points of one pair depend on each other so much that one sweep over them leaves the bodies rocking; a few sweeps on
 /// the numbers that couple them cost less than one on the bodies.
@@ -104,14 +145,15 @@ struct Closing {
 ///
 /// @tparam kSpare  what will bounce in the next substep keeps the impulse that it has
 template <bool kPush, bool kSpare, int kCount, int kOneNormal, class Number>
-CAROM_LANES_INLINE void solve_normal(Both<Number>& both, PointLanesOf<Number>* points, Number inv_h,
-                                     Number push_speed) {
+CAROM_SHARED_PART void solve_normal(Both<Number>& both, PointLanesOf<Number>* points, Number inv_h, Number push_speed) {
   using Lanes = LanesOf<Number>;
   constexpr auto kUnder = static_cast<Number>(kUnderLoad.value);
   const PairLanesOf<Number>& pair = both.pair;
   const Closing<Number, kOneNormal> closing(both);
-  Lanes goal[kCount], gain[kCount], impulse[kCount], push[kCount];
-  for (int k = 0; k < kCount; ++k) {
+  constexpr int kMost = most_points<kCount>;
+  const int count = points_of<kCount>(pair);
+  Lanes goal[kMost], gain[kMost], impulse[kMost], push[kMost];
+  for (int k = 0; k < count; ++k) {
     const PointLanesOf<Number>& p = points[k];
     const Lanes u_n = closing.at(p), s = p.separation;
     const auto open = s > 0;
@@ -133,23 +175,11 @@ CAROM_LANES_INLINE void solve_normal(Both<Number>& both, PointLanesOf<Number>* p
       }
     }
   }
-  Lanes take[kCount][kCount];  // of a point's goal, per impulse at another
-  for (int k = 0; k < kCount; ++k)
-    for (int l = 0; l < kCount; ++l)
-      if (k != l) take[k][l] = gain[l] * pair.coupling[coupling_of(k, l)];
-  const auto visit = [&](int k) __attribute__((always_inline)) {
-    const Lanes next = larger(goal[k], all<Number>(0)), d = next - impulse[k];
-    impulse[k] = next;
-    for (int l = 0; l < kCount; ++l)
-      if (l != k) goal[l] -= take[k][l] * d;
-  };
-  visit(0);
-  for (int i = 0; i < (kCount > 1 ? kInnerSweeps.value : 0);
-       ++i) {  // a point needs no second visit where the way turns
-    for (int k = 1; k < kCount; ++k) visit(k);
-    for (int k = kCount - 2; k >= 0; --k) visit(k);
-  }
-  for (int k = 0; k < kCount; ++k) {
+  if constexpr (kCount)
+    visit_points<kCount>(pair, goal, gain, impulse);
+  else
+    visit_all(pair, goal, gain, impulse);
+  for (int k = 0; k < count; ++k) {
     PointLanesOf<Number>& p = points[k];
     push[k] = impulse[k] - push[k];
     p.p_n = impulse[k];
@@ -163,12 +193,20 @@ CAROM_LANES_INLINE void each_pair(const LaneRunOf<Number>& run, const Kernel& ke
   for (std::size_t i = 0; i < run.count; ++i) {
     PairLanesOf<Number>& pair = run.pairs[i];
     PointLanesOf<Number>* const points = run.points + pair.first;
-    as_it_is(
-        pair, [&](auto count, auto one_normal) __attribute__((always_inline)) {
-          Both<Number> both(pair, run);
-          kernel(pair, points, both, count, one_normal);
-          both.store(run);
-        });
+    if constexpr (kFewCopies) {
+      Both<Number> both(pair, run);
+      as_it_is(
+          pair, [&](auto count, auto one_normal)
+                    __attribute__((always_inline)) { kernel(pair, points, both, count, one_normal); });
+      both.store(run);
+    } else {
+      as_it_is(
+          pair, [&](auto count, auto one_normal) __attribute__((always_inline)) {
+            Both<Number> both(pair, run);
+            kernel(pair, points, both, count, one_normal);
+            both.store(run);
+          });
+    }
   }
 }
 
@@ -178,8 +216,8 @@ void warm_start(const LaneRunOf<Number>& run) {
       run, [&](const auto& pair, const auto* points, auto& both, auto count, auto one_normal)
                __attribute__((always_inline)) {
                  constexpr int kCount = decltype(count)::value;
-                 LanesOf<Number> impulse[kCount];
-                 for (int k = 0; k < kCount; ++k) impulse[k] = points[k].p_n;
+                 LanesOf<Number> impulse[most_points<kCount>];
+                 for (int k = 0; k < points_of<kCount>(pair); ++k) impulse[k] = points[k].p_n;
                  NormalImpulse<Number, kCount, decltype(one_normal)::value> solve_normal(pair, points, impulse);
                  solve_normal.force = solve_normal.force + pair.p_t * pair.t + pair.p_s * cross(pair.n, pair.t);
                  solve_normal.moment = solve_normal.moment + pair.p_w * pair.n;
@@ -200,19 +238,20 @@ void solve(const LaneRunOf<Number>& run, double per_substep, double most_push) {
 
 /// Separations at all points of four pairs, at the present poses.
 template <int kCount, int kOneNormal, class Number>
-CAROM_LANES_INLINE void separate(const LaneRunOf<Number>& run, const PairLanesOf<Number>& pair,
-                                 PointLanesOf<Number>* points) {
+CAROM_SHARED_PART void separate(const LaneRunOf<Number>& run, const PairLanesOf<Number>& pair,
+                                PointLanesOf<Number>* points) {
   using Lanes = LanesOf<Number>;
   using LaneVec = LaneVecOf<Number>;
   const BothShifts<Number> shifts(run.shift, pair);
   const LaneVec& moved = shifts.moved;
+  const int count = points_of<kCount>(pair);
   if constexpr (kOneNormal) {
     const LaneVec m_a = shifts.a.turned(pair.n), m_b = shifts.b.turned(pair.n), m = m_b - m_a;
     const Lanes round = pair.radius_a * dot(m_a, pair.n) + pair.radius_b * dot(m_b, pair.n);
     const Lanes middle = dot(moved, pair.n) + (dot(m_b, pair.r_b) - dot(m_a, pair.r_a)) + round;
-    for (int k = 0; k < kCount; ++k) points[k].separation = points[k].gap + (middle + dot(m, points[k].d));
+    for (int k = 0; k < count; ++k) points[k].separation = points[k].gap + (middle + dot(m, points[k].d));
   } else {
-    for (int k = 0; k < kCount; ++k) {
+    for (int k = 0; k < count; ++k) {
       PointLanesOf<Number>& p = points[k];
       const LaneVec m_a = shifts.a.turned(p.n), m_b = shifts.b.turned(p.n);
       const Lanes turned = dot(m_b, pair.r_b + p.d) - dot(m_a, pair.r_a + p.d);
@@ -241,7 +280,7 @@ void relax(const LaneRunOf<Number>& run, double per_substep) {
         // gave a part away.
         solve_normal<false, kSpare, kCount, kOneNormal>(both, points, inv_h, Number(0));
         solve_friction<kCount>(both, pair, points, run.drives);
-        add_to_sums(pair, points, kCount);
+        add_to_sums(pair, points, static_cast<std::uint32_t>(points_of<kCount>(pair)));
       });
 }
 

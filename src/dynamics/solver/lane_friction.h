@@ -95,19 +95,20 @@ CAROM_LANES_INLINE FrictionImpulse<Number> against(const PairLanesOf<Number>& pa
 /// allow. What slides and can't bear both together has them shortened to the bound on both, and goes on from there.
 /// Four that stick do not look at it, and what sticks beside what slides keeps its bits.
 template <int kCount, class Number>
-CAROM_LANES_INLINE void solve_friction(Both<Number>& both, PairLanesOf<Number>& pair,
-                                       const PointLanesOf<Number>* points, const DriveLanesOf<Number>* drives) {
+CAROM_SHARED_PART void solve_friction(Both<Number>& both, PairLanesOf<Number>& pair, const PointLanesOf<Number>* points,
+                                      const DriveLanesOf<Number>* drives) {
   using Lanes = LanesOf<Number>;
   const Lanes one = all<Number>(1), none = all<Number>(0);
   const LaneVecOf<Number> s = cross(pair.n, pair.t);
+  const int count = points_of<kCount>(pair);
   Lanes load = points[0].p_n, moment = points[0].reach * points[0].p_n;
-  for (int k = 1; k < kCount; ++k) {
+  for (int k = 1; k < count; ++k) {
     load += points[k].p_n;
     moment += points[k].reach * points[k].p_n;
   }
   const Bound<Number> bound = {pair.friction * load, pair.friction * moment};
   FrictionImpulse<Number> stops = {none, none, none};
-  if constexpr (kCount > 1) {  // one point has no reach, and bears no twist
+  if (count > 1) {  // one point has no reach, and bears no twist
     Lanes spin = dot(both.spin(), pair.n);
     if (pair.driven) spin += drives[pair.driven - 1].w;
     stops.w = larger(smaller(pair.p_w - pair.m_w * spin, bound.most_w), -bound.most_w);
@@ -121,7 +122,7 @@ CAROM_LANES_INLINE void solve_friction(Both<Number>& both, PairLanesOf<Number>& 
   const Lanes shorten = outside ? bound.most / square_root(outside ? size2 : one) : one;
   FrictionImpulse<Number> p = {shorten * stops.t, shorten * stops.s, stops.w};
   const FrictionImpulse<Number> borne = {pair.p_t, pair.p_s, stops.w};
-  if (kCount > 1 && pair.slides) {
+  if (count > 1 && pair.slides) {
     stops.w = pair.m_w > none ? stops.w : none;  // what can't turn leaves its force the whole bound
     const Lanes beyond2 = bound.beyond2(stops), slide = beyond2 > one ? pair.slide : none;
     if (some_slide(slide)) {
@@ -140,7 +141,7 @@ CAROM_LANES_INLINE void solve_friction(Both<Number>& both, PairLanesOf<Number>& 
   both.push(pair.r_a, pair.r_b, (p.t - borne.t) * pair.t + (p.s - borne.s) * s);
   pair.p_t = p.t;
   pair.p_s = p.s;
-  if constexpr (kCount > 1) pair.p_w = p.w;
+  if (count > 1) pair.p_w = p.w;
 }
 
 }  // namespace

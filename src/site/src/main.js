@@ -325,10 +325,24 @@ function controls() {
   new ResizeObserver(() => state.sims.length && redraw()).observe($("stage"));
 }
 
+/** The engine, with `?threads=4` or `?threads=auto` on so many threads, where the page may share memory: same bits. */
+async function engine() {
+  const alone = () => load(new URL("carom.wasm", document.baseURI)),
+    asked = new URLSearchParams(location.search).get("threads");
+  if (asked === null || asked === "1") return alone();
+  try {
+    const threads = asked === "auto" ? asked : Number(asked);
+    return await load({ threads, source: new URL("carom.threads.wasm", document.baseURI) });
+  } catch (error) {
+    if (asked !== "auto") say(`${error.message}; the page runs on one thread`);
+    return alone();
+  }
+}
+
 async function start() {
   if (matchMedia("(prefers-color-scheme: dark)").matches) document.documentElement.dataset.theme = "dark";
   const index = fetch("scenes/index.json");
-  carom = await load(new URL("carom.wasm", document.baseURI));
+  carom = await engine();
   rows = await (await index).json();
   listScenes($("scene"), rows);
   stage = new Stage($("view"));
@@ -362,7 +376,7 @@ async function start() {
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
   const first = (rows.find((row) => row.first) ?? rows.find((row) => row.name === "wall") ?? rows[0]).name;
   await open(wanted.scene ?? first, wanted.sides).catch(async (e) => (say(e.message), await open(first)));
-  if (location.search) {
+  if ([...new URLSearchParams(location.search).keys()].some((key) => key !== "threads")) {
     play(false);
     if (wanted.step)
       attempt(() => {
@@ -380,6 +394,7 @@ async function start() {
       return state.sims[0].hash();
     },
     state,
+    threads: carom.threads,
     seek,
     probe: (u, v) => pointer.probe(u, v),
     /** Geometries and textures that the graphics card holds. */

@@ -1,7 +1,7 @@
 // Headless Chromium on the built page, for the tests: CHROMIUM names the browser where it is not /usr/bin/chromium.
 import { existsSync } from "node:fs";
 import { chromium } from "playwright-core";
-import { serve } from "../serve.mjs";
+import { ISOLATED, serve } from "../serve.mjs";
 
 const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const built = existsSync(new URL("../dist/index.html", import.meta.url));
@@ -16,7 +16,7 @@ export class Browser {
 
   static async start() {
     const b = new Browser();
-    b.server = await serve(0);
+    b.server = await serve(0, undefined, ISOLATED); // as `carom view` does
     b.base = `http://localhost:${b.server.address().port}/`;
     b.browser = await chromium.launch({
       executablePath,

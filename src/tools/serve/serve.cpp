@@ -108,7 +108,10 @@ void run(const Site& site, std::uint16_t port, const std::function<void(std::uin
   });
   server.set_default_headers({{"Cache-Control", "no-cache"},
                               {"X-Content-Type-Options", "nosniff"},
-                              {"Cross-Origin-Resource-Policy", "same-origin"}});
+                              {"Cross-Origin-Resource-Policy", "same-origin"},
+                              // Isolated: the page's threads may share memory.
+                              {"Cross-Origin-Opener-Policy", "same-origin"},
+                              {"Cross-Origin-Embedder-Policy", "require-corp"}});
   server.set_payload_max_length(0);
   server.Get(".*",
              [&](const httplib::Request& request, httplib::Response& response) { respond(site, request, response); });

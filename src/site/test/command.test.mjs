@@ -1,0 +1,156 @@
+// The page as `carom view` serves it: what a newcomer does first. The command is CAROM, or that of a build folder.
+import { strict as assert } from "node:assert";
+import { spawn } from "node:child_process";
+import { existsSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { Browser, now, skip as unseen } from "./browser.mjs";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const command =
+  process.env.CAROM ?? [here("../../../build/demo/bin/carom"), here("../../../build/test/bin/carom")].find(existsSync);
+const skip = unseen || (!command && "no carom command: cmake --preset demo && cmake --build --preset demo");
+let browser;
+before(async () => {
+  if (!skip) browser = await Browser.start();
+});
+after(() => browser?.end());
+
+/** Its address, and how it is ended. */
+function view(...words) {
+  const child = spawn(command, ["view", "--site", here("../dist"), "--port", "0", ...words]);
+  return new Promise((ready, fail) => {
+    let said = "";
+    const hear = (some) => {
+      said += some;
+      const address = /http:\S+/.exec(said)?.[0];
+      if (address) ready({ address, end: () => child.kill("SIGINT") });
+    };
+    (child.stdout.on("data", hear), child.stderr.on("data", hear));
+    child.on("exit", () => fail(new Error(`carom view ${words.join(" ")}: ${said}`)));
+  });
+}
+const title = (page, text) => page.locator("#panel .lil-title", { hasText: text });
+const field = (page, text) => page.locator("#panel .lil-controller", { hasText: text });
+
+test("carom view: throw a ball, drag a dial, compare", { skip, timeout: 180000 }, async () => {
+  const { address, end } = await view();
+  const page = await browser.visit(address);
+  await page.waitForFunction(() => caromViewer.step > 3); // it plays by itself
+  const bodies = () => page.evaluate(() => caromViewer.state.sims[0].bodies.length);
+  const before = await bodies(),
+    box = await page.locator("#view").boundingBox();
+  await page.click('[data-tool="throw"]');
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  assert.equal(await bodies(), before + 1);
+  await page.click("#play");
+  const dial = () => page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps"));
+  const was = await dial(),
+    slider = await field(page, /^substeps/)
+      .first()
+      .locator(".lil-slider")
+      .boundingBox();
+  await page.mouse.move(slider.x + slider.width * 0.1, slider.y + slider.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(slider.x + slider.width * 0.6, slider.y + slider.height / 2, { steps: 4 });
+  await page.mouse.up();
+  assert.notEqual(await dial(), was, "the dial went along");
+  await field(page, "Compare").locator("input").check();
+  for (let i = 0; i < 3; ++i) await page.click("#step");
+  assert.deepEqual(await page.evaluate(() => caromViewer.state.sims.map((sim) => sim.bodies.length)), [
+    before + 1,
+    before + 1,
+  ]);
+  assert.equal((await now(page)).message, "");
+  (await page.close(), end());
+});
+
+test("the Scene button makes scenes of other numbers, with native bits", { skip, timeout: 300000 }, async (t) => {
+  const { address, end } = await view("stacks");
+  const page = await browser.visit(`${address}?scene=stacks&step=1`);
+  const rows = await page.evaluate(async () => (await fetch("scenes/index.json")).json()),
+    with_numbers = rows.filter((row) => row.knobs?.length);
+  await title(page, "Scene: its own numbers").click();
+  for (const { name } of with_numbers) {
+    await page.selectOption("#scene", name);
+    await page.waitForFunction((n) => caromViewer.state.row.name === n && !caromViewer.state.row.made, name);
+    await page.locator("#panel button", { hasText: "Make the scene anew" }).click();
+    await page.waitForFunction(() => caromViewer.state.row.made || !document.getElementById("message").hidden);
+    assert.equal((await now(page)).message, "", name);
+    await page.click("#step");
+    assert.equal((await now(page)).native, "true", name);
+  }
+  t.diagnostic(`${with_numbers.length} scenes`);
+  // Another number: fewer bodies.
+  await page.selectOption("#scene", "stacks");
+  await page.waitForFunction(() => caromViewer.state.row.name === "stacks" && !caromViewer.state.row.made);
+  const count = () => page.evaluate(() => caromViewer.state.sims[0].bodies.length);
+  const before = await count();
+  const n = field(page, /^n\b/).first().locator("input");
+  (await n.fill("2"), await n.press("Enter"));
+  await page.locator("#panel button", { hasText: "Make the scene anew" }).click();
+  await page.waitForFunction(() => caromViewer.state.row.made?.n === 2);
+  assert.ok((await count()) < before, `${await count()} bodies, ${before} before`);
+  (await page.close(), end());
+});
+
+test("carom view accuracy/slide: its truth, and A beside B with ghosts", { skip, timeout: 180000 }, async () => {
+  const { address, end } = await view("accuracy/slide", "--dial", "substeps=2");
+  const page = await browser.visit(address);
+  assert.equal(await page.evaluate(() => caromViewer.state.row.name), "accuracy_slide");
+  assert.equal(await page.inputValue("#scene"), "accuracy_slide");
+  await page.click("#play");
+  await field(page, "Compare").locator("input").check();
+  await page.evaluate(() => {
+    caromViewer.state.sims[1].do({ do: "dial", name: "substeps", value: 1 });
+    caromViewer.seek(0);
+  });
+  for (let i = 0; i < 20; ++i) await page.click("#step");
+  const seen = await page.evaluate(() => ({
+    ghosts: caromViewer.state.pictures.map(({ ghosts }) => ghosts.group.visible && ghosts.meshes.length > 0),
+    errors: caromViewer.state.pictures.map((picture) => picture.error()),
+    apart: caromViewer.state.difference[caromViewer.step],
+    labels: ["a", "b"].map((side) => document.getElementById(`label-${side}`).textContent),
+    told: document.getElementById("off").textContent,
+  }));
+  assert.deepEqual(seen.ghosts, [true, true]);
+  assert.ok(
+    seen.errors.every((error) => error > 0 && error < 0.1),
+    `${seen.errors}`,
+  );
+  assert.ok(seen.apart > 0, "fewer substeps end elsewhere");
+  assert.deepEqual(seen.labels, ["A", "B"]);
+  assert.equal(seen.told.match(/off the truth/g)?.length, 2, seen.told);
+  (await page.close(), end());
+});
+
+test("threads: the same bits, forwards, back and beside each other", { skip, timeout: 180000 }, async (t) => {
+  const { address, end } = await view("falling");
+  const page = await browser.visit(`${address}?threads=2&scene=falling&step=1`);
+  const there = await page.evaluate(async () => [crossOriginIsolated, (await fetch("carom.threads.wasm")).ok]);
+  assert.ok(there[0], "carom view isolates its page");
+  if (there[1]) {
+    assert.equal(await page.evaluate(() => caromViewer.threads), 2);
+    const got = await page.evaluate(() => {
+      const hashes = [];
+      for (let i = 0; i < 30; ++i) (caromViewer.state.sims[0].advance(), hashes.push(caromViewer.hash));
+      caromViewer.seek(12);
+      return [...hashes, caromViewer.hash];
+    });
+    const row = await page.evaluate(() => caromViewer.state.row.hashes);
+    assert.deepEqual(got, [...row.slice(2, 32), row[12]]);
+    await field(page, "Compare").locator("input").check();
+    await page.click("#step");
+    assert.deepEqual(await page.evaluate(() => caromViewer.state.sims.map((sim) => sim.hash())), [row[13], row[13]]);
+    const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+    assert.equal(await saved.failure(), null);
+    assert.equal((await now(page)).message, "");
+  } else t.diagnostic("carom.threads.wasm is not built");
+  await page.close();
+  const wrong = await browser.visit(`${address}?threads=many`);
+  assert.match((await now(wrong)).message, /whole number.*one thread/);
+  assert.equal(await wrong.evaluate(() => caromViewer.threads), 1);
+  (await wrong.close(), end());
+});
+
+test("no console error in all of this", { skip }, () => assert.deepEqual(browser.complaints(), []));
