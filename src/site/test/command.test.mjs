@@ -138,7 +138,7 @@ test("threads: the same bits, forwards, back and beside each other", { skip, tim
       return [...hashes, caromViewer.hash];
     });
     const row = await page.evaluate(() => caromViewer.state.row.hashes);
-    assert.deepEqual(got, [...row.slice(2, 32), row[12]]);
+    assert.deepEqual(got, [...Array.from({ length: 30 }, (_, i) => row[i + 2]), row[12]]);
     await field(page, "Compare").locator("input").check();
     await page.click("#step");
     assert.deepEqual(await page.evaluate(() => caromViewer.state.sims.map((sim) => sim.hash())), [row[13], row[13]]);
