@@ -102,8 +102,8 @@ test("carom view accuracy/slide: its truth, and A beside B with ghosts", { skip,
   await page.click("#play");
   await field(page, "Compare").locator("input").check();
   await page.evaluate(() => {
+    caromViewer.seek(0); // it played until now
     caromViewer.state.sims[1].do({ do: "dial", name: "substeps", value: 1 });
-    caromViewer.seek(0);
   });
   for (let i = 0; i < 20; ++i) await page.click("#step");
   const seen = await page.evaluate(() => ({
