@@ -1,7 +1,8 @@
 // The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
-import { load, Recording } from "carom";
+import { Recording } from "carom";
 import { AccuracyPanel } from "./accuracy.js";
 import { plotAll, plotCauses } from "./curves.js";
+import { engine } from "./engine.js";
 import { readLink, writeLink } from "./link.js";
 import { listScenes, made } from "./made.js";
 import { opened } from "./opened.js";
@@ -325,24 +326,10 @@ function controls() {
   new ResizeObserver(() => state.sims.length && redraw()).observe($("stage"));
 }
 
-/** The engine, with `?threads=4` or `?threads=auto` on so many threads, where the page may share memory: same bits. */
-async function engine() {
-  const alone = () => load(new URL("carom.wasm", document.baseURI)),
-    asked = new URLSearchParams(location.search).get("threads");
-  if (asked === null || asked === "1") return alone();
-  try {
-    const threads = asked === "auto" ? asked : Number(asked);
-    return await load({ threads, source: new URL("carom.threads.wasm", document.baseURI) });
-  } catch (error) {
-    if (asked !== "auto") say(`${error.message}; the page runs on one thread`);
-    return alone();
-  }
-}
-
 async function start() {
   if (matchMedia("(prefers-color-scheme: dark)").matches) document.documentElement.dataset.theme = "dark";
   const index = fetch("scenes/index.json");
-  carom = await engine();
+  carom = await engine(say);
   rows = await (await index).json();
   listScenes($("scene"), rows);
   stage = new Stage($("view"));

@@ -102,8 +102,8 @@ test("carom view accuracy/slide: its truth, and A beside B with ghosts", { skip,
   await page.click("#play");
   await field(page, "Compare").locator("input").check();
   await page.evaluate(() => {
+    caromViewer.seek(0); // it played until now
     caromViewer.state.sims[1].do({ do: "dial", name: "substeps", value: 1 });
-    caromViewer.seek(0);
   });
   for (let i = 0; i < 20; ++i) await page.click("#step");
   const seen = await page.evaluate(() => ({
@@ -138,7 +138,7 @@ test("threads: the same bits, forwards, back and beside each other", { skip, tim
       return [...hashes, caromViewer.hash];
     });
     const row = await page.evaluate(() => caromViewer.state.row.hashes);
-    assert.deepEqual(got, [...row.slice(2, 32), row[12]]);
+    assert.deepEqual(got, [...Array.from({ length: 30 }, (_, i) => row[i + 2]), row[12]]);
     await field(page, "Compare").locator("input").check();
     await page.click("#step");
     assert.deepEqual(await page.evaluate(() => caromViewer.state.sims.map((sim) => sim.hash())), [row[13], row[13]]);
