@@ -105,6 +105,13 @@ test(
         const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
         assert.ok(wide <= 0, `${path} at ${width} px is ${wide} px too wide`);
       }
+      await page.waitForSelector("#search input");
+      const hint = await page.evaluate(() => {
+        const style = getComputedStyle(document.querySelector("#search input"), "::placeholder"),
+          dim = getComputedStyle(document.querySelector(".version")).color;
+        return { opacity: style.opacity, color: style.color, dim };
+      });
+      assert.deepEqual([hint.opacity, hint.color], ["1", hint.dim]); // what the field is for can be read
       await page.fill("#search input", "restitution");
       await page.waitForSelector(".pagefind-ui__result-link");
       await page.click(".pagefind-ui__result-link >> nth=0");
