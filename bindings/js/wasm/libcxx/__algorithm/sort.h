@@ -5,8 +5,8 @@
 #pragma once
 
 #include <__algorithm/comp_ref_type.h>
-#include <__config>
 #include <__utility/move.h>
+#include <__config>
 
 _LIBCPP_BEGIN_NAMESPACE_STD
 template <class Wrapped, class Item>
