@@ -1,7 +1,7 @@
 // MuJoCo in a module. What hangs together by joints is a tree of ball and slide joints, as its users build it, in
 // coordinates that cannot gape; a ball joint that would close a loop is an equality constraint. A motor is a force that
-// falls to nothing at the motor's speed: the damping of its joint, which MuJoCo takes implicitly. Friction and restitution are those of
-// the comparison, put into each contact after it is found: MuJoCo itself takes the larger coefficient of two, and knows
+// falls to nothing at its speed: by its joint's damping, which is implicit. Friction and restitution are those of the
+// comparison, put into each contact after it is found: MuJoCo itself takes the larger coefficient of two, and knows
 // springs and dampers where others know restitution. Dials: integrator (0 Euler, 1 RK4: for scenes without contacts, as
 // it asks for contacts behind our back), substeps, solref (s, of contacts that do not bounce), impratio, noslip
 // (iterations), iterations, bounce_steps (steps that a bounce takes).
