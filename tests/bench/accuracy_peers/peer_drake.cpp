@@ -1,7 +1,8 @@
 // Drake in a module. Its wheel has no headers, so a child process runs drake_server.py, which builds worlds and steps
-// them, and tells the CPU time of each step. Joints are a tree of ball and prismatic joints in reduced coordinates; a ball
-// joint that closes a loop is a constraint, of discrete plants alone. Boxes, capsules and cylinders touch half-spaces and
-// each other by hydroelastic patches, since a point a pair is all that they have otherwise; balls touch by points.
+// them, and tells the CPU time of each step. Joints are a tree of ball and prismatic joints in reduced coordinates; a
+// ball joint that closes a loop is a constraint, of discrete plants alone. Boxes, capsules and cylinders touch
+// half-spaces and each other by hydroelastic patches, since a point a pair is all that they have otherwise; balls touch
+// by points.
 // Dials: approximation (of a discrete plant: 0 lagged, 1 similar, 2 SAP, 3 TAMSI), integrator (of a continuous one: 1
 // CENIC, 2 implicit Euler, 3 Radau, 4 and 5 Runge-Kutta of those orders; 0: the plant is discrete), accuracy, substeps,
 // modulus (Pa, of patches; 0: points), resolution (of the patches of capsules and cylinders, in radii; 0: they touch by
