@@ -106,7 +106,8 @@ std::string note_on(const std::string& engine) {
     return "the Python wheel drake, a process of its own that tells its CPU time; joints as trees of ball and "
            "prismatic joints in reduced coordinates, a motor as a force and its joint's damping; boxes, capsules and "
            "cylinders by hydroelastic patches, balls by points; friction the comparison's; restitution by a spring and "
-           "damper (SAP) over 10 steps; where an integrator has its own steps by a spring alone, over 1 ms (CENIC: 10 ms), and none but 0 and 1";
+           "damper (SAP) over 10 steps; where an integrator has its own steps by a spring alone, over 1 ms "
+           "(CENIC: 10 ms), and none but 0 and 1";
   if (engine.starts_with("Rapier"))
     return "the crate rapier3d-f64; a wide box in the place of a half-space, no sleeping, impulse joints, "
            "motors that hold their speed up to their force, frictions by their geometric mean, the larger restitution";
