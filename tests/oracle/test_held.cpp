@@ -2,6 +2,7 @@
 // friction does not. Written for solutions that go on from step to step (solver/direct/least_force.cpp).
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "carom_test.h"
 #include "joint_scenes.h"
@@ -62,8 +63,7 @@ static void what_friction_bears_stays(void**) {
     const Shape* shape = g.t.keep(c.round ? cylinder(0.03, 0.03) : box(Vec3::constant(0.03)));
     g.held = g.t.add(shape, Vec3(0, 1, 0), BodyType::dynamic, Quat::identity(), material);
     const Real force = c.times * g.mass() * kG / (c.friction * c.pads);
-    for (int k = 0; k < c.pads; ++k)
-      g.add_pad(2 * std::acos(Real(-1)) * k / c.pads, 0.03, Vec3(0, 1, 0), force, material);
+    for (int k = 0; k < c.pads; ++k) g.add_pad(2 * std::numbers::pi * k / c.pads, 0.03, Vec3(0, 1, 0), force, material);
     const Real creep = g.creep(2, c.dt), most = borne_creep(g, 2);
     std::printf("%d pads, %s, solver %d, %g times, %.0f Hz: %.2e of %.2e m\n", c.pads, c.round ? "cylinder" : "box",
                 c.solver, c.times, 1 / c.dt, creep, most);
@@ -82,7 +82,7 @@ static void what_friction_does_not_bear_slides(void**) {
             g.t.add(g.t.keep(box(Vec3(0.03, 0.4, 0.03))), Vec3(0, 1, 0), BodyType::dynamic, Quat::identity(), material);
         g.t.world.set_gravity(Vec3::zero());
         const Real force = share * g.mass() * kG / (2 * 0.5);
-        for (int k = 0; k < 2; ++k) g.add_pad(std::acos(Real(-1)) * k, 0.03, Vec3(0, 1, 0), force, material);
+        for (int k = 0; k < 2; ++k) g.add_pad(std::numbers::pi * k, 0.03, Vec3(0, 1, 0), force, material);
         g.t.run(static_cast<int>(std::lround(kSettled / dt)), dt);  // pads are closed
         g.t.world.set_gravity(Vec3(0, -kG, 0));
         const Real from = g.t.world.state.x[g.held].y(), time = 0.2;

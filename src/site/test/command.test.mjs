@@ -4,7 +4,7 @@ import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { Browser, now, skip as unseen } from "./browser.mjs";
+import { Browser, field, now, skip as unseen, title } from "./browser.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const command =
@@ -30,8 +30,6 @@ function view(...words) {
     child.on("exit", () => fail(new Error(`carom view ${words.join(" ")}: ${said}`)));
   });
 }
-const title = (page, text) => page.locator("#panel .lil-title", { hasText: text });
-const field = (page, text) => page.locator("#panel .lil-controller", { hasText: text });
 
 test("carom view: throw a ball, drag a dial, compare", { skip, timeout: 180000 }, async () => {
   const { address, end } = await view();
@@ -69,9 +67,9 @@ test("the Scene button makes scenes of other numbers, with native bits", { skip,
   const { address, end } = await view("stacks");
   const page = await browser.visit(`${address}?scene=stacks&step=1`);
   const rows = await page.evaluate(async () => (await fetch("scenes/index.json")).json()),
-    with_numbers = rows.filter((row) => row.knobs?.length);
+    numbered = rows.filter((row) => row.knobs?.length);
   await title(page, "Scene: its own numbers").click();
-  for (const { name } of with_numbers) {
+  for (const { name } of numbered) {
     await page.selectOption("#scene", name);
     await page.waitForFunction((n) => caromViewer.state.row.name === n && !caromViewer.state.row.made, name);
     await page.locator("#panel button", { hasText: "Make the scene anew" }).click();
@@ -80,7 +78,7 @@ test("the Scene button makes scenes of other numbers, with native bits", { skip,
     await page.click("#step");
     assert.equal((await now(page)).native, "true", name);
   }
-  t.diagnostic(`${with_numbers.length} scenes`);
+  t.diagnostic(`${numbered.length} scenes`);
   // Another number: fewer bodies.
   await page.selectOption("#scene", "stacks");
   await page.waitForFunction(() => caromViewer.state.row.name === "stacks" && !caromViewer.state.row.made);

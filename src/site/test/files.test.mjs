@@ -7,7 +7,7 @@ import { readFile, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser, now, skip } from "./browser.mjs";
+import { Browser, field, now, skip, title } from "./browser.mjs";
 
 const carom = ["test", "demo"]
   .map((p) => new URL(`../../../build/${p}/bin/carom`, import.meta.url).pathname)
@@ -201,8 +201,8 @@ test(
       // Scenes of other numbers are made by the command.
       await page.selectOption("#scene", "stacks");
       await page.waitForFunction(() => caromViewer.state.row.name === "stacks");
-      await page.locator("#panel .lil-title", { hasText: "its own numbers" }).click();
-      await page.locator("#panel .lil-controller", { hasText: /^n$/ }).locator("input").first().fill("2");
+      await title(page, "its own numbers").click();
+      await field(page, /^n$/).locator("input").first().fill("2");
       await page.keyboard.press("Enter");
       await page.locator("#panel button", { hasText: "Make the scene anew" }).click();
       await page.waitForFunction(() => caromViewer.state.row.made?.n === 2);

@@ -6,7 +6,7 @@ import { mkdtemp, readFile, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser, now, skip } from "./browser.mjs";
+import { Browser, field, now, skip, title } from "./browser.mjs";
 
 const STEPS = Number(process.env.CAROM_SITE_STEPS ?? 30);
 let browser, scenes;
@@ -114,8 +114,7 @@ test("dials, presets, plan, drawings, comparison", { skip, timeout: 180000 }, as
   const preset = page.locator("#panel select").first();
   await preset.selectOption({ label: "accurate" });
   assert.notEqual(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 2);
-  await page
-    .locator("#panel .lil-controller", { hasText: /^substeps/ })
+  await field(page, /^substeps/)
     .first()
     .locator("input")
     .fill("3");
@@ -134,12 +133,12 @@ test("dials, presets, plan, drawings, comparison", { skip, timeout: 180000 }, as
     return [step, [...causes.values()].filter((list) => Number.isFinite(list[step - 1])).length];
   });
   assert.ok(sums[1] > 10, `${sums}`);
-  await page.locator("#panel .lil-title", { hasText: "Draw" }).click();
+  await title(page, "Draw").click();
   for (const name of ["contacts", "bounds", "outlines", "frames", "islands"])
-    await page.locator("#panel .lil-controller", { hasText: name }).last().locator("input").check();
+    await field(page, name).last().locator("input").check();
   await page.click("#step");
   assert.ok(await page.evaluate(() => caromViewer.state.pictures[0].lines.geometry.drawRange.count > 100));
-  await page.locator("#panel .lil-controller", { hasText: "Compare" }).locator("input").check();
+  await field(page, "Compare").locator("input").check();
   assert.equal(await page.evaluate(() => caromViewer.state.sims.length), 2);
   await page.evaluate(() => caromViewer.state.sims[1].do({ do: "dial", name: "substeps", value: 1 }));
   for (let i = 0; i < 10; ++i) await page.evaluate(() => document.getElementById("step").click());
@@ -193,7 +192,7 @@ test(
     assert.equal(await other.locator("#accuracy-slider").inputValue(), "-5");
     await other.close();
     // In a comparison each side has its own.
-    await page.locator("#panel .lil-controller", { hasText: "Compare" }).locator("input").check();
+    await field(page, "Compare").locator("input").check();
     await page.selectOption("#accuracy-side", "1");
     await page.uncheck("#accuracy-on");
     const sides = await page.evaluate(() => caromViewer.state.sims.map((sim) => sim.world.accuracy?.place ?? null));

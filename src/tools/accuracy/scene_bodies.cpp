@@ -2,10 +2,9 @@
 #include "accuracy/scene_bodies.h"
 
 namespace carom::tools::accuracy {
-namespace {
 
-std::size_t add(Stage& stage, const std::string& shape, std::vector<double> params, const Vec& position, double mass,
-                const Surface& surface, const Vec& velocity, const Quat& orientation) {
+std::size_t add_solid(Stage& stage, const std::string& shape, std::vector<double> params, const Vec& position,
+                      double mass, const Surface& surface, const Vec& velocity, const Quat& orientation) {
   Actor actor;
   actor.kind = shape;
   actor.name = shape + " " + std::to_string(stage.actors.size());
@@ -22,17 +21,15 @@ std::size_t add(Stage& stage, const std::string& shape, std::vector<double> para
   return stage.add(std::move(actor));
 }
 
-}  // namespace
-
 std::size_t add_ball(Stage& stage, const Vec& position, double radius, double mass, const Surface& surface,
                      const Vec& velocity) {
-  return add(stage, "sphere", {radius}, position, mass, surface, velocity, Quat::Identity());
+  return add_solid(stage, "sphere", {radius}, position, mass, surface, velocity, Quat::Identity());
 }
 
 std::size_t add_box(Stage& stage, const Vec& position, const Vec& half_extents, double mass, const Surface& surface,
                     const Vec& velocity, const Quat& orientation) {
-  return add(stage, "box", {half_extents.x(), half_extents.y(), half_extents.z()}, position, mass, surface, velocity,
-             orientation);
+  return add_solid(stage, "box", {half_extents.x(), half_extents.y(), half_extents.z()}, position, mass, surface,
+                   velocity, orientation);
 }
 
 void set_moving(Stage& stage, std::size_t actor, const Vec& velocity, const Vec& spin) {

@@ -9,7 +9,10 @@ struct Surface {
   double friction = 0, restitution = 0;
 };
 
-/// @return index into stage.actors
+/// A body of one shape.   @return index into stage.actors; likewise below
+std::size_t add_solid(Stage& stage, const std::string& shape, std::vector<double> params, const Vec& position,
+                      double mass, const Surface& surface, const Vec& velocity = Vec::Zero(),
+                      const Quat& orientation = Quat::Identity());
 std::size_t add_ball(Stage& stage, const Vec& position, double radius, double mass, const Surface& surface,
                      const Vec& velocity = Vec::Zero());
 std::size_t add_box(Stage& stage, const Vec& position, const Vec& half_extents, double mass, const Surface& surface,

@@ -43,23 +43,6 @@ Vec spin_of(const Stage& stage, std::size_t actor) {
   return Vec(&velocities[6 * actor + 3]);
 }
 
-void weightless(Stage& stage) {
-  const double none[3] = {0, 0, 0};
-  carom_world_set_gravity(stage.world.get(), none, nullptr);
-}
-
-/// A body of one shape, 2 kg.   @param along  where its y axis points
-std::size_t add_solid(Stage& stage, const char* shape, const std::vector<double>& params, const Vec& at,
-                      const Vec& along = Vec::UnitY()) {
-  tools::Actor actor;
-  actor.kind = actor.name = shape, actor.position = at, actor.mass = 2;
-  actor.orientation = Quat::FromTwoVectors(Vec::UnitY(), along);
-  tools::Part part;
-  part.shape = shape, part.params = params, part.friction = 0.5;
-  actor.parts.push_back(part);
-  return stage.add(std::move(actor));
-}
-
 /// Solids that stand or lie on the ground stay at their height, where the engine has them.
 void check_solids(tools::Engine& engine, const PeerEngine& peer, Judge& judge) {
   struct Case {
@@ -76,7 +59,8 @@ void check_solids(tools::Engine& engine, const PeerEngine& peer, Judge& judge) {
   for (const Case& c : cases) {
     Stage stage(engine);
     add_ground(stage, 0.5);
-    const std::size_t body = add_solid(stage, c.shape, c.params, Vec(0, c.height, 0), c.along);
+    const std::size_t body = add_solid(stage, c.shape, c.params, Vec(0, c.height, 0), 2, {0.5, 0}, Vec::Zero(),
+                                       Quat::FromTwoVectors(Vec::UnitY(), c.along));
     try {
       PeerMover mover(stage, peer, {});
       run(stage, mover, {}, kSteps / 4);
@@ -95,7 +79,7 @@ void check_sliders(tools::Engine& engine, const PeerEngine& peer, Judge& judge) 
   for (const bool world_first : {true, false})
     for (const bool has_motor : {true, false}) {
       Stage stage(engine);
-      weightless(stage);
+      set_gravity(stage, 0);
       const std::size_t body = add_link(stage, "sledge", Vec(1, 2, 3), 2, Vec(0.02, 0.03, 0.04), {}, turned);
       const carom_body moved = stage.actors[body].body;
       const carom_joint rail = join(stage, CAROM_JOINT_SLIDER, world_first ? CAROM_NULL_HANDLE : moved,
@@ -137,7 +121,7 @@ std::vector<std::string> unfair(tools::Engine& engine, const PeerEngine& peer) {
   }
   {  // Mass: 6 N on 3 kg for a second.
     Stage stage(engine);
-    weightless(stage);
+    set_gravity(stage, 0);
     const std::size_t box = add_box(stage, Vec(0, 0, 0), Vec(0.1, 0.2, 0.3), 3, {});
     PeerMover mover(stage, peer, {});
     run(stage, mover, {{box, Vec(0, 0, 6)}});

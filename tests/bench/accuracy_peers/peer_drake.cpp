@@ -235,21 +235,13 @@ class DrakeWorld : public PeerWorld {
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine() {
-  const auto make = [](const WorldPlan& plan) -> PeerWorld* {
-    try {
-      return new DrakeWorld(plan);
-    } catch (const std::exception& error) {  // no exception crosses a link namespace
-      std::fprintf(stderr, "%s\n", error.what());
-      return nullptr;
-    }
-  };
   static std::string name;
   try {
     name = "Drake " + server()->version() + " (double)";
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
   }
-  return {name.empty() ? nullptr : name.c_str(), make, [] { return std::size_t(0); }};
+  return {name.empty() ? nullptr : name.c_str(), make_or_tell<DrakeWorld>, [] { return std::size_t(0); }};
 }
 
 }  // namespace carom::bench

@@ -385,16 +385,8 @@ class MujocoWorld : public PeerWorld {
 extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine() {
   mju_user_warning = [](const char*) {};
   mju_user_error = [](const char* what) { throw std::runtime_error(std::string("MuJoCo: ") + what); };
-  const auto make = [](const WorldPlan& plan) -> PeerWorld* {
-    try {
-      return new MujocoWorld(plan);
-    } catch (const std::exception& error) {  // no exception crosses a link namespace
-      std::fprintf(stderr, "%s\n", error.what());
-      return nullptr;
-    }
-  };
   static const std::string name = "MuJoCo " + std::string(mj_versionString()) + " (double)";
-  return {name.c_str(), make, [] { return std::size_t(0); }};
+  return {name.c_str(), make_or_tell<MujocoWorld>, [] { return std::size_t(0); }};
 }
 
 }  // namespace carom::bench

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <exception>
 
 namespace carom::bench {
 
@@ -106,5 +108,16 @@ struct PeerEngine {
   std::size_t threads = 1;      // as many as a step can use
 };
 using PeerModule = PeerEngine (*)();
+
+/// PeerEngine::make of an engine whose world may throw: no exception crosses a link namespace.
+template <class World>
+PeerWorld* make_or_tell(const WorldPlan& plan) {
+  try {
+    return new World(plan);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return nullptr;
+  }
+}
 
 }  // namespace carom::bench

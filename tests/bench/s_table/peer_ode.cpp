@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <deque>
 #include <map>
 #include <stdexcept>
@@ -136,10 +135,11 @@ class OdeWorld : public PeerWorld {
   /// Its position is that of its first body, from where the other one is now.
   void add_slider(const JointPlan& j, dBodyID a, dBodyID b) {
     const double* q = j.axes_on_b;
-    const double x[3] = {1 - 2 * (q[1] * q[1] + q[2] * q[2]), 2 * (q[0] * q[1] + q[2] * q[3]),
-                         2 * (q[0] * q[2] - q[1] * q[3])};
+    const dQuaternion turn = {q[3], q[0], q[1], q[2]};
+    dMatrix3 axes;
+    dQtoR(turn, axes);
     dVector3 axis;
-    dBodyVectorToWorld(b, x[0], x[1], x[2], axis);
+    dBodyVectorToWorld(b, axes[0], axes[4], axes[8], axis);
     const dJointID joint = dJointCreateSlider(world_, nullptr);
     dJointAttach(joint, b, a);
     dJointSetSliderAxis(joint, axis[0], axis[1], axis[2]);
@@ -263,15 +263,7 @@ extern "C" __attribute__((visibility("default"))) PeerEngine carom_bench_engine(
   dSetFreeHandler([](void* block, dsizeint) { counted_free(block); });
   dInitODE2(0);
   dAllocateODEDataForThread(dAllocateMaskAll);
-  const auto make = [](const WorldPlan& plan) -> PeerWorld* {
-    try {
-      return new OdeWorld(plan);
-    } catch (const std::exception& error) {  // no exception crosses a link namespace
-      std::fprintf(stderr, "%s\n", error.what());
-      return nullptr;
-    }
-  };
-  return {"ODE 0.16 (double)", make, [] { return live_bytes.load(); }};
+  return {"ODE 0.16 (double)", make_or_tell<OdeWorld>, [] { return live_bytes.load(); }};
 }
 
 }  // namespace carom::bench
