@@ -39,7 +39,7 @@ class Types:
 def declarations(api):
     types = Types(api)
     out = ['"""ctypes declarations of include/carom. Written by bindings/gen/generate from include/carom; do not edit."""',
-           f"from ctypes import {IMPORTED}", "", f"VERSION = {api['version']!r}", "", "# constants"]
+           f"from ctypes import {IMPORTED}", "", f"VERSION = {api['version']!r}", f"SONAME = {api['soname']!r}", "", "# constants"]
     out += [f"{c['name']} = {c['value']!r}" for c in api["constants"]]
     out += ["", "# handles"] + [f"{h['name']} = c_uint64" for h in api["handles"]]
     out += ["", "# callbacks"]

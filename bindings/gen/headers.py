@@ -221,24 +221,27 @@ def add_since(api):
     version = lambda text: tuple(int(part) for part in text.split("."))  # noqa: E731
     oldest = {}
     for function in api["functions"]:
-        function["since"] = function["since"] or "1.0"
+        function["since"] = function["since"] or "0.9"
         oldest[function["header"]] = min(function["since"], oldest.get(function["header"], function["since"]), key=version)
     for kind in ("constants", "handles", "opaque", "callbacks", "structs"):
         for thing in api[kind]:
-            thing["since"] = thing["since"] or oldest.get(thing["header"], "1.0")
+            thing["since"] = thing["since"] or oldest.get(thing["header"], "0.9")
             for field in thing.get("fields", ()):
                 field["since"] = field["since"] or thing["since"]
 
 
 def read_api(folder):
     """@param folder include/carom   @return the dictionary of bindings/api.json"""
-    api = {"version": "", "headers": [], "handles": [], "opaque": [], "constants": [], "callbacks": [], "structs": [],
+    api = {"version": "", "soname": "", "headers": [], "handles": [], "opaque": [], "constants": [], "callbacks": [], "structs": [],
            "functions": []}
     umbrella = "carom.h"
     for path in sorted(Path(folder).glob("*.h"), key=lambda p: (p.name != "base.h", p.name == umbrella, p.name)):
         Header(path, api)
     values = {c["name"]: c["value"] for c in api["constants"]}
     api["version"] = ".".join(str(values[f"CAROM_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
+    # What a loader looks for: before 1.0 a minor version may break clients (src/CMakeLists.txt).
+    major, minor, _ = api["version"].split(".")
+    api["soname"] = "libcarom.so." + (major if major != "0" else f"0.{minor}")
     add_since(api)
     add_statuses(api)
     lay_out(api)

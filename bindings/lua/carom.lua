@@ -1,6 +1,6 @@
 -- Carom for LuaJIT: the C interface under its own names, checked against the library that is loaded.
 --
---   local carom = require("carom").load("/path/of/libcarom.so.1")
+--   local carom = require("carom").load("/path/of/libcarom.so.0.9")
 --   local engine = carom.out("carom_engine *")
 --   carom.check("carom_engine_create", nil, engine)            -- raises an error with message and remedy
 --   carom.lib.carom_result_name(-1), carom.CAROM_E_BUSY, ...   -- everything else as in C

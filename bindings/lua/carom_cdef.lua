@@ -356,8 +356,8 @@ int32_t carom_world_overlap_shapes(carom_world *world, const carom_query_shapes 
 int32_t carom_world_find_nearest(carom_world *world, const carom_query_shapes *shapes, double reach, const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride, carom_error *error);
 ]]
 return {
-  CAROM_VERSION_MAJOR = 1,
-  CAROM_VERSION_MINOR = 0,
+  CAROM_VERSION_MAJOR = 0,
+  CAROM_VERSION_MINOR = 9,
   CAROM_VERSION_PATCH = 0,
   CAROM_OK = 0,
   CAROM_E_NULL_ARGUMENT = -1,
@@ -706,6 +706,6 @@ return {
   CAROM_WANT_ANY = 1,
   CAROM_ASK_GENERIC = 1,
   CAROM_ASK_SENSORS = 2,
-  VERSION = "1.0.0",
+  VERSION = "0.9.0",
   ROWS = 654, -- of the layout manifest
 }

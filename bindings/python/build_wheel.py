@@ -4,6 +4,7 @@
 
 Needs setuptools and wheel (Debian: python3-setuptools python3-wheel). CMake: the target `python_wheel`.
 """
+import re
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,12 @@ import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+
+
+def soname():
+    """What carom/raw.py looks for: one line of what bindings/gen writes, read without loading a library."""
+    text = (HERE / "carom" / "_c.py").read_text(encoding="utf-8")
+    return re.search(r"^SONAME = '(.+)'$", text, re.MULTILINE)[1]
 
 
 def build(library, plugins, out):
@@ -21,7 +28,7 @@ def build(library, plugins, out):
         shutil.copytree(HERE, stage, ignore=shutil.ignore_patterns("__pycache__", "build", "dist", "*.egg-info", "lib"))
         lib = stage / "carom" / "lib"
         (lib / "plugins").mkdir(parents=True)
-        shutil.copy(Path(library).resolve(), lib / "libcarom.so.1")
+        shutil.copy(Path(library).resolve(), lib / soname())
         found = sorted(Path(plugins).glob("*.so"))
         if not found:
             sys.exit(f"no shape plugins in {plugins}: build the target that makes them")

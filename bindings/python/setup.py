@@ -1,4 +1,4 @@
-"""The wheel is for any Python 3 (ctypes needs no extension module) and one platform (it contains libcarom.so.1)."""
+"""The wheel is for any Python 3 (ctypes needs no extension module) and one platform (it contains the library)."""
 from setuptools import Distribution, setup
 from wheel.bdist_wheel import bdist_wheel
 

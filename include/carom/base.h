@@ -49,8 +49,8 @@
 extern "C" {
 #endif
 
-#define CAROM_VERSION_MAJOR 1u /* of these headers */
-#define CAROM_VERSION_MINOR 0u /* of these headers */
+#define CAROM_VERSION_MAJOR 0u /* of these headers */
+#define CAROM_VERSION_MINOR 9u /* of these headers */
 #define CAROM_VERSION_PATCH 0u /* of these headers */
 
 /* ---- results: each has a name and a remedy, see carom_result_name() and carom_result_remedy() ---- */
@@ -137,7 +137,7 @@ CAROM_API const char *carom_result_remedy(int32_t result);
 
 /** The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
  *  compares it with its own when it is loaded. Lines of four words, ending in '\n'; first "carom" and the version:
- *      carom 1.0.0
+ *      carom 0.9.0
  *      carom_error 0 576 struct              name, offset, size in bytes, kind
  *      carom_error.struct_size 0 4 u32
  *      carom_error.witness_dir 16 24 f64[3]

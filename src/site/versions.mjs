@@ -1,6 +1,6 @@
 // Keeps the site of several versions: the page and its documentation as they were built, each version in its folder,
 // the newest at the root as well. A folder of files that any web server serves.
-//   npm run build && npm run keep -- DIR        DIR/index.html, DIR/1.0.0/index.html, DIR/versions.json
+//   npm run build && npm run keep -- DIR        DIR/index.html, DIR/0.9.0/index.html, DIR/versions.json
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 

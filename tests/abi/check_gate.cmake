@@ -5,7 +5,7 @@ include(${SOURCE_DIR}/tests/abi/gate/judge.cmake)
 set(headers ${SOURCE_DIR}/include)
 set(baseline ${SOURCE_DIR}/tests/abi/gate/baseline)
 build_stub(${headers} ${SOURCE_DIR}/src/abi/carom.map ${SCRATCH}/stub)
-set(stub ${SCRATCH}/stub/libcarom.so.1)
+set(stub ${SCRATCH}/stub/${soname})
 symbols_of(${stub} symbols)
 
 if(FREEZE)

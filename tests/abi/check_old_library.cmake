@@ -1,5 +1,5 @@
-# A client that needs a function of version 1.N, on a library that ends with 1.(N-1), fails when it is loaded, not when it calls; on
-# 1.N it runs. Libraries of stubs (gate/stub.cmake), so that every version there was can be had.
+# A client that needs a function of version a version, on a library that ends with the version before, fails when it is loaded, not when it calls; on
+# its own it runs. Libraries of stubs (gate/stub.cmake), so that every version there was can be had.
 cmake_minimum_required(VERSION 3.25)
 include(${SOURCE_DIR}/tests/abi/gate/stub.cmake)
 file(READ ${SOURCE_DIR}/src/abi/carom.map map)
@@ -8,11 +8,11 @@ file(COPY ${SOURCE_DIR}/include/carom DESTINATION ${SCRATCH}/include)
 file(READ ${SCRATCH}/include/carom/base.h base)
 string(REPLACE "CAROM_API int32_t carom_version(" "CAROM_API int32_t carom_of_the_next_version(void);\nCAROM_API int32_t carom_version(" base "${base}")
 file(WRITE ${SCRATCH}/include/carom/base.h "${base}")
-string(REGEX MATCHALL "CAROM_1\\.[0-9]+ {" nodes "${map}")
+string(REGEX MATCHALL "CAROM_[0-9.]+ {" nodes "${map}")
 list(GET nodes -1 last)
 string(REPLACE " {" "" last "${last}")
-string(APPEND map "CAROM_1.999 {\n  global:\n    carom_of_the_next_version;\n} ${last};\n")
-string(REGEX MATCHALL "CAROM_1\\.[0-9]+ {" nodes "${map}")
+string(APPEND map "CAROM_999 {\n  global:\n    carom_of_the_next_version;\n} ${last};\n")
+string(REGEX MATCHALL "CAROM_[0-9.]+ {" nodes "${map}")
 list(LENGTH nodes count)
 if(count LESS 2)
   message(FATAL_ERROR "no nodes found in carom.map: the pattern no longer fits it")
@@ -46,7 +46,7 @@ foreach(node ${nodes})
   build_stub(${SCRATCH}/include ${SCRATCH}/carom.map ${library})
   file(WRITE ${SCRATCH}/client.c "#include <stdio.h>\nint ${function}(void);\n"
     "int main(void) { puts(\"started\"), fflush(stdout); return ${function}(); }\n")
-  execute_process(COMMAND ${C_COMPILER} -O1 ${SCRATCH}/client.c -o ${library}/client ${library}/libcarom.so.1
+  execute_process(COMMAND ${C_COMPILER} -O1 ${SCRATCH}/client.c -o ${library}/client ${library}/${soname}
     COMMAND_ERROR_IS_FATAL ANY)
   run(${library}/client ${library})
   if(NOT result EQUAL 0 OR NOT output STREQUAL "started\n")

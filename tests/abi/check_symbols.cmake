@@ -1,4 +1,5 @@
 # The library exports carom_* and nothing else, needs no relocation of text and no path, and binds at once.
+include(${CMAKE_CURRENT_LIST_DIR}/gate/stub.cmake)  # soname
 foreach(tool nm readelf)
   find_program(${tool}_tool ${tool})
   if(NOT ${tool}_tool)
@@ -16,12 +17,12 @@ foreach(line ${lines})
   if(line MATCHES " A CAROM_[0-9.]+(@.*)?$")  # the version node itself
     continue()
   endif()
-  if(line MATCHES "^[0-9a-f]+ T (carom_[a-z0-9_]+)@@CAROM_1\\.0$")
+  if(line MATCHES "^[0-9a-f]+ T (carom_[a-z0-9_]+)@@CAROM_[0-9.]+$")
     list(APPEND exported ${CMAKE_MATCH_1})
   elseif(SANITIZE AND NOT line MATCHES "carom")
     continue()  # the sanitizer's own
   else()
-    message(FATAL_ERROR "not a function carom_* of node CAROM_1.0: ${line}")
+    message(FATAL_ERROR "not a function carom_* of a version: ${line}")
   endif()
 endforeach()
 
@@ -53,7 +54,8 @@ foreach(wrong TEXTREL RPATH RUNPATH)
     message(FATAL_ERROR "the library has ${wrong}")
   endif()
 endforeach()
-foreach(right "SONAME[^\n]*\\[libcarom\\.so\\.1\\]" "BIND_NOW|FLAGS[^\n]*NOW")
+string(REPLACE "." "\\." name "${soname}")
+foreach(right "SONAME[^\n]*\\[${name}\\]" "BIND_NOW|FLAGS[^\n]*NOW")
   if(NOT dynamic MATCHES "${right}")
     message(FATAL_ERROR "the library lacks ${right}:\n${dynamic}")
   endif()

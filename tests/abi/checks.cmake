@@ -29,7 +29,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CAROM_SANITIZE)  # stub
 endif()
 
 # Clients of every version so far, with the declarations of their time: they see nothing of include/.
-file(GLOB kept_clients CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/abi/client/v1_*.c)
+file(GLOB kept_clients CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/abi/client/v[0-9]*.c)
 foreach(source ${kept_clients})
   get_filename_component(name ${source} NAME_WE)
   add_executable(client_${name} ${source})

@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bindings" / "python"))
-from build_wheel import build  # noqa: E402
+from build_wheel import build, soname  # noqa: E402
 
 PROGRAM = """
 import carom
@@ -31,7 +31,7 @@ class Wheel(unittest.TestCase):
             wheel = build(os.environ["CAROM_LIBRARY"], os.environ["CAROM_PLUGIN_DIR"], folder)
             self.assertRegex(wheel.name, r"^carom-\d+\.\d+\.\d+-py3-none-linux_\w+\.whl$")
             names = zipfile.ZipFile(wheel).namelist()
-            for needed in ("carom/lib/libcarom.so.1", "carom/lib/plugins/box.so", "carom/py.typed", "carom/raw.pyi", "carom/errors.pyi"):
+            for needed in (f"carom/lib/{soname()}", "carom/lib/plugins/box.so", "carom/py.typed", "carom/raw.pyi", "carom/errors.pyi"):
                 self.assertIn(needed, names)
             self.assertFalse([name for name in names if "template" in name or "__pycache__" in name])
             site = Path(folder, "site")

@@ -1,8 +1,8 @@
 // Written by bindings/gen/generate from include/carom; do not edit.
 /** of these headers */
-export const CAROM_VERSION_MAJOR: 1;
+export const CAROM_VERSION_MAJOR: 0;
 /** of these headers */
-export const CAROM_VERSION_MINOR: 0;
+export const CAROM_VERSION_MINOR: 9;
 /** of these headers */
 export const CAROM_VERSION_PATCH: 0;
 /** the call did what it says */

@@ -1,6 +1,6 @@
 // Written by bindings/gen/generate from include/carom; do not edit.
-export const CAROM_VERSION_MAJOR = 1;
-export const CAROM_VERSION_MINOR = 0;
+export const CAROM_VERSION_MAJOR = 0;
+export const CAROM_VERSION_MINOR = 9;
 export const CAROM_VERSION_PATCH = 0;
 export const CAROM_OK = 0;
 export const CAROM_E_NULL_ARGUMENT = -1;

@@ -1148,7 +1148,7 @@ def carom_result_remedy(result: Any) -> bytes:
 def carom_abi_manifest() -> bytes:
     """The layout of every struct of this interface, as the compiler that built this library has it: for a binding, which
     compares it with its own when it is loaded. Lines of four words, ending in '\\n'; first "carom" and the version:
-        carom 1.0.0
+        carom 0.9.0
         carom_error 0 576 struct              name, offset, size in bytes, kind
         carom_error.struct_size 0 4 u32
         carom_error.witness_dir 16 24 f64[3]

@@ -1,12 +1,12 @@
-/* The interface of version 1.0, as a header of it declared it that had shorter structs: descriptors without what came to their
- * ends. While 1.0 is open this follows it. Once 1.0 is frozen it is never edited: a program that was compiled against it runs
- * for ever. */
+/* The interface of version 0.9, as a header of it declared it that had shorter structs: descriptors without what came to their
+ * ends. This follows the headers until 1.0 is frozen. From then on
+ * it is never edited: a program that was compiled against it runs for ever. */
 #ifndef FIRST_H
 #define FIRST_H
 #include <stdint.h>
 
-#define CAROM_VERSION_MAJOR 1u
-#define CAROM_VERSION_MINOR 0u
+#define CAROM_VERSION_MAJOR 0u
+#define CAROM_VERSION_MINOR 9u
 #define CAROM_VERSION_PATCH 0u
 #define CAROM_OK 0
 #define CAROM_E_NULL_ARGUMENT (-1)

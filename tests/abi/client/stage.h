@@ -1,4 +1,4 @@
-/* What the kept clients share, all of it of version 1.0: a world with a floor and a ball. */
+/* What the kept clients share, all of it of version 0.9: a world with a floor and a ball. */
 #ifndef STAGE_H
 #define STAGE_H
 #include <math.h>

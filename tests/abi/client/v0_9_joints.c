@@ -1,4 +1,4 @@
-/* A client of version 1.0, with declarations of its own: joints, filters, events, questions to a world. Once 1.0 is frozen it is never edited. */
+/* A client of version 0.9, with declarations of its own: joints, filters, events, questions to a world. It follows the headers until 1.0 is frozen. */
 #include "stage.h"
 
 typedef uint64_t carom_joint;

@@ -1,4 +1,4 @@
-/* A client of version 1.0, with declarations of its own: a surface that resists rolling. Once 1.0 is frozen it is never edited. */
+/* A client of version 0.9, with declarations of its own: a surface that resists rolling. It follows the headers until 1.0 is frozen. */
 #include "stage.h"
 
 int32_t carom_material_get_resistance(carom_world* world, carom_material material, double* rolling, double* spinning,

@@ -1,4 +1,4 @@
-/* A client of version 1.0, with declarations of its own: rays and moving shapes. Once 1.0 is frozen it is never edited. */
+/* A client of version 0.9, with declarations of its own: rays and moving shapes. It follows the headers until 1.0 is frozen. */
 #include "stage.h"
 
 #define CAROM_CAST_HIT 1u

@@ -1,4 +1,4 @@
-/* A client of version 1.0, with declarations of its own: forces, the plan, the ledger. Once 1.0 is frozen it is never edited. */
+/* A client of version 0.9, with declarations of its own: forces, the plan, the ledger. It follows the headers until 1.0 is frozen. */
 #include "stage.h"
 
 int32_t carom_body_add_force_at(carom_world* world, carom_body body, const double force[3], const double point[3],

@@ -1,4 +1,4 @@
-/* A client of version 1.0, with declarations of its own: scenery, locks, weights, sweeps, moving surfaces, drawing. Once 1.0 is frozen it is never edited. */
+/* A client of version 0.9, with declarations of its own: scenery, locks, weights, sweeps, moving surfaces, drawing. It follows the headers until 1.0 is frozen. */
 #include "stage.h"
 
 typedef struct carom_mesh_desc {

@@ -1,4 +1,4 @@
-/* A client of version 1.0, with declarations of its own: particles. Once 1.0 is frozen it is never edited. */
+/* A client of version 0.9, with declarations of its own: particles. It follows the headers until 1.0 is frozen. */
 #include "stage.h"
 
 typedef uint64_t carom_particles;

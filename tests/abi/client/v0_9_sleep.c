@@ -1,4 +1,4 @@
-/* A client of version 1.0, with declarations of its own: threads, sleep, groups. Once 1.0 is frozen it is never edited. */
+/* A client of version 0.9, with declarations of its own: threads, sleep, groups. It follows the headers until 1.0 is frozen. */
 #include "stage.h"
 
 typedef void (*carom_job_fn)(void* context, uint32_t begin, uint32_t end);
@@ -24,7 +24,7 @@ typedef struct carom_group {
 int32_t carom_world_get_groups(carom_world* world, carom_group* dst, uint64_t stride, uint64_t capacity,
                                uint64_t* count, carom_error* error);
 
-#define DIAL_SOLVER_AUTO 4 /* what has come since 1.0 in lists that grow */
+#define DIAL_SOLVER_AUTO 4 /* what has come since 0.9 in lists that grow */
 #define DIAL_SLEEP 29u
 
 static uint64_t run(Stage* s) {

@@ -1,4 +1,4 @@
-/* A client of version 1.0, with declarations of its own: structs of their first sizes, canaries behind them. Once 1.0 is frozen it is never edited. */
+/* A client of version 0.9, with declarations of its own: structs of their first sizes, canaries behind them. It follows the headers until 1.0 is frozen. */
 #include "stage.h"
 
 typedef struct Guarded {
