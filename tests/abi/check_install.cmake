@@ -12,6 +12,33 @@ run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${client} -B ${SCRATCH}/by_cmake -DCMAKE
 run(${CMAKE_COMMAND} --build ${SCRATCH}/by_cmake)
 run(${SCRATCH}/by_cmake/hello)
 
+# What a package of it needs beside: the licence and the pages, whose links hold.
+foreach(page LICENSE README.md CHANGELOG.md ABI.md include/README.md include/pages/index.md src/tools/report/gallery/seesaw.svg)
+  if(NOT EXISTS ${prefix}/share/doc/carom/${page})
+    message(FATAL_ERROR "share/doc/carom/${page} is not installed")
+  endif()
+endforeach()
+# The archive, by find_package and by pkg-config: a program in one file, of a compiler of C++, since the library is.
+file(GLOB_RECURSE archive ${prefix}/*/libcarom.a)
+if(archive)
+  file(WRITE ${SCRATCH}/one_file/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(one_file LANGUAGES C CXX)\n"
+    "find_package(carom 0.9 REQUIRED)\nadd_executable(one_file one_file.c)\ntarget_link_libraries(one_file PRIVATE carom::carom_static)\n")
+  file(WRITE ${SCRATCH}/one_file/one_file.c [[
+#include <carom/carom.h>
+int main(void) {
+  carom_engine *engine = NULL;
+  carom_shape shape = 0;
+  const double radius = 0.5;
+  if (carom_engine_create(NULL, &engine, NULL) || carom_plugins_register_standard(engine, NULL)) return 1;
+  return carom_shape_create_named(engine, "sphere", &radius, 1, &shape, NULL) || carom_engine_destroy(engine, NULL);
+}
+]])
+  run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SCRATCH}/one_file -B ${SCRATCH}/one_file/build -DCMAKE_PREFIX_PATH=${prefix}
+    -DCMAKE_C_COMPILER=${C_COMPILER})
+  run(${CMAKE_COMMAND} --build ${SCRATCH}/one_file/build)
+  run(${SCRATCH}/one_file/build/one_file)
+endif()
+
 find_program(pkg_config pkg-config)
 if(NOT pkg_config)
   message(FATAL_ERROR "pkg-config is not installed (Debian: pkg-config)")

@@ -4,13 +4,16 @@ new one's), and every commit that a recipe shows is in the history, where there 
 usage: check_recipes.py ROOT
 """
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 
 def in_history(root, commit):
-    """None where the checkout has no history, or only the end of it."""
+    """None where the checkout has no history, or only the end of it, or no git is installed."""
+    if not shutil.which("git"):
+        return None
     git = ["git", "-c", "safe.directory=*", "-C", str(root)]
     shallow = subprocess.run(git + ["rev-parse", "--is-shallow-repository"], capture_output=True, text=True)
     if shallow.returncode or shallow.stdout.strip() == "true":

@@ -33,7 +33,7 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
   } cases[] = {
       {"run sesaw", "did you mean 'seesaw'"},
       {"run", "no scene is named"},
-      {"", "--help"},
+      {"", "carom run seesaw"},
       {"run falling --n 0", "from 1 to 100000"},
       {"run falling --set m=3", "it has: n"},
       {"run falling --set n", "name=value"},
@@ -54,6 +54,53 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
       {"check /no/such/plugin.so", "carom shapes"},
       {"check box 1 1", "half_extent"},
       {"check box 1 1 0", "half_extent"},
+      // Words: commands, options, arguments.
+      {"rn seesaw", "did you mean 'run'"},
+      {"Run seesaw", "did you mean 'run'"},
+      {"falling", "write: carom run falling"},
+      {"help rn", "did you mean 'run'"},
+      {"accuracy rn", "did you mean 'run'"},
+      {"accuracy", "carom help accuracy"},
+      {"--verison", "did you mean '--version'"},
+      {"run seesaw --secnds 3", "did you mean '--seconds'"},
+      {"run falling foo", "write: carom run [SCENE]"},
+      {"list foo", "write: carom list"},
+      {"export falling", "write: carom export SCENE FILE"},
+      {"accuracy sweep slide", "--out FILE.json|FILE.csv"},
+      // Numbers.
+      {"run falling --n abc", "--n cannot be 'abc'"},
+      {"run falling --n", "write: --n"},
+      {"plan falling --seconds x", "--seconds cannot be 'x'"},
+      {"run falling --seconds 0", "at most 1e6"},
+      {"run falling --dt 2", "from 1e-9 to 1"},
+      {"run falling --threads 0", "from 1 to 256"},
+      {"run falling --threads abc", "from 1 to 256"},
+      {"run falling --accuracy 0", "--accuracy 1e-3"},
+      {"run falling --accuracy nan", "--accuracy 1e-3"},
+      {"run falling --dial substeps=1e6", "a whole number from 1 to 64"},
+      {"run falling --dial substeps=2.5", "a whole number from 1 to 64"},
+      {"run falling --dial position_tolerance=nan", "give a number from"},
+      {"run falling --dial =3", "names no dial"},
+      {"run falling --preset fats", "did you mean 'fast'"},
+      {"view --port 99999", "from 0 to 65535"},
+      // Files and folders.
+      {"--plugins /no/such list", "there is no folder /no/such"},
+      {"shapes --plugins /dev/null", "is no folder"},
+      {"run .", "is a folder, not a scene"},
+      {"plan /dev/null", "is no scene file"},
+      {"run nowhere/at.all", "there is no file"},
+      {"run " CAROM_SOURCE_DIR "/README.md", "is no scene file"},
+      {"run falling --n 4 --svg a.jpg", ".svg or .png"},
+      {"run falling --n 4 --filmstrip a", ".svg or .png"},
+      {"run falling --n 4 --ledger-svg a.pdf", ".svg or .png"},
+      {"accuracy ask mixed --svg a.jpg", ".svg or .png"},
+      {"run falling --n 4 --svg /no/such/folder/a.svg", "mkdir -p /no/such/folder"},
+      {"run falling --n 4 --save /no/such/folder/w", "mkdir -p /no/such/folder"},
+      {"run falling --n 4 --record .", "it is a folder"},
+      {"run falling --load /dev/null", "--save FILE"},
+      {"run --load no_such_file", "there is no file"},
+      {"replay " CAROM_SOURCE_DIR "/README.md", "carom run SCENE --record FILE"},
+      {"check spere", "did you mean 'sphere'"},
   };
   for (const auto& c : cases) {
     const Outcome o = carom(c.line);
@@ -61,7 +108,21 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
     assert_int_equal(o.code, 2);
     assert_true(says(o, "what to do"));
     assert_true(says(o, c.expected));
+    // Words of the shell: no function of the C interface, none of its types' fields.
+    const std::string remedy = o.text.substr(o.text.rfind("what to do"));
+    if (remedy.find("()") != std::string::npos || o.text.find("->") != std::string::npos)
+      fail_msg("carom %s: %s", c.line, o.text.c_str());
+    assert_false(says(o, "look for:"));  // it is told before the run begins
   }
+}
+
+static void help_is_a_command(void**) {
+  const Outcome all = carom("help"), run = carom("help run"), nested = carom("help accuracy ask");
+  assert_int_equal(all.code, 0);
+  assert_true(says(all, "Subcommands:") && says(all, "carom run seesaw"));
+  assert_true(all.text == carom("--help").text);
+  assert_true(run.code == 0 && says(run, "--gltf") && run.text == carom("run --help").text);
+  assert_true(nested.code == 0 && says(nested, "carom accuracy ask") && says(nested, "--tolerance"));
 }
 
 static void lists_show_every_scene_shape_and_dial(void**) {
@@ -214,6 +275,7 @@ static void nan_dents_lengths_memory_and_false_declarations_are_caught(void**) {
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(errors_exit_nonzero_and_say_what_to_do),
+      cmocka_unit_test(help_is_a_command),
       cmocka_unit_test(lists_show_every_scene_shape_and_dial),
       cmocka_unit_test(a_run_reports_itself_as_json_and_csv),
       cmocka_unit_test(the_same_run_twice_ends_in_the_same_bits),

@@ -80,6 +80,11 @@ static void what_cannot_be_packed_is_told(void**) {
       run_carom("pack " + (fs::temp_directory_path() / "carom_pack_none").string() + " no_such_scene");
   assert_int_equal(unknown.code, 2);
   assert_true(unknown.says("what to do"));
+  // How far it is stands on stderr, a line a scene where that is no terminal.
+  const std::string folder = (fs::temp_directory_path() / "carom_pack_share").string();
+  const Outcome both = run_carom("pack " + folder + " stacks:n=1,height=2 pyramid:n=2 --steps 1");
+  fs::remove_all(folder);
+  assert_true(both.code == 0 && both.says("  0 %: stacks") && both.says(" 50 %: pyramid"));
   const Outcome nowhere = run_carom("pack /proc/no/such/folder stacks");
   assert_int_equal(nowhere.code, 2);
   assert_true(nowhere.says("what to do"));

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "accuracy/ask.h"
+#include "cli/progress.h"
 #include "cli/table.h"
 #include "host/drawings.h"
 
@@ -77,16 +78,20 @@ void ask(const AskOptions& options, Context& context) {
     throw Error("scene " + name + " has no place or turn whose truth is known", "ask one of " + names);
   }
   if (options.scenes.empty()) scenes = askable;
-  Engine engine(context.plugins());
-  std::vector<Got> all;
-  for (const Challenge* challenge : scenes) {
-    std::fprintf(stderr, "  asking: %s\n", challenge->scene.name.c_str());
-    for (Got& g : accuracy::ask(engine, *challenge, options.tolerances, options.patience)) all.push_back(std::move(g));
-  }
-  if (!all.empty()) print_got(all);
   const bool mixes = options.scenes.empty() ||
                      std::find(options.scenes.begin(), options.scenes.end(), "mixed") != options.scenes.end();
   if (!mixes && !options.svg.empty()) throw Error("--svg draws the scene mixed", "add mixed to the scenes");
+  if (!options.svg.empty()) check_drawing_path(options.svg);
+  Engine engine(context.plugins());
+  std::vector<Got> all;
+  ShareOfProgress share(scenes.size() + (mixes ? 1 : 0));
+  for (const Challenge* challenge : scenes) {
+    share.begins(challenge->scene.name);
+    for (Got& g : accuracy::ask(engine, *challenge, options.tolerances, options.patience)) all.push_back(std::move(g));
+  }
+  if (mixes) share.begins("mixed");
+  share.clear();
+  if (!all.empty()) print_got(all);
   bool is_drawn = options.svg.empty();
   for (const double t : options.tolerances) {
     if (!mixes) break;

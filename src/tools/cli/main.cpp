@@ -1,8 +1,38 @@
 // The `carom` command: reads the command line, hands over to one subcommand, prints what went wrong and what to do.
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 
 #include "cli/commands.h"
+#include "cli/explain.h"
 #include "host/files.h"
+
+namespace carom::tools {
+namespace {
+
+/// `carom help [COMMAND]`: as `carom COMMAND --help`.
+void add_help_command(CLI::App& app) {
+  const auto words = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = app.add_subcommand("help", "What a command does and takes, as `carom COMMAND --help`");
+  command->add_option("COMMAND", *words, "Of which; none: of all, in short");
+  command->callback([words, &app] { std::printf("%s", help_of(app, *words).c_str()); });
+}
+
+/// @return what is wrong with a folder that --plugins names; "" if nothing
+std::string plugin_folder_fault(const std::string& folder) {
+  std::error_code failed;
+  if (std::filesystem::is_directory(folder, failed)) return "";
+  return (std::filesystem::exists(folder, failed) ? folder + " is no folder" : "there is no folder " + folder) +
+         "; name the folder that holds the shape plugins (*.so); after a build it is build/demo/plugins";
+}
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "carom: %s\n  what to do: %s\n", error.what(), error.remedy.c_str());
+  return kExitCannotRun;
+}
+
+}  // namespace
+}  // namespace carom::tools
 
 int main(int argc, char** argv) {
   using namespace carom::tools;
@@ -17,6 +47,7 @@ int main(int argc, char** argv) {
   app.add_option("--plugins", context.plugin_dirs,
                  "Folder with shape plugins (repeatable); also CAROM_PLUGIN_PATH, then the folders of this program")
       ->type_name("DIR")
+      ->check(plugin_folder_fault)
       ->allow_extra_args(false);
   const auto mib = [](std::size_t& bytes) { return [&bytes](const std::size_t& n) { bytes = n << 20; }; };
   app.add_option_function<std::size_t>("--file-limit", mib(file_limits().largest),
@@ -28,6 +59,7 @@ int main(int argc, char** argv) {
       ->type_name("N")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
+  add_help_command(app);
   add_run_command(app, context);
   add_replay_command(app, context);
   add_plan_command(app, context);
@@ -51,12 +83,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::CallForVersion& version) {
     return app.exit(version);
   } catch (const CLI::ParseError& wrong) {
-    std::fprintf(stderr, "carom: %s\n  what to do: see `carom --help`, or `carom COMMAND --help` for its options\n",
-                 wrong.what());
-    return kExitCannotRun;
+    return fail(explain(app, wrong));
   } catch (const Error& error) {
-    std::fprintf(stderr, "carom: %s\n  what to do: %s\n", error.what(), error.remedy.c_str());
-    return kExitCannotRun;
+    return fail(error);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "carom: %s\n  what to do: check memory and disk space; if both are fine, please report this\n",
                  error.what());

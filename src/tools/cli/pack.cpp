@@ -6,6 +6,7 @@
 
 #include "cli/packed_scene.h"
 #include "cli/packed_truth.h"
+#include "cli/progress.h"
 #include "host/files.h"
 #include "scenefile/scenefile.h"
 
@@ -48,14 +49,18 @@ void pack(const PackOptions& options, Context& context) {
     for (const Scene& scene : all_scenes()) names.push_back(scene.name);
     for (std::string& name : scenes_with_true_poses(context)) names.push_back(std::move(name));
   }
+  ShareOfProgress share(names.size());
   for (const std::string& name : names) {
+    share.begins(name);
     PackedScene packed = packed_scene(choice_of(name), options.steps, context);
     if (!is_scene_file(name)) packed.rename(name);
     write_file(options.folder + "/" + packed.file, packed.content);
     if (!packed.truth.empty())
       write_file(options.folder + "/" + packed.row["truth"]["file"].get<std::string>(), packed.truth);
     index.push_back(std::move(packed.row));
+    share.clear();
     std::printf("%s\n", name.c_str());
+    std::fflush(stdout);
   }
   write_file(options.folder + "/index.json", index.dump() + "\n");
   std::printf("%zu scenes in %s\n", index.size(), options.folder.c_str());

@@ -1,29 +1,18 @@
 // `carom paper`: the 2011 paper's results beside our own, on the terminal, as drawings and as one page.
 #include "report/paper.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/progress.h"
 #include "cli/table.h"
 #include "host/files.h"
 
 namespace carom::tools {
 namespace {
 
-// One line on a terminal, rewritten; in a log, one line when a run begins.
-void show_progress(const std::string& what, double done) {
-  if (isatty(STDERR_FILENO)) {
-    std::fprintf(stderr, "\r\033[K  %s %3.0f %%  %s", bar(done, 20).c_str(), 100 * done, what.c_str());
-  } else if (done == 0) {
-    std::fprintf(stderr, "  running: %s\n", what.c_str());
-  }
-}
-
 void print(const report::Figure& figure) {
-  if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K");
   std::vector<std::vector<std::string>> rows{figure.table.header};
   rows.insert(rows.end(), figure.table.rows.begin(), figure.table.rows.end());
   std::vector<bool> right(figure.table.header.size(), true);
@@ -39,7 +28,10 @@ void run_paper(const Context& context, const std::string& out, bool quick, const
   std::filesystem::create_directories(out, failed);
   if (failed) throw Error("cannot make the folder " + out + ": " + failed.message(), "give another one with --out");
   Engine engine(context.plugins());
-  report::PaperRun run{engine, quick, mesh, show_progress};
+  ShareOfProgress share(report::broad_phase_runs() + report::size_runs(quick) + report::scene_runs());
+  report::PaperRun run{engine, quick, mesh, [&](const std::string& what, double done) {
+                         done == 0 ? share.begins(what) : share.goes_on(done);
+                       }};
   report::Page page("Carom beside the paper of 2011");
   page.paragraph(
       "Each figure shows what this build measured on this computer in colour, and the paper's own figures dashed "
@@ -47,6 +39,7 @@ void run_paper(const Context& context, const std::string& out, bool quick, const
       std::string(quick ? " --quick" : ""));
   for (const auto& measure_figure : {report::broad_phase_shares, report::cost_of_size, report::scene_speeds}) {
     const report::Figure figure = measure_figure(run);
+    share.clear();
     print(figure);
     write_file((std::filesystem::path(out) / figure.file_name).string(), figure.drawing);
     page.heading(figure.heading);

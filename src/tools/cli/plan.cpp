@@ -25,8 +25,9 @@ void print_plan(const PlanOptions& options, Context& context) {
   Stage stage(engine);
   set_up(choice, scene, stage);
   stage.world.time_effects(true);
-  const double dt = choice.dt.value_or(scene.dt);
-  const RunSummary run = simulate(stage, nullptr, choice.seconds.value_or(kMoment), dt);
+  const double dt = choice.dt.value_or(scene.dt), seconds = choice.seconds.value_or(kMoment);
+  check_times(seconds, dt);
+  const RunSummary run = simulate(stage, nullptr, seconds, dt);
   const std::vector<carom_plan_line> plan = stage.world.plan();
   const Differences differences = time_by_difference(stage.world, dt, plan, kDifferences);
   if (options.as_json) {

@@ -61,8 +61,7 @@ void add_replay_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* replay =
       app.add_subcommand("replay", "Do a recorded session again; name the first step that differs, and why");
-  replay->add_option("FILE", options->file, "What carom_world_record_begin() or `carom run --record` wrote")
-      ->required();
+  replay->add_option("FILE", options->file, "What `carom run --record` or a program's recording wrote")->required();
   replay->add_option("--threads", options->threads, "Threads that share a step; the outcome is the same")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

@@ -99,31 +99,38 @@ void run_scene(RunOptions options, Context& context) {
   SceneChoice& choice = options.choice;
   if (choice.scene.empty() && options.load.empty())
     throw Error("no scene is named", "give a scene (`carom list` shows them), a .gltf file, or --load FILE");
-  if (choice.scene.empty() && !is_snapshot_file(options.load))
-    throw Error(options.load + " is no snapshot", "give --load a file that --save wrote");
+  if (!options.load.empty() && !is_snapshot_file(options.load))
+    throw Error(std::filesystem::exists(options.load) ? options.load + " is no saved world"
+                                                      : "there is no file " + options.load,
+                "give --load a file that `carom run SCENE --save FILE` wrote");
   if (choice.scene.empty()) choice.scene.swap(options.load);  // which is whole, or told to be none
   const Scene& scene = chosen_scene(choice.scene);
   const double seconds = choice.seconds.value_or(scene.seconds), dt = choice.dt.value_or(scene.dt);
+  check_times(seconds, dt);
+  if (!(options.fps > 0 && options.fps <= 1e4))
+    throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
+  // Files first: better to hear now than after the run that one cannot be written.
+  for (const std::string& path : {options.csv, options.csv_steps, options.save, options.record, options.gltf,
+                                  options.svg, options.filmstrip, options.ledger_svg}) {
+    make_folder_of(path);
+    if (!path.empty()) check_output(path);
+  }
+  for (const std::string& path : {options.svg, options.filmstrip, options.ledger_svg})
+    if (!path.empty()) check_drawing_path(path);
+  if (!options.gltf.empty()) check_gltf_path(options.gltf);
   Engine engine(context.plugins());
   engine.set_threads(choice.threads);
   Stage stage(engine);
   const std::unique_ptr<Observer> observer = set_up(choice, scene, stage);
   stage.world.time_effects(options.plan);
-  if (!(options.fps > 0 && options.fps <= 1e4))
-    throw Error("--fps is out of range", "give frames per second, more than 0 and at most 10000");
-  for (const std::string& path : {options.gltf, options.csv, options.csv_steps, options.filmstrip, options.svg,
-                                  options.ledger_svg, options.save, options.record})
-    make_folder_of(path);
   if (!options.load.empty()) load_state(options.load, stage.world);
   const double start = stage.world.report().time;
   std::optional<replay::FileRecorder> recorder;
   if (!options.record.empty()) recorder.emplace(stage.world, options.record, options.record_states);
-  // Files first: better to hear now than after the run that a folder does not exist.
   std::optional<StepTable> step_table;
   if (!options.csv_steps.empty()) step_table.emplace(options.csv_steps);
   std::optional<MotionTable> motion_table;
   if (!options.csv.empty()) motion_table.emplace(options.csv);
-  if (!options.gltf.empty()) check_gltf_path(options.gltf);
 
   const bool talk = !options.quiet && !options.as_json;
   if (talk) {

@@ -73,6 +73,7 @@ void print_scaling(const ScalingOptions& options, Context& context) {
   Stage stage(engine);
   const std::unique_ptr<Observer> observer = set_up(choice, scene, stage);
   const double dt = choice.dt.value_or(scene.dt), seconds = choice.seconds.value_or(scene.seconds);
+  check_times(seconds, dt);
   if (!(options.skipped >= 0 && options.skipped < seconds))
     throw Error("--skip leaves no step to measure", "give seconds from 0 to below --seconds");
   if (options.skipped > 0) simulate(stage, observer.get(), options.skipped, dt);

@@ -1,7 +1,11 @@
 // The options of a scene, and the stage that they ask for.
 #include "cli/scene_choice.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "cli/commands.h"
+#include "cli/packed_scene.h"
 #include "scenefile/scenefile.h"
 
 namespace carom::tools {
@@ -19,9 +23,41 @@ std::vector<std::pair<std::string, double>> values_from(const std::vector<std::s
   return values;
 }
 
+namespace {
+
+/// A word that is no scene's name, but one of the file system's.   @throws Error where it is
+void refuse_other_files(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const std::string ending = fs::path(name).extension().string();
+  const bool mesh = ending == ".obj" || ending == ".stl" || ending == ".ply";
+  const std::string remedy =
+      "give a scene of `carom list`, a .gltf or .glb file, or what `carom run SCENE --save FILE` wrote";
+  if (fs::is_directory(name, failed)) throw Error("'" + name + "' is a folder, not a scene", remedy);
+  if (is_recording(name)) throw Error("'" + name + "' is a recording, not a scene", "write: carom replay " + name);
+  if (mesh && fs::exists(name, failed))
+    throw Error("'" + name + "' is a mesh, not a scene",
+                "write: carom import " + name + " --out scene.gltf, then carom run scene.gltf");
+  if (fs::exists(name, failed)) throw Error("'" + name + "' is no scene file", remedy);
+  if (name.find('/') != std::string::npos || !ending.empty()) throw Error("there is no file '" + name + "'", remedy);
+}
+
+}  // namespace
+
+void check_times(double seconds, double dt) {
+  if (!(seconds > 0 && seconds <= 1e6))
+    throw Error("--seconds is out of range", "give seconds, more than 0 and at most 1e6");
+  if (!(dt >= 1e-9 && dt <= 1)) throw Error("--dt is out of range", "give seconds from 1e-9 to 1, e.g. --dt 0.016667");
+}
+
 const Scene& chosen_scene(const std::string& name) {
   static std::map<std::string, Scene> files;
-  if (!is_scene_file(name)) return find_scene(name);
+  if (!is_scene_file(name)) {
+    const std::vector<Scene>& scenes = all_scenes();
+    if (std::none_of(scenes.begin(), scenes.end(), [&](const Scene& scene) { return scene.name == name; }))
+      refuse_other_files(name);
+    return find_scene(name);
+  }
   const auto known = files.find(name);
   return known != files.end() ? known->second : files.emplace(name, scene_of_file(name)).first->second;
 }

@@ -18,6 +18,8 @@ struct SceneChoice {
   std::uint32_t threads = 1;
 };
 
+/// How long to simulate and in which steps, s.   @throws Error that names the option
+void check_times(double seconds, double dt);
 /// By name, or of a file (.gltf, .glb).   @throws Error
 const Scene& chosen_scene(const std::string& name);
 void add_scene_options(CLI::App& command, SceneChoice& choice, const std::string& seconds_help);

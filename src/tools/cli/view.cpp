@@ -32,8 +32,7 @@ std::string site_folder(const std::string& given) {
   if (!given.empty()) {
     places.emplace_back(given);
   } else {
-    std::error_code failed;
-    const fs::path base = fs::read_symlink("/proc/self/exe", failed).parent_path().parent_path();
+    const fs::path base = own_base();
     places = {base / "share/carom/site", base / "../../src/site/dist"};  // PREFIX/bin/carom, build/demo/bin/carom
   }
   std::string searched;
@@ -45,7 +44,7 @@ std::string site_folder(const std::string& given) {
   throw Error(
       "the page is not built: there is no index.html in" + searched,
       "build it as src/site/README.md says: cmake --preset wasm && cmake --build --preset wasm, then "
-      "build/demo/bin/carom pack out/scenes && cd src/site && npm install && npm run build; or name its folder: "
+      "build/demo/bin/carom pack out/scenes && cd src/site && npm ci && npm run build; or name its folder: "
       "--site DIR");
 }
 
@@ -98,6 +97,7 @@ std::string made_scene(const serve::Question& question, Context& context) {
 
 void view(ViewOptions& options, Context& context) {
   serve::Site site;
+  if (!options.choice.scene.empty() && !is_recording(options.choice.scene)) chosen_scene(options.choice.scene);
   site.folder = site_folder(options.site);
   if (!options.choice.scene.empty()) {
     PackedScene packed = is_recording(options.choice.scene) ? packed_recording(options.choice.scene)
@@ -134,7 +134,9 @@ void add_view_command(CLI::App& app, Context& context) {
       ->capture_default_str();
   command->add_option("--site", options->site, "Folder of the built page; default: the installed one, or src/site/dist")
       ->type_name("DIR");
-  command->add_option("--port", options->port, "Port on this machine; 0: any that is free")->capture_default_str();
+  command->add_option("--port", options->port, "Port on this machine; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
   command->add_flag("--open", options->open, "Open the address in a browser");
   command->callback([options, &context] { view(*options, context); });
 }

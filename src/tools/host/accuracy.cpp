@@ -4,6 +4,9 @@
 namespace carom::tools {
 
 void World::ask(double tolerance) {
+  if (!(tolerance > 0 && tolerance <= 1e6))
+    throw Error("--accuracy is out of range",
+                "give m and rad per second of motion, more than 0 and at most 1e6: --accuracy 1e-3");
   carom_accuracy asked;
   carom_accuracy_init(&asked, sizeof asked);
   asked.place = asked.turn = tolerance;

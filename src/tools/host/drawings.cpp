@@ -50,7 +50,14 @@ void draw_png(const std::string& path, const std::string& svg) {
 
 }  // namespace
 
+void check_drawing_path(const std::string& path) {
+  if (!path.ends_with(".svg") && !path.ends_with(".png"))
+    throw Error("'" + path + "' does not say which kind of drawing to write", "end the name in .svg or .png");
+  check_output(path);
+}
+
 void write_drawing(const std::string& path, const std::string& svg) {
+  check_drawing_path(path);
   if (path.ends_with(".png"))
     draw_png(path, svg);
   else

@@ -98,12 +98,31 @@ std::string read_below(const std::string& folder, const std::string& relative, c
   cannot(path, ": it has no name", remedy);
 }
 
+void check_output(const std::string& path) {
+  namespace fs = std::filesystem;
+  const auto refuse = [&](const std::string& why, const std::string& remedy) {
+    throw Error("cannot write " + path + ": " + why, remedy);
+  };
+  std::error_code failed;
+  if (fs::is_directory(path, failed))
+    refuse("it is a folder", "add the name of a file: " + (fs::path(path) / "NAME").string());
+  fs::path folder = fs::path(path).parent_path();
+  if (folder.empty()) folder = ".";
+  if (!fs::exists(folder, failed))
+    refuse("there is no folder " + folder.string(), "make it: mkdir -p " + folder.string() + ", or name another");
+  if (!fs::is_directory(folder, failed))
+    refuse(folder.string() + " is no folder", "name a file in a folder that exists");
+  const bool exists = fs::exists(path, failed);
+  if (access(exists ? path.c_str() : folder.c_str(), W_OK) != 0)
+    refuse(std::strerror(errno), "name a file in a folder that you may write to");
+}
+
 void write_file(const std::string& path, const std::string& content) {
+  check_output(path);
   std::ofstream file(path, std::ios::binary);
   file << content;
   file.close();
-  if (!file)
-    throw Error("cannot write " + path, "check that its folder exists and is writable, and that the disk has space");
+  if (!file) throw Error("cannot write " + path, "check that the disk has space");
 }
 
 }  // namespace carom::tools

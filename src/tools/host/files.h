@@ -23,6 +23,9 @@ std::string read_file(const std::string& path, const std::string& remedy);
 /// @param folder    of the file that names it; "" is the working folder
 /// @param relative  "buffers/scene.bin": neither absolute nor upward, no links   @throws Error
 std::string read_below(const std::string& folder, const std::string& relative, const std::string& remedy);
+/// Can a file of that name be written? Asked before a run, since its result would be lost. Writes nothing.
+/// @throws Error "cannot write PATH: ..." with what to type instead
+void check_output(const std::string& path);
 /// Replaces it.   @throws Error "cannot write PATH"
 void write_file(const std::string& path, const std::string& content);
 

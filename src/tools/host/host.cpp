@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace carom::tools {
 
@@ -299,7 +300,7 @@ void World::set_dial(const std::string& assignment) {
     std::vector<std::string> names;
     for (const carom_dial_info& d : all_dials()) names.emplace_back(d.name);
     const std::string near = nearest_name(name, names);
-    throw Error("there is no dial called '" + name + "'",
+    throw Error(name.empty() ? "--dial " + assignment + " names no dial" : "there is no dial called '" + name + "'",
                 (near.empty() ? std::string() : "did you mean '" + near + "'? ") + "`carom dials` lists them all");
   }
   const carom_dial_info info = dial_info(index);
@@ -317,7 +318,14 @@ void World::set_dial(const std::string& assignment) {
     throw Error("dial " + name + ": '" + text + "' is not a value of it",
                 choices.empty() ? "give a number; `carom dials` shows the bounds" : "choose one of: " + choices);
   Call call;
-  call.done(carom_world_set_dial(world_, index, value, call), "dial " + name);
+  const std::int32_t result = carom_world_set_dial(world_, index, value, call);
+  if (result != CAROM_E_OUT_OF_RANGE && result != CAROM_E_NOT_FINITE && result != CAROM_E_UNKNOWN_ENUM)
+    return call.done(result, "dial " + name);
+  std::ostringstream bounds;
+  bounds << (info.kind == CAROM_DIAL_KIND_INTEGER ? "a whole number from " : "a number from ") << info.min << " to "
+         << info.max << (info.unit[0] ? " " : "") << info.unit << "; a new world has " << info.initial;
+  throw Error("dial " + name + " cannot be " + text,
+              choices.empty() ? "give " + bounds.str() : "choose one of: " + choices);
 }
 
 std::vector<std::string> all_presets() {

@@ -35,6 +35,10 @@ class Call {
 /// Letters, digits, _ and -; dots within; at most 64 of them. A name is no path.
 bool is_plugin_name(const std::string& name);
 
+/// PREFIX or build/PRESET, whose bin/ holds the program that runs; empty where neither the kernel nor the loader says it.
+/// @param link  the kernel's; where it is not mounted, the name by which the program was started counts
+std::string own_base(const char* link = "/proc/self/exe");
+
 /// Folders in which plugins are looked for, in order. Built once from the command line.
 class PluginPath {
  public:

@@ -1,4 +1,6 @@
 // Where shape plugins are found: the library takes absolute paths only, so the search is ours.
+#include <sys/auxv.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -21,13 +23,21 @@ PluginPath::PluginPath(std::vector<std::string> explicit_dirs) {
     for (std::string dir; std::getline(list, dir, ':');)
       if (!dir.empty()) add(dir);
   }
-  std::error_code failed;
-  const fs::path executable = fs::read_symlink("/proc/self/exe", failed);
-  if (!failed) {
-    const fs::path base = executable.parent_path().parent_path();
+  if (const fs::path base = own_base(); !base.empty()) {
     add(base / "plugins");
     add(base / CAROM_INSTALL_LIBDIR / "carom" / "plugins");
   }
+}
+
+std::string own_base(const char* link) {
+  std::error_code failed;
+  fs::path executable = fs::read_symlink(link, failed);
+  if (failed) {
+    const auto* started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+    executable = started ? fs::canonical(started, failed) : fs::path();
+    if (failed) return "";
+  }
+  return executable.parent_path().parent_path().string();
 }
 
 bool is_plugin_name(const std::string& name) {
@@ -64,10 +74,14 @@ std::string PluginPath::find(const std::string& name) const {
       searched += "\n    " + folder;
     }
   }
+  std::vector<std::string> known;
+  for (const auto& plugin : all()) known.push_back(plugin.first);
+  const std::string near = nearest_name(name, known);
   throw Error(
       "the shape plugin '" + name + ".so' was not found; searched:" + (searched.empty() ? " nowhere" : searched),
-      "build the plugins (cmake --build --preset demo), or point --plugins DIR or CAROM_PLUGIN_PATH at the "
-      "folder that holds them");
+      (near.empty() ? "" : "did you mean '" + near + "'? `carom shapes` lists all that are there; else ") +
+          "build the plugins (cmake --build --preset demo), or point --plugins DIR or CAROM_PLUGIN_PATH at the "
+          "folder that holds them");
 }
 
 std::map<std::string, std::string> PluginPath::all() const {

@@ -37,7 +37,7 @@ class Records {
   explicit Records(const Bytes& bytes) : bytes_(bytes) {
     if (bytes.size() < kHeader || std::memcmp(bytes.data(), "CAROMREC", 8) != 0)
       throw Error("this is no recording: it does not begin as one does",
-                  "give a file that carom_world_record_begin() wrote");
+                  "give a file that `carom run SCENE --record FILE` wrote");
     std::uint32_t format;
     std::memcpy(&format, &bytes[8], sizeof format);
     if (format != 1)

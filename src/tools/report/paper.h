@@ -39,6 +39,11 @@ struct Figure {
   std::vector<std::string> remarks;  ///< sentences, made from the numbers: where our shape of result is another
 };
 
+/// How many runs each figure below takes: how often it tells progress() of a done of 0.
+std::size_t broad_phase_runs();
+std::size_t size_runs(bool quick);
+std::size_t scene_runs();
+
 /// Share of a step spent in the broad phase: brute force, grid, sweep-and-prune.
 Figure broad_phase_shares(PaperRun& run);
 /// Total time against the number of bodies, with contact groups and without, linear search and heap.

@@ -41,6 +41,8 @@ std::string explain_brute_force(const Measured& m, double n) {
 
 }  // namespace
 
+std::size_t broad_phase_runs() { return 2 * std::size(kStrategies); }
+
 Figure broad_phase_shares(PaperRun& run) {
   const double n = 1024, seconds = run.quick ? 1.5 : 15;
   Figure figure;
@@ -53,7 +55,7 @@ Figure broad_phase_shares(PaperRun& run) {
   chart.value = {"% of the time of a step", Scale::linear, true, {0, 20, 40, 60, 80, 100}};
   chart.note = "falling --n " + std::to_string(static_cast<int>(n)) + ", " + short_number(seconds) +
                " s simulated; dashed: the paper, 2011, N = 1,024";
-  const Crowd crowds[] = {kHeap, kSpread};
+  const Crowd crowds[2] = {kHeap, kSpread};
   for (const Crowd& crowd : crowds) {
     double shares[3] = {};
     std::string brute_force;

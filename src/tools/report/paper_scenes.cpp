@@ -23,6 +23,8 @@ const std::vector<std::string> kPaperDials = {"integrator=explicit_euler",   "so
 
 }  // namespace
 
+std::size_t scene_runs() { return 2 * std::size(kEntries); }
+
 Figure scene_speeds(PaperRun& run) {
   Figure figure;
   figure.heading = "Steps per second of the paper's scenes";

@@ -23,6 +23,13 @@ constexpr Setting kSettings[] = {{"heap: one group", kHeap, "severity_search=lin
 // Slope of log(time) against log(N) between two sizes.
 double exponent(const Point& a, const Point& b) { return std::log(b.y / a.y) / std::log(b.x / a.x); }
 
+std::vector<double> sizes_of(bool quick) {
+  std::vector<double> sizes = {64, 128, 256, 512};
+  // Beyond, the linear search takes minutes a curve.
+  if (!quick) sizes.push_back(1024);
+  return sizes;
+}
+
 constexpr double kClearGain = 1.25;  // a ratio that timing noise on a busy machine does not make
 
 std::string judge(const std::string& crowd, const std::vector<Point>& one_group, const std::vector<Point>& groups) {
@@ -38,10 +45,10 @@ std::string judge(const std::string& crowd, const std::vector<Point>& one_group,
 
 }  // namespace
 
+std::size_t size_runs(bool quick) { return std::size(kSettings) * sizes_of(quick).size(); }
+
 Figure cost_of_size(PaperRun& run) {
-  std::vector<double> sizes = {64, 128, 256, 512};
-  // Beyond, the linear search takes minutes a curve.
-  if (!run.quick) sizes.push_back(1024);
+  const std::vector<double> sizes = sizes_of(run.quick);
   const double seconds = run.quick ? 1.2 : 4;
   Figure figure;
   figure.heading = "Total time against the number of bodies";

@@ -11,7 +11,7 @@ json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d
   const bool has_axes = d.kind == CAROM_JOINT_SIX_AXIS;
   if (!has_axes && d.kind >= std::size(kKinds))
     throw Error("a pulley or a gear stands in the scene, and KHR_physics_rigid_bodies has no such joint",
-                "take it out first, or keep the world as a snapshot: carom_world_save()");
+                "take it out first, or keep the world as a snapshot: carom run SCENE --save FILE");
   json own = {{"kind", has_axes ? "six_axis" : kKinds[d.kind]}}, limits = json::array();
   const auto lock = [&](const char* axes, std::vector<int> which) {
     limits.push_back({{axes, which}, {"min", 0}, {"max", 0}});

@@ -9,7 +9,8 @@ namespace carom::tools {
 
 RunSummary simulate(Stage& stage, Observer* observer, double seconds, double dt,
                     const std::function<bool(const carom_step_report&)>& each) {
-  if (!(seconds > 0 && seconds <= 1e6)) throw Error("a run cannot last that long", "give --seconds between 0 and 1e6");
+  if (!(seconds > 0 && seconds <= 1e6))
+    throw Error("a run cannot last that long", "give --seconds, more than 0 and at most 1e6");
   if (!(dt >= 1e-9 && dt <= 1)) throw Error("the time step must be in [1e-9, 1] s", "give --dt, e.g. 0.016667");
   RunSummary run;
   const auto steps = static_cast<std::uint64_t>(std::max(1.0, std::ceil(seconds / dt - 1e-6)));

@@ -3,9 +3,22 @@ file(REMOVE ${MODULE}.reason)
 if(CARGO)
   get_filename_component(folder ${MODULE} DIRECTORY)
   get_filename_component(folder ${folder} DIRECTORY)
+  # Versions and checksums are those of Cargo.lock.in. It does not say where crates come from: cargo's own registry does, as
+  # a lock file that cargo makes names it. After a change of versions: cargo update, then the lock file with its sources replaced.
+  if(NOT EXISTS Cargo.lock OR Cargo.lock.in IS_NEWER_THAN Cargo.lock)
+    file(REMOVE Cargo.lock)
+    execute_process(COMMAND ${CARGO} generate-lockfile ERROR_VARIABLE told)
+    if(EXISTS Cargo.lock)
+      file(STRINGS Cargo.lock sources REGEX "^source = ")
+      list(GET sources 0 source)
+      file(READ Cargo.lock.in pinned)
+      string(REPLACE "source = \"@registry@\"" "${source}" pinned "${pinned}")
+      file(WRITE Cargo.lock "${pinned}")
+    endif()
+  endif()
   # All crates of the workspace first: a shim asks cargo, without the network, where the sources of its engine are.
-  execute_process(COMMAND ${CARGO} fetch ERROR_VARIABLE told)
-  execute_process(COMMAND ${CARGO} build --release --target-dir ${folder} -p ${PACKAGE}
+  execute_process(COMMAND ${CARGO} fetch --locked ERROR_VARIABLE told)
+  execute_process(COMMAND ${CARGO} build --locked --release --target-dir ${folder} -p ${PACKAGE}
     RESULT_VARIABLE failed ERROR_VARIABLE told ECHO_ERROR_VARIABLE)
   string(REGEX MATCH "error[^\n]*" reason "${told}")
 else()
