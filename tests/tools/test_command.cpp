@@ -110,8 +110,9 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
     assert_true(says(o, c.expected));
     // Words of the shell: no function of the C interface, none of its types' fields.
     const std::string remedy = o.text.substr(o.text.rfind("what to do"));
-    if (remedy.find("()") != std::string::npos || o.text.find("->") != std::string::npos)
-      fail_msg("carom %s: %s", c.line, o.text.c_str());
+    const bool plain = remedy.find("()") == std::string::npos && !says(o, "->");
+    if (!plain) std::printf("carom %s: %s\n", c.line, o.text.c_str());
+    assert_true(plain);
     assert_false(says(o, "look for:"));  // it is told before the run begins
   }
 }

@@ -57,6 +57,13 @@ std::string usage_of(const Place& place) {
   return line;
 }
 
+/// What an option takes, in words of the help.
+std::string type_of(const CLI::Option* option) {
+  const std::string type = option ? option->get_type_name() : "";
+  if (type == "FLOAT" || type == "INT" || type == "UINT") return "NUMBER";
+  return type.empty() || type == "TEXT" ? "VALUE" : type;
+}
+
 /// The option of that name here or further up.
 const CLI::Option* option_of(const CLI::App& app, const Place& place, const std::string& name) {
   for (const CLI::App* at : {place.app, &app})
@@ -95,7 +102,7 @@ Error word_too_many(const CLI::App& app, const Place& place) {
 }
 
 Error command_missing(const CLI::App& app, const Place& place) {
-  if (!place.app->remaining().empty()) return word_too_many(app, place);
+  if (!place.app->remaining().empty() || !app.remaining().empty()) return word_too_many(app, place);
   return Error("no command of " + place.path + " is given", "give one of " + listed(commands_of(*place.app)) + "; " +
                                                                 help_line(place.path) +
                                                                 " says what each does; a first try: carom run seesaw");
@@ -112,8 +119,8 @@ std::pair<std::string, std::string> split(const std::string& text, const std::st
 Error no_value(const CLI::App& app, const Place& place, const std::string& said) {
   const auto [name, value] = split(said.substr(said.find(": ") + 2), " = ");
   const CLI::Option* option = option_of(app, place, name);
-  const std::string unit = option ? option->get_type_name() : "";
-  const bool plain = unit.empty() || unit == "FLOAT" || unit == "INT" || unit == "UINT";
+  const std::string unit = type_of(option);
+  const bool plain = unit == "VALUE" || unit == "NUMBER";
   return Error(name + " cannot be '" + value + "'",
                "give a number" + (plain ? std::string() : ", " + unit) + ": " + help_line(place.path) + " says which");
 }
@@ -146,9 +153,8 @@ Error explain(const CLI::App& app, const CLI::ParseError& wrong) {
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong)) {
     const std::string name = split(said, ":").first;
     const CLI::Option* option = option_of(app, place, name);
-    return Error(name + " has no value, or too many", "write: " + name + " " +
-                                                          (option ? option->get_type_name() : "VALUE") + "; " +
-                                                          help_line(place.path) + " says what it takes");
+    return Error(name + " has no value, or too many",
+                 "write: " + name + " " + type_of(option) + "; " + help_line(place.path) + " says what it takes");
   }
   return Error(said, help_line(place.path) + " says what it takes");
 }
