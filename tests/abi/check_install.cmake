@@ -25,6 +25,7 @@ if(archive)
     "find_package(carom 0.9 REQUIRED)\nadd_executable(one_file one_file.c)\ntarget_link_libraries(one_file PRIVATE carom::carom_static)\n")
   file(WRITE ${SCRATCH}/one_file/one_file.c [[
 #include <carom/carom.h>
+#include <stddef.h>
 int main(void) {
   carom_engine *engine = NULL;
   carom_shape shape = 0;
