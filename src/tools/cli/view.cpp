@@ -41,11 +41,10 @@ std::string site_folder(const std::string& given) {
     if (fs::is_regular_file(place / "index.html", failed)) return fs::weakly_canonical(place, failed).string();
     searched += "\n    " + place.lexically_normal().string();
   }
-  throw Error(
-      "the page is not built: there is no index.html in" + searched,
-      "build it as src/site/README.md says: cmake --preset wasm && cmake --build --preset wasm, then "
-      "build/demo/bin/carom pack out/scenes && cd src/site && npm ci && npm run build; or name its folder: "
-      "--site DIR");
+  throw Error("the page is not built: there is no index.html in" + searched,
+              "build it as src/site/README.md says: cmake --preset wasm && cmake --build --preset wasm, then "
+              "build/demo/bin/carom pack out/scenes && cd src/site && npm ci && npm run build; or name its folder: "
+              "--site DIR");
 }
 
 /// The folder's own index with one scene in front, which the page then shows first.
