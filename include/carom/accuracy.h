@@ -77,7 +77,8 @@ CAROM_API int32_t carom_accuracy_init(carom_accuracy *accuracy, uint32_t struct_
 
 /** Set an error tolerance from the next step on.
  *  @param accuracy NULL: none, as a world is created
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are 0);
+ *  @status OK; UNSUPPORTED; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are
+ *  0);
  *          BUSY; REENTRANT */
 CAROM_API int32_t carom_world_set_accuracy(carom_world *world, const carom_accuracy *accuracy, carom_error *error);
 
@@ -91,7 +92,7 @@ CAROM_API int32_t carom_world_get_accuracy(carom_world *world, carom_accuracy *a
  *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride   sizeof(carom_island) as the caller knows it
  *  @param count    out: how many there are (may exceed capacity; capacity are written)
- *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
 CAROM_API int32_t carom_world_get_islands(carom_world *world, carom_island *dst, uint64_t stride, uint64_t capacity,
                                           uint64_t *count, carom_error *error);
 

@@ -47,7 +47,7 @@ CAROM_API int32_t carom_material_set_resistance(carom_world *world, carom_materi
 /** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_material_get_resistance(carom_world *world, carom_material material, double *rolling,
                                                 double *spinning, carom_error *error);
-/** @status OK; *_HANDLE; IN_USE (a collider uses it); BUSY */
+/** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY */
 CAROM_API int32_t carom_material_destroy(carom_world *world, carom_material material, carom_error *error);
 
 /* ---- bodies ---- */
@@ -98,7 +98,7 @@ CAROM_API int32_t carom_body_desc_init(carom_body_desc *desc, uint32_t struct_si
  *          REENTRANT; LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body,
                                     carom_error *error);
-/** Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT */
+/** Destroys its colliders too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_body_destroy(carom_world *world, carom_body body, carom_error *error);
 
 /** Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a
@@ -106,12 +106,12 @@ CAROM_API int32_t carom_body_destroy(carom_world *world, carom_body body, carom_
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_get(carom_world *world, carom_body body, carom_body_desc *desc, carom_error *error);
 
-/** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY;
- *  REENTRANT */
+/** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
+ *  NOT_UNIT; BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_pose(carom_world *world, carom_body body, const double position[3],
                                       const double orientation[4], carom_error *error);
 /** @param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
- *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_set_velocity(carom_world *world, carom_body body, const double linear[3],
                                           const double angular[3], carom_error *error);
 /** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z,
@@ -167,11 +167,11 @@ CAROM_API int32_t carom_body_get_colliders(carom_world *world, carom_body body, 
 
 /** Add a force and a torque about the centre of mass, for the next step only.
  *  @param force [3] N, world   @param torque [3] N m, world
- *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_add_force(carom_world *world, carom_body body, const double force[3],
                                        const double torque[3], carom_error *error);
 /** Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
- *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
 CAROM_API int32_t carom_body_add_impulse(carom_world *world, carom_body body, const double impulse[3],
                                          const double point[3], carom_error *error);
 
@@ -271,7 +271,8 @@ CAROM_API int32_t carom_body_get_attribute(carom_world *world, carom_body body, 
 
 /** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_body_is_asleep(carom_world *world, carom_body body, uint32_t *asleep, carom_error *error);
-/** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT */
+/** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; NULL_ARGUMENT; *_HANDLE;
+ *  BUSY; REENTRANT */
 CAROM_API int32_t carom_body_wake(carom_world *world, carom_body body, carom_error *error);
 
 /* ---- continuous collision ----
@@ -349,7 +350,7 @@ CAROM_API int32_t carom_collider_create(carom_world *world, carom_body body, con
 CAROM_API int32_t carom_body_create_named(carom_world *world, uint32_t type, const char *name, const double *params,
                                           uint64_t count, const double position[3], carom_body *body,
                                           carom_error *error);
-/** @status OK; *_HANDLE; BUSY; REENTRANT */
+/** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_collider_destroy(carom_world *world, carom_collider collider, carom_error *error);
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_collider_get(carom_world *world, carom_collider collider, carom_collider_desc *desc,

@@ -93,7 +93,8 @@ CAROM_API int32_t carom_plugin_register(carom_engine *engine, const carom_shape_
  *  @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_plugins_register_standard(carom_engine *engine, carom_error *error);
 
-/** Forget a plugin (logically: the code stays mapped).   @status OK; IN_USE (shapes of it live); *_HANDLE; REENTRANT */
+/** Forget a plugin (logically: the code stays mapped).   @status OK; NULL_ARGUMENT; IN_USE (shapes of it live);
+ *  *_HANDLE; REENTRANT */
 CAROM_API int32_t carom_plugin_unload(carom_engine *engine, carom_plugin plugin, carom_error *error);
 
 /** Find a loaded plugin by its id.

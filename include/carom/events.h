@@ -56,7 +56,7 @@ typedef struct carom_contact_event {
  *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride   sizeof(carom_contact_event) as the caller knows it
  *  @param count    out: how many there are (may exceed capacity; capacity are written)
- *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
 CAROM_API int32_t carom_world_get_contact_events(carom_world *world, carom_contact_event *dst, uint64_t stride,
                                                  uint64_t capacity, uint64_t *count, carom_error *error);
 

@@ -92,7 +92,7 @@ CAROM_API int32_t carom_force_field_update(carom_world *world, carom_force_field
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
 CAROM_API int32_t carom_force_field_get(carom_world *world, carom_force_field field, carom_force_field_desc *desc,
                                         carom_error *error);
-/** @status OK; *_HANDLE; BUSY; REENTRANT */
+/** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_force_field_destroy(carom_world *world, carom_force_field field, carom_error *error);
 /** Which fields a body feels. A field with a bit that few bodies have costs those few.
  *  @param mask 1 when a body is created; 0: none
@@ -140,7 +140,7 @@ CAROM_API int32_t carom_spring_get(carom_world *world, carom_spring spring, caro
  *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_spring_get_state(carom_world *world, carom_spring spring, double *length, double *force,
                                          carom_error *error);
-/** Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT */
+/** Goes with its bodies, too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_spring_destroy(carom_world *world, carom_spring spring, carom_error *error);
 
 /* ---- water ---- */

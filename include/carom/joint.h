@@ -244,7 +244,7 @@ CAROM_API int32_t carom_joint_orientation_drive_init(carom_joint_orientation_dri
  *          LIMIT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint,
                                      carom_error *error);
-/** @status OK; *_HANDLE; BUSY; REENTRANT */
+/** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_destroy(carom_world *world, carom_joint joint, carom_error *error);
 /** @param desc out: as it was made, with frames in body coordinates
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */

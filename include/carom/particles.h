@@ -33,7 +33,7 @@ CAROM_API int32_t carom_particles_desc_init(carom_particles_desc *desc, uint32_t
  *  */
 CAROM_API int32_t carom_particles_create(carom_world *world, const carom_particles_desc *desc, carom_particles *set,
                                          carom_error *error);
-/** Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT */
+/** Its particles too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
 CAROM_API int32_t carom_particles_destroy(carom_world *world, carom_particles set, carom_error *error);
 /** @param desc out: as it was made or updated; capacity: particles there is memory for
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
@@ -61,7 +61,7 @@ CAROM_API int32_t carom_particles_add(carom_world *world, carom_particles set, u
                                       uint64_t velocity_stride, carom_error *error);
 /** Remove n particles. The others keep their order, so each moves up by as many as went before it.
  *  @param indices [n] ascending, each once; NULL: all of them (n must be their number)
- *  @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
 CAROM_API int32_t carom_particles_remove(carom_world *world, carom_particles set, const uint32_t *indices, uint64_t n,
                                          carom_error *error);
 

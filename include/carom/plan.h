@@ -115,7 +115,7 @@ typedef struct carom_plan_line {
  *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
  *  @param stride   sizeof(carom_plan_line) as the caller knows it
  *  @param count    out: how many there are (may exceed capacity; capacity are written)
- *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+ *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
 CAROM_API int32_t carom_world_get_plan(carom_world *world, carom_plan_line *dst, uint64_t stride, uint64_t capacity,
                                        uint64_t *count, carom_error *error);
 

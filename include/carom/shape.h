@@ -36,7 +36,7 @@ CAROM_API int32_t carom_shape_create_named(carom_engine *engine, const char *nam
 CAROM_API int32_t carom_shape_create_half_space(carom_engine *engine, const double normal[3], double offset,
                                                 carom_shape *shape, carom_error *error);
 
-/** @status OK; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
+/** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
 CAROM_API int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, carom_error *error);
 
 /** What the engine knows of a shape. Quantities are for unit density (1 kg/m^3) in the shape's own frame; each derived

@@ -140,13 +140,13 @@ CAROM_API int32_t carom_world_cast_shapes(carom_world *world, const carom_query_
                                           carom_error *error);
 
 /** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
- *  @thread reader */
+ *  @status as carom_world_cast_rays_all(); NOT_UNIT   @thread reader */
 CAROM_API int32_t carom_world_cast_shapes_all(carom_world *world, const carom_query_shapes *shapes,
                                               const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride,
                                               uint64_t capacity, uint64_t *count, carom_error *error);
 
 /** All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
- *  carom_world_cast_rays_all().   @thread reader */
+ *  carom_world_cast_rays_all().   @status as carom_world_cast_rays_all(); NOT_UNIT   @thread reader */
 CAROM_API int32_t carom_world_overlap_shapes(carom_world *world, const carom_query_shapes *shapes,
                                              const carom_query_desc *desc, carom_world_hit *dst, uint64_t stride,
                                              uint64_t capacity, uint64_t *count, carom_error *error);

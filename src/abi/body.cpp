@@ -3,8 +3,8 @@
 
 #include <carom/body.h>
 
-#include <algorithm>
-#include <array>
+#include <cstddef>
+#include <cstring>
 
 #include "abi/collider.h"
 #include "abi/float_scope.h"
@@ -61,26 +61,45 @@ bool check_motion(Call& call, const carom_body_desc& d) {
          in_range(call, 2, "desc->angular_damping", d.angular_damping, 0, kLargestDamping);
 }
 
-/// An attribute as a descriptor says it.
-struct SaidAttribute {
+/// Where a descriptor says an attribute. One that is not listed is no field of it: bodies are made with the usual value.
+struct AttributeField {
   AttributeId id;
   const char* name;
-  AttributeValue value;
+  std::size_t offset;  // of its first number
+  bool is_word;        // one number of 32 bits; or doubles, side by side
 };
-std::array<SaidAttribute, kAttributeCount> attributes_in(const carom_body_desc& d) {
-  return {{{AttributeId::gravity_factor, "desc->gravity_factor", {d.gravity_factor}},
-           {AttributeId::locks, "desc->locks", {Real(d.locks)}},
-           {AttributeId::drag, "desc->linear_drag or quadratic_drag", {d.linear_drag, d.quadratic_drag}},
-           {AttributeId::force_field_mask, "desc->force_field_mask", {Real(d.force_field_mask)}},
-           {AttributeId::magnetic_moment,
-            "desc->magnetic_moment",
-            {d.magnetic_moment[0], d.magnetic_moment[1], d.magnetic_moment[2]}}}};
+constexpr AttributeField kAttributeFields[] = {
+    {AttributeId::gravity_factor, "desc->gravity_factor", offsetof(carom_body_desc, gravity_factor), false},
+    {AttributeId::locks, "desc->locks", offsetof(carom_body_desc, locks), true},
+    {AttributeId::drag, "desc->linear_drag or quadratic_drag", offsetof(carom_body_desc, linear_drag), false},
+    {AttributeId::force_field_mask, "desc->force_field_mask", offsetof(carom_body_desc, force_field_mask), true},
+    {AttributeId::magnetic_moment, "desc->magnetic_moment", offsetof(carom_body_desc, magnetic_moment), false},
+};
+static_assert(offsetof(carom_body_desc, quadratic_drag) == offsetof(carom_body_desc, linear_drag) + sizeof(double));
+
+AttributeValue value_in(const carom_body_desc& d, const AttributeField& field) {
+  const char* const from = reinterpret_cast<const char*>(&d) + field.offset;
+  AttributeValue value{};
+  std::uint32_t word = 0;
+  if (field.is_word)
+    std::memcpy(&word, from, sizeof word), value[0] = word;
+  else
+    std::memcpy(value.data(), from, row_of(field.id).numbers * sizeof(double));
+  return value;
+}
+void put_value(const AttributeValue& value, const AttributeField& field, carom_body_desc& d) {
+  char* const to = reinterpret_cast<char*>(&d) + field.offset;
+  const auto word = static_cast<std::uint32_t>(value[0]);
+  if (field.is_word)
+    std::memcpy(to, &word, sizeof word);
+  else
+    std::memcpy(to, value.data(), row_of(field.id).numbers * sizeof(double));
 }
 
 bool check_attributes(Call& call, const World& world, const carom_body_desc& d) {
   if (!only_bits(call, 2, "desc->locks", d.locks, CAROM_LOCK_ALL)) return false;
-  for (const SaidAttribute& said : attributes_in(d))
-    if (!may_have(call, world, static_cast<BodyType>(d.type), said.id, said.value, said.name)) return false;
+  for (const AttributeField& field : kAttributeFields)
+    if (!may_have(call, world, static_cast<BodyType>(d.type), field.id, value_in(d, field), field.name)) return false;
   return true;
 }
 
@@ -131,13 +150,8 @@ carom_body_desc describe(const World& world, std::uint32_t slot) {
   d.angular_damping = def.angular_damping;
   d.user = def.user;
   d.continuous = static_cast<std::uint32_t>(def.continuous);
-  const auto attribute = [&](AttributeId id) { return world.scene.attributes.of(id, slot); };
-  d.gravity_factor = attribute(AttributeId::gravity_factor)[0];
-  d.locks = static_cast<std::uint32_t>(attribute(AttributeId::locks)[0]);
-  const AttributeValue drag = attribute(AttributeId::drag), moment = attribute(AttributeId::magnetic_moment);
-  d.linear_drag = drag[0], d.quadratic_drag = drag[1];
-  d.force_field_mask = static_cast<std::uint32_t>(attribute(AttributeId::force_field_mask)[0]);
-  std::copy_n(moment.begin(), 3, d.magnetic_moment);
+  for (const AttributeField& field : kAttributeFields)
+    put_value(world.scene.attributes.of(field.id, slot), field, d);
   return d;
 }
 
@@ -191,7 +205,7 @@ int32_t carom_body_desc_init(carom_body_desc* desc, uint32_t struct_size) {
   return init_struct(desc, struct_size, [](carom_body_desc& d) {
     d.type = CAROM_BODY_DYNAMIC;
     d.orientation[3] = 1;
-    d.gravity_factor = d.force_field_mask = 1;
+    for (const AttributeField& field : kAttributeFields) put_value(row_of(field.id).usual, field, d);
   });
 }
 
@@ -202,15 +216,15 @@ int32_t carom_body_create(carom_world* world, const carom_body_desc* desc, carom
     BodyDef def;
     if (!changing || !read_body(call, *changing, desc, d, def) || !present(call, 3, "body", body)) return;
     const FloatScope scope;
-    const auto said = attributes_in(d);
-    for (const SaidAttribute& a : said)
-      if (a.value != row_of(a.id).usual) changing->reserve_another(a.id);
+    for (const AttributeField& field : kAttributeFields)
+      if (value_in(d, field) != row_of(field.id).usual) changing->reserve_another(field.id);
     const Handle handle = changing->add_body(def);
     if (!handle) {
       call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u bodies", kMaxSlots);
       return;
     }
-    for (const SaidAttribute& a : said) changing->set_attribute(handle_slot(handle), a.id, a.value);
+    for (const AttributeField& field : kAttributeFields)
+      changing->set_attribute(handle_slot(handle), field.id, value_in(d, field));
     *body = handle;
   });
 }

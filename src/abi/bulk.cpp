@@ -68,7 +68,7 @@ bool check_shape_of_data(Call& call, std::uint32_t field, std::uint32_t scalar, 
   if (!known(call, 2, "field", field, CAROM_FIELD_COUNT) || !known(call, 3, "scalar", scalar, CAROM_SCALAR_F64 + 1) ||
       (n && !present(call, 6, name, data)))
     return false;
-  return check_stride(call, 7, kBulkFields[field].name, kBulkFields[field].scalars, scalar, stride);
+  return check_stride(call, 7, kBulkFields[field].name, kBulkFields[field].scalars, scalar, stride, n, 5);
 }
 
 template <class Scalar>
@@ -115,9 +115,10 @@ void write_all(Call& call, World& world, const FieldRow& field, const Selection&
 }  // namespace
 
 bool check_stride(Call& call, int argument, const char* what, int scalars, std::uint32_t scalar,
-                  std::uint64_t& stride) {
+                  std::uint64_t& stride, std::uint64_t n, int count_argument) {
   const std::uint64_t record = static_cast<std::uint64_t>(scalars) * (scalar == CAROM_SCALAR_F32 ? 4 : 8);
   if (stride == 0) stride = record;
+  if (!spans(call, argument, count_argument, n, stride, record)) return false;
   return stride >= record ||
          call.fail(CAROM_E_BUFFER_TOO_SMALL, argument, "stride is %llu, a record of %s has %llu bytes",
                    static_cast<unsigned long long>(stride), what, static_cast<unsigned long long>(record));

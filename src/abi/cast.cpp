@@ -137,12 +137,12 @@ struct Batch {
     const std::uint64_t one = bytes(scalar_out);
     // A record may be cut short: an older header's.
     if (!h.record_stride) h.record_stride = sizeof(carom_ray_hit);
-    return make_column(call, 8, "hits->records", h.records, h.record_stride, kSmallestStruct, records) &&
-           make_column(call, 8, "hits->outcomes", h.outcomes, h.outcome_stride, 4, outcomes) &&
-           make_column(call, 8, "hits->shapes", h.shapes, h.shape_stride, 4, shapes) &&
-           make_column(call, 8, "hits->times", h.times, h.time_stride, one, times) &&
-           make_column(call, 8, "hits->normals", h.normals, h.normal_stride, 3 * one, normals) &&
-           make_column(call, 8, "hits->points", h.points, h.point_stride, 3 * one, points);
+    return make_column(call, 8, "hits->records", h.records, h.record_stride, kSmallestStruct, rays.count, records) &&
+           make_column(call, 8, "hits->outcomes", h.outcomes, h.outcome_stride, 4, rays.count, outcomes) &&
+           make_column(call, 8, "hits->shapes", h.shapes, h.shape_stride, 4, rays.count, shapes) &&
+           make_column(call, 8, "hits->times", h.times, h.time_stride, one, rays.count, times) &&
+           make_column(call, 8, "hits->normals", h.normals, h.normal_stride, 3 * one, rays.count, normals) &&
+           make_column(call, 8, "hits->points", h.points, h.point_stride, 3 * one, rays.count, points);
   }
 
   void write(std::uint64_t i, const carom_ray_hit& hit) const {

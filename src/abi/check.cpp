@@ -107,4 +107,14 @@ bool zero_tail(Call& call, int argument, const char* name, const void* structure
   return true;
 }
 
+bool spans(Call& call, int argument, int count_argument, std::uint64_t n, std::uint64_t stride, std::uint64_t size) {
+  if (stride > kLargestStride)
+    return call.fail(CAROM_E_OUT_OF_RANGE, argument, "a stride is %llu, must be at most %llu bytes",
+                     static_cast<unsigned long long>(stride), static_cast<unsigned long long>(kLargestStride));
+  constexpr std::uint64_t kMost = PTRDIFF_MAX;
+  return n <= 1 || (n - 1 <= (kMost - size) / std::max<std::uint64_t>(stride, 1)) ||
+         call.fail(CAROM_E_OUT_OF_RANGE, count_argument, "%llu elements, %llu bytes apart, are more than memory holds",
+                   static_cast<unsigned long long>(n), static_cast<unsigned long long>(stride));
+}
+
 }  // namespace carom::abi

@@ -88,9 +88,16 @@ void write_struct(const T& full, T* wanted) {
   std::memcpy(reinterpret_cast<char*>(wanted) + skip, reinterpret_cast<const char*>(&full) + skip, size - skip);
 }
 
+inline constexpr std::uint64_t kLargestStride = 0x7FFFFFFF;  // more is a negative number, or none at all
+
+/// n elements of `size` bytes at a stride, which is at least that, lie within what can be addressed.
+/// @param argument, count_argument  of the stride, and of n
+bool spans(Call& call, int argument, int count_argument, std::uint64_t n, std::uint64_t stride, std::uint64_t size);
+
 /// A stride that elements of some version of T may have.
 template <class T>
 bool element_stride(Call& call, int argument, std::uint64_t stride) {
+  if (stride > kLargestStride) return spans(call, argument, argument, 1, stride, 1);
   return (stride >= kSmallestStruct && stride % alignof(T) == 0) ||
          call.fail(CAROM_E_BUFFER_TOO_SMALL, argument, "stride is %llu, one element has %zu bytes",
                    static_cast<unsigned long long>(stride), sizeof(T));

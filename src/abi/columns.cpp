@@ -15,9 +15,10 @@ bool RayColumns::read(Call& call, int argument, const carom_rays* given) {
   const std::uint64_t one = bytes(scalar);
   return (!count || (present(call, argument, "rays->origins", r.origins) &&
                      present(call, argument, "rays->directions", r.directions))) &&
-         make_column(call, argument, "rays->origins", r.origins, r.origin_stride, 3 * one, origins) &&
-         make_column(call, argument, "rays->directions", r.directions, r.direction_stride, 3 * one, directions) &&
-         make_column(call, argument, "rays->max", r.max, r.max_stride, one, max);
+         make_column(call, argument, "rays->origins", r.origins, r.origin_stride, 3 * one, count, origins) &&
+         make_column(call, argument, "rays->directions", r.directions, r.direction_stride, 3 * one, count,
+                     directions) &&
+         make_column(call, argument, "rays->max", r.max, r.max_stride, one, count, max);
 }
 
 bool RayColumns::get(std::uint64_t i, Ray& ray) const {

@@ -19,10 +19,12 @@ struct Column {
   }
 };
 
+/// @param n  elements
 inline bool make_column(Call& call, int argument, const char* name, const void* data, std::uint64_t stride,
-                        std::uint64_t size, Column& column) {
+                        std::uint64_t size, std::uint64_t n, Column& column) {
   column.at = static_cast<char*>(const_cast<void*>(data));
   column.stride = stride ? stride : size;
+  if (column.at && !spans(call, argument, argument, n, column.stride, size)) return false;
   return column.stride >= size ||
          call.fail(CAROM_E_BUFFER_TOO_SMALL, argument, "%s: stride %llu, an element has %llu", name,
                    static_cast<unsigned long long>(stride), static_cast<unsigned long long>(size));

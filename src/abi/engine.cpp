@@ -29,7 +29,7 @@ void carom_engine::log_message(std::uint32_t level, const char* format, ...) con
   va_start(args, format);
   std::vsnprintf(text, sizeof text, format, args);
   va_end(args);
-  log(log_user, level, text);
+  carom::abi::call_host([&] { log(log_user, level, text); });
 }
 
 namespace carom::abi {

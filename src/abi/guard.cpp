@@ -7,11 +7,17 @@
 #include <cstdio>
 #include <cstring>
 
+#if defined(__unix__) && !defined(__wasm__) && !defined(__ANDROID__)
+#include <pthread.h>
+#define CAROM_HAS_CANCELLATION 1
+#endif
+
 namespace carom::abi {
 namespace {
 
 // Not state of the library but of the thread's call stack: whether a carom_* call is under way on it.
 constinit thread_local bool inside_library = false;
+constinit thread_local bool thread_leaves = false;
 
 // Bytes of struct_size and code: less is not a carom_error.
 constexpr std::uint32_t kSmallestError = 8;
@@ -70,6 +76,7 @@ Inside::Inside(Call& call) {
     return;
   }
   inside_library = true;
+  thread_leaves = false;
   entered_ = true;
 }
 
@@ -79,6 +86,28 @@ Inside::~Inside() {
 
 InsideJob::InsideJob() : before_(inside_library) { inside_library = true; }
 InsideJob::~InsideJob() { inside_library = before_; }
-void mark_inside() { inside_library = true; }
+void mark_inside() {
+  inside_library = true;
+  hold_cancellation();
+}
+
+#ifdef CAROM_HAS_CANCELLATION
+int hold_cancellation() {
+  int before = PTHREAD_CANCEL_ENABLE;
+  pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before);
+  return before;
+}
+void give_cancellation(int before) {
+  if (before == PTHREAD_CANCEL_DISABLE) return;
+  pthread_setcancelstate(before, nullptr);
+  pthread_testcancel();
+}
+#else
+int hold_cancellation() { return 0; }
+void give_cancellation(int) {}
+#endif
+
+void mark_leaving() { thread_leaves = true; }
+bool is_leaving() { return thread_leaves; }
 
 }  // namespace carom::abi

@@ -1,5 +1,6 @@
 // The one gate of the boundary: every call that can fail goes through guarded(), which lets no exception out, refuses
-// calls from inside a callback, and turns what went wrong into a result and, where asked for, a carom_error.
+// calls from inside a callback, and turns what went wrong into a result and, where asked for, a carom_error. A thread that
+// a callback ends unwinds through it; one that is cancelled from outside finishes its call first.
 #pragma once
 
 #include <carom/base.h>
@@ -7,6 +8,9 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+
+#include "core/jobs.h"
+#include "core/leaving.h"
 
 namespace carom::abi {
 
@@ -75,27 +79,55 @@ class InsideJob {
  private:
   bool before_;  // the stepping thread does parts too
 };
-/// Likewise for good: a thread of our own.
+/// Likewise for good: a thread of our own, which nobody cancels.
 void mark_inside();
 
-/// Run the body of one C call: work(call).
+/// Cancellation of this thread waits from here on. @return what to give back
+int hold_cancellation();
+/// As it was before. A thread that was cancelled meanwhile ends here.
+void give_cancellation(int before);
+
+/// A callback ends this thread: what is going on is not to be written down as done.
+void mark_leaving();
+bool is_leaving();
+
+/// A function of the host's, which may end the thread.
+template <class F>
+auto call_host(F&& function) {
+  try {
+    return function();
+  } catch (const core::ThreadExit&) {
+    mark_leaving();
+    throw;
+  }
+}
+
+/// Run the body of one C call: work(call). Only a thread that ends goes out of it otherwise than by returning.
 template <class Work>
-std::int32_t guarded(carom_error* error, Work&& work) noexcept {
+std::int32_t guarded(carom_error* error, Work&& work) {
+  const int cancellation = hold_cancellation();
   Call call(error);
   if (const Inside inside(call); inside) {
     try {
       work(call);
+    } catch (const core::ThreadExit&) {
+      throw;
     } catch (const std::bad_alloc&) {
       call.fail(CAROM_E_OUT_OF_MEMORY, 0, "the allocator had no memory for this call");
     } catch (const std::length_error&) {
       call.fail(CAROM_E_OUT_OF_MEMORY, 0, "this call asks for more memory than can be addressed");
+    } catch (const core::CallbackLeft& e) {
+      call.fail(CAROM_E_INTERNAL, 0, "%s", e.what());
+      call.advise("let callbacks return; a step that one left is not finished, and the next begins where it ended");
     } catch (const std::exception& e) {
       call.fail(CAROM_E_INTERNAL, 0, "unexpected: %s", e.what());
     } catch (...) {
       call.fail(CAROM_E_INTERNAL, 0, "unexpected exception of unknown type; did a callback throw?");
     }
   }
-  return call.finish();
+  const std::int32_t result = call.finish();
+  give_cancellation(cancellation);
+  return result;
 }
 
 }  // namespace carom::abi

@@ -22,6 +22,7 @@ struct Loop {
   void* context;
   std::uint32_t count, grain, parts;
   std::atomic<std::uint64_t> claimed{0};
+  std::atomic<bool> failed{false};  // a part was not finished
 
   void take(std::uint32_t part) {
     const std::uint64_t bit = std::uint64_t{1} << part;
@@ -33,9 +34,20 @@ struct Loop {
 
 extern "C" void do_parts(void* context, std::uint32_t begin, std::uint32_t end) {
   Loop& loop = *static_cast<Loop*>(context);
-  const InsideJob inside;
-  const FloatScope scope;
-  for (std::uint32_t part = begin; part < std::min(end, loop.parts); ++part) loop.take(part);
+  const int cancellation = hold_cancellation();
+  {
+    const InsideJob inside;
+    const FloatScope scope;
+    try {
+      for (std::uint32_t part = begin; part < std::min(end, loop.parts); ++part) loop.take(part);
+    } catch (const ThreadExit&) {
+      loop.failed.store(true, std::memory_order_relaxed);
+      throw;
+    } catch (...) {  // the host's own code between here and the step need not know exceptions
+      loop.failed.store(true, std::memory_order_relaxed);
+    }
+  }
+  give_cancellation(cancellation);
 }
 
 class HostJobs final : public Jobs {
@@ -45,8 +57,9 @@ class HostJobs final : public Jobs {
   void run(Task task, void* context, std::uint32_t count, std::uint32_t grain) override {
     grain = std::max(grain, (count - 1) / Loop::kMostParts + 1);
     Loop loop{task, context, count, grain, (count - 1) / grain + 1};
-    run_(user_, do_parts, &loop, loop.parts);
+    call_host([&] { run_(user_, do_parts, &loop, loop.parts); });
     for (std::uint32_t part = 0; part < loop.parts; ++part) loop.take(part);  // what the host left
+    if (loop.failed.load(std::memory_order_relaxed)) throw CallbackLeft();
   }
 
  private:

@@ -58,7 +58,7 @@ int32_t carom_world_read_joints(carom_world* world, uint32_t field, uint32_t sca
       return;
     const JointField& row = kBulkJointFields[field];
     const Selection selection(reading->joints.slots, joints, {"joints", "a joint of joints"});
-    if (!check_stride(call, 7, row.name, row.scalars, scalar, stride) || !selection.check(call, n)) return;
+    if (!check_stride(call, 7, row.name, row.scalars, scalar, stride, n, 5) || !selection.check(call, n)) return;
     const FloatScope scope;
     selection.for_each(n, [&](std::uint32_t slot, std::uint64_t i) {
       double record[kMostScalars];

@@ -5,6 +5,7 @@
 
 #include <new>
 
+#include "abi/guard.h"
 #include "core/memory.h"
 
 namespace carom::abi {
@@ -16,7 +17,8 @@ class HostMemory final : public Memory {
 
  private:
   void* do_allocate(std::size_t size, std::size_t alignment) override {
-    void* p = alloc_ ? alloc_(user_, size, alignment) : ::operator new(size, std::align_val_t(alignment));
+    void* p = alloc_ ? call_host([&] { return alloc_(user_, size, alignment); })
+                     : ::operator new(size, std::align_val_t(alignment));
     if (!p) throw std::bad_alloc();
     return p;
   }

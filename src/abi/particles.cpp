@@ -226,8 +226,8 @@ int32_t carom_particles_add(carom_world* world, carom_particles set, uint64_t n,
         call, world, record::particles_add(set, n, scalar, positions, position_stride, velocities, velocity_stride));
     if (!changing || !resolve_set(call, *changing, set) || !known(call, 4, "scalar", scalar, CAROM_SCALAR_F64 + 1) ||
         (n && !present(call, 5, "positions", positions)) ||
-        !check_stride(call, 6, kPosition.name, 3, scalar, position_stride) ||
-        !check_stride(call, 8, kVelocity.name, 3, scalar, velocity_stride))
+        !check_stride(call, 6, kPosition.name, 3, scalar, position_stride, std::min<std::uint64_t>(n, kMostParticles), 3) ||
+        !check_stride(call, 8, kVelocity.name, 3, scalar, velocity_stride, std::min<std::uint64_t>(n, kMostParticles), 3))
       return;
     const std::uint32_t s = handle_slot(set);
     Particles& particles = changing->particles;
@@ -267,7 +267,7 @@ int32_t carom_particles_read(carom_world* world, carom_particles set, uint32_t f
     if (!reading || !resolve_set(call, *reading, set)) return;
     const ParticleFieldRow* const row = find_field(call, field);
     if (!row || !known(call, 4, "scalar", scalar, CAROM_SCALAR_F64 + 1) || (n && !present(call, 7, "dst", dst)) ||
-        !check_stride(call, 8, row->name, row->scalars, scalar, stride))
+        !check_stride(call, 8, row->name, row->scalars, scalar, stride, n, 6))
       return;
     const ParticleSet& p = set_of(*reading, set);
     if (!check_indices(call, 5, p, indices, n, false)) return;
@@ -288,7 +288,7 @@ int32_t carom_particles_write(carom_world* world, carom_particles set, uint32_t 
     if (!changing || !resolve_set(call, *changing, set)) return;
     const ParticleFieldRow* const row = find_field(call, field);
     if (!row || !known(call, 4, "scalar", scalar, CAROM_SCALAR_F64 + 1) || (n && !present(call, 7, "src", src)) ||
-        !check_stride(call, 8, row->name, row->scalars, scalar, stride) ||
+        !check_stride(call, 8, row->name, row->scalars, scalar, stride, n, 6) ||
         !check_indices(call, 5, set_of(*changing, set), indices, n, false))
       return;
     const FloatScope scope;

@@ -39,7 +39,7 @@ Recorder::Recorder(carom_engine& engine, std::uint32_t flags, carom_write_fn to_
 
 void Recorder::send(const void* bytes, std::uint64_t size) {
   if (code_ != CAROM_OK) return;
-  if (write_(user_, bytes, size) != 0)
+  if (call_host([&] { return write_(user_, bytes, size); }) != 0)
     code_ = CAROM_E_WRITE_FAILED;
   else
     written_ += size;
@@ -111,7 +111,7 @@ Array<std::byte> Recorder::state_of(const World& world) const {
   return state;
 }
 
-void Recorder::stepped(const World& world) noexcept {
+void Recorder::stepped(const World& world) {
   guard([&] {
     const std::uint64_t after[2] = {world.report.steps, world.hash()};
     content_.resize(sizeof after);
@@ -121,14 +121,14 @@ void Recorder::stepped(const World& world) noexcept {
   });
 }
 
-void Recorder::broke_off(const World& world) noexcept {
+void Recorder::broke_off(const World& world) {
   guard([&] {
     const Array<std::byte> state = state_of(world);
     call(record::world_restore(state.data(), state.size()));
   });
 }
 
-void Recorder::end() noexcept {
+void Recorder::end() {
   guard([&] {
     content_.clear();
     write(kEnd, content_);

@@ -1,5 +1,6 @@
 // A world's calls as bytes for a host: carom/record.h says what is written, record_calls.h how each call is. Whole records
-// go to the host at once; when it says that it failed, or memory is short, recording is over and the world goes on.
+// go to the host at once; when it says that it failed, or memory is short, recording is over and the world goes on. So it
+// is when the host's function ends the thread.
 #pragma once
 
 #include <carom/body_bulk.h>
@@ -8,6 +9,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "abi/guard.h"
 #include "core/memory.h"
 
 struct carom_engine;
@@ -67,7 +69,7 @@ class Recorder {
   void begin(const World& world);
   /// @param write_call  f(Serializer&)
   template <class Write>
-  void call(const Write& write_call) noexcept {
+  void call(const Write& write_call) {
     guard([&] {
       content_.clear();
       Serializer to(*this);
@@ -75,9 +77,9 @@ class Recorder {
       write(kCall, content_);
     });
   }
-  void stepped(const World& world) noexcept;
-  void broke_off(const World& world) noexcept;  // a step ran out of memory: what it leaves is told as it is
-  void end() noexcept;
+  void stepped(const World& world);
+  void broke_off(const World& world);  // a step was not finished: what it leaves is told as it is
+  void end();
 
   std::int32_t code() const { return code_; }  // CAROM_OK as long as all was written
   std::uint64_t written() const { return written_; }
@@ -87,10 +89,13 @@ class Recorder {
   enum Kind : std::uint32_t { kBegin = 1, kShape, kName, kCall, kHash, kState, kEnd };
 
   template <class F>
-  void guard(const F& f) noexcept {
+  void guard(const F& f) {
     if (code_ != CAROM_OK) return;
     try {
       f();
+    } catch (const core::ThreadExit&) {
+      code_ = CAROM_E_WRITE_FAILED;
+      throw;
     } catch (...) {
       code_ = CAROM_E_OUT_OF_MEMORY;  // nothing else is thrown in here
     }

@@ -26,6 +26,8 @@ void load(const char* from, int scalars, double record[]) {
 
 /// A stride of 0 becomes the record's size; it must not be shorter.
 /// @param scalar  CAROM_SCALAR_*, known   @param what  "position"
-bool check_stride(Call& call, int argument, const char* what, int scalars, std::uint32_t scalar, std::uint64_t& stride);
+/// @param count_argument  of n, how many records there are
+bool check_stride(Call& call, int argument, const char* what, int scalars, std::uint32_t scalar, std::uint64_t& stride,
+                  std::uint64_t n, int count_argument);
 
 }  // namespace carom::abi

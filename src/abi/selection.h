@@ -21,6 +21,7 @@ class Selection {
     if (!handles_)
       return n == pool_.alive_count() || call.fail(CAROM_E_OUT_OF_RANGE, 5, "n is %llu, the world has %u %s",
                                                    static_cast<unsigned long long>(n), pool_.alive_count(), words_.all);
+    if (!spans(call, 5, 5, n, sizeof *handles_, sizeof *handles_)) return false;
     for (std::uint64_t i = 0; i < n; ++i)
       if (!resolve(call, 4, words_.one, pool_, handles_[i])) return false;
     return true;

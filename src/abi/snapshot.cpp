@@ -16,14 +16,18 @@ void save(Call& call, const Reading& world, std::uint32_t flags, void* buffer, s
   if (!only_bits(call, 2, "flags", flags, CAROM_SNAPSHOT_WHOLE) || (capacity && !present(call, 3, "buffer", buffer)) ||
       !present(call, 5, "needed", needed))
     return;
-  auto* const to = static_cast<std::byte*>(buffer);
-  const std::uint64_t size = flags & CAROM_SNAPSHOT_WHOLE
-                                 ? save_world(*world, EngineNames(world.engine()), to, capacity)
-                                 : save_state(*world, to, capacity);
+  const auto write = [&](std::byte* to, std::uint64_t room) {
+    return flags & CAROM_SNAPSHOT_WHOLE ? save_world(*world, EngineNames(world.engine()), to, room)
+                                        : save_state(*world, to, room);
+  };
+  const std::uint64_t size = write(nullptr, 0);  // known before the first byte is written
   *needed = size;
-  if (buffer && size > capacity)
+  if (!buffer) return;
+  if (size > capacity)
     call.fail(CAROM_E_BUFFER_TOO_SMALL, 4, "the snapshot takes %llu bytes, capacity is %llu",
               static_cast<unsigned long long>(size), static_cast<unsigned long long>(capacity));
+  else
+    write(static_cast<std::byte*>(buffer), capacity);
 }
 
 Owned<World> empty_world(carom_engine& engine, std::uint32_t tag) {

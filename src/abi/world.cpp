@@ -79,7 +79,11 @@ void step(const Changing& changing, double dt) {
   const FloatScope scope;
   try {
     changing->step(dt);
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
+    if (recorder) recorder->broke_off(*changing);
+    throw;
+  } catch (...) {  // a callback ended the thread or threw, anywhere
+    changing->abandon_step();
     if (recorder) recorder->broke_off(*changing);
     throw;
   }
@@ -131,7 +135,14 @@ carom_world* make_world(Call& call, carom_engine& engine, const Vec3& gravity, s
 
 void destroy_world(carom_world* world) {
   carom_engine& engine = world->engine;
-  if (world->recorder) world->recorder->end();
+  if (world->recorder) {
+    try {
+      world->recorder->end();
+    } catch (const ThreadExit&) {
+      world->gate.leave_alone();  // the host's function ended the thread: the world is as it was, and recorded no more
+      throw;
+    }
+  }
   const Colliders& c = world->inner->scene.colliders;
   for (const std::uint32_t slot : c.live) unuse_shape(engine, *c.shape[slot]);
   const std::uint32_t tag = world->tag;

@@ -121,8 +121,9 @@ class Recorded : public Changing {
  public:
   Recorded(Call& call, carom_world* world, const Say& say)
       : Changing(call, world), call_(call), say_(say), unwinding_(std::uncaught_exceptions()) {}
-  ~Recorded() {
-    if (*this && recorder() && call_.ok() && std::uncaught_exceptions() == unwinding_) recorder()->call(say_);
+  ~Recorded() noexcept(false) {  // the host's function to write with may end the thread
+    if (*this && recorder() && call_.ok() && std::uncaught_exceptions() == unwinding_ && !is_leaving())
+      recorder()->call(say_);
   }
 
  private:

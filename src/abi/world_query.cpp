@@ -70,7 +70,7 @@ struct HitColumns {
   std::uint32_t scalar = 0;
   Column records, outcomes, colliders, times, normals, points;
 
-  bool read(Call& call, int argument, const carom_world_hits* given) {
+  bool read(Call& call, int argument, const carom_world_hits* given, std::uint64_t n) {
     carom_world_hits h{};
     if (!read_struct(call, argument, "hits", given, h) ||
         !known(call, argument, "hits->scalar", h.scalar, CAROM_SCALAR_F64 + 1))
@@ -78,12 +78,12 @@ struct HitColumns {
     scalar = h.scalar;
     const std::uint64_t one = bytes(scalar);
     if (!h.record_stride) h.record_stride = sizeof(carom_world_hit);  // a shorter one gets a prefix
-    return make_column(call, argument, "hits->records", h.records, h.record_stride, kSmallestStruct, records) &&
-           make_column(call, argument, "hits->outcomes", h.outcomes, h.outcome_stride, 4, outcomes) &&
-           make_column(call, argument, "hits->colliders", h.colliders, h.collider_stride, 8, colliders) &&
-           make_column(call, argument, "hits->times", h.times, h.time_stride, one, times) &&
-           make_column(call, argument, "hits->normals", h.normals, h.normal_stride, 3 * one, normals) &&
-           make_column(call, argument, "hits->points", h.points, h.point_stride, 3 * one, points);
+    return make_column(call, argument, "hits->records", h.records, h.record_stride, kSmallestStruct, n, records) &&
+           make_column(call, argument, "hits->outcomes", h.outcomes, h.outcome_stride, 4, n, outcomes) &&
+           make_column(call, argument, "hits->colliders", h.colliders, h.collider_stride, 8, n, colliders) &&
+           make_column(call, argument, "hits->times", h.times, h.time_stride, one, n, times) &&
+           make_column(call, argument, "hits->normals", h.normals, h.normal_stride, 3 * one, n, normals) &&
+           make_column(call, argument, "hits->points", h.points, h.point_stride, 3 * one, n, points);
   }
 
   void write(std::uint64_t i, const carom_world_hit& hit) const {
@@ -122,7 +122,8 @@ class HitList {
 bool check_records(Call& call, int argument, std::uint64_t n, const carom_world_hit* dst, std::uint64_t& stride) {
   if (n && !present(call, argument, "dst", dst)) return false;
   if (!stride) stride = sizeof(carom_world_hit);
-  return element_stride<carom_world_hit>(call, argument + 1, stride);
+  return element_stride<carom_world_hit>(call, argument + 1, stride) &&
+         spans(call, argument + 1, 2, n, stride, kSmallestStruct);
 }
 
 std::int32_t point_support(void*, const double*, std::uint64_t, const double*, double* out) {
@@ -159,10 +160,11 @@ class QueryShapes {
                      (moving && !present(call, 2, "shapes->motions", s.motions)))))
       return false;
     const std::uint64_t one = bytes(s.scalar);
-    if (!make_column(call, 2, "shapes->shapes", s.shapes, s.shape_stride, 8, shapes) ||
-        !make_column(call, 2, "shapes->positions", s.positions, s.position_stride, 3 * one, positions) ||
-        !make_column(call, 2, "shapes->orientations", s.orientations, s.orientation_stride, 4 * one, orientations) ||
-        !make_column(call, 2, "shapes->motions", s.motions, s.motion_stride, 3 * one, motions))
+    if (!make_column(call, 2, "shapes->shapes", s.shapes, s.shape_stride, 8, s.count, shapes) ||
+        !make_column(call, 2, "shapes->positions", s.positions, s.position_stride, 3 * one, s.count, positions) ||
+        !make_column(call, 2, "shapes->orientations", s.orientations, s.orientation_stride, 4 * one, s.count,
+                     orientations) ||
+        !make_column(call, 2, "shapes->motions", s.motions, s.motion_stride, 3 * one, s.count, motions))
       return false;
     query_shapes_.reserve(s.count);
     if (moving) motions_.reserve(s.count);
@@ -298,7 +300,7 @@ int32_t carom_world_cast_rays(carom_world* world, const carom_rays* rays, uint32
     RayColumns in;
     HitColumns out;
     if (!reading || !in.read(call, 2, rays) || !known(call, 3, "want", want, CAROM_WANT_ANY + 1) ||
-        !read_desc(call, 4, *reading, desc, options) || !out.read(call, 5, hits))
+        !read_desc(call, 4, *reading, desc, options) || !out.read(call, 5, hits, in.count))
       return;
     const FloatScope scope;
     reading->queries->bring_up_to_date(*reading);

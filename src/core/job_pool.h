@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "core/jobs.h"
+#include "core/leaving.h"
 #include "core/memory.h"
 
 namespace carom::core {
@@ -45,6 +46,7 @@ class JobPool final : public Jobs {
     const std::uint32_t parts = (count - 1) / grain_ + 1;
     task_ = task, context_ = context, count_ = count;
     done_.store(0, std::memory_order_relaxed);
+    failed_.store(false, std::memory_order_relaxed);
     ++loop_;
     // In one order for all threads with what a thread does before it sleeps: it sees the word, or we see it.
     word_.store(make(loop_, 0, parts), std::memory_order_seq_cst);
@@ -52,15 +54,27 @@ class JobPool final : public Jobs {
       { const std::lock_guard lock(bed_); }
       alarm_.notify_all();
     }
-    while (take(true)) {
+    try {
+      while (take(true)) {
+      }
+    } catch (...) {  // others have parts in hand, of what ends with this call: nobody takes another
+      const std::uint64_t left = word_.exchange(make(loop_, 0, 0), std::memory_order_acq_rel);
+      if (anything_left(left)) done_.fetch_add((left & 0xFFFF) - (left >> 16 & 0xFFFF), std::memory_order_release);
+      wait_for(parts);
+      throw;
     }
-    for (int spins = 0; done_.load(std::memory_order_acquire) != parts; ++spins) pause(spins);
+    wait_for(parts);
+    if (failed_.load(std::memory_order_relaxed)) throw CallbackLeft();
   }
 
  private:
   static constexpr std::uint32_t kMostParts = 0xFFFF;
   /// Turns of waiting until a thread sleeps (some 50 us), and until one whose work others have in hand lets them run.
   static constexpr int kSpins = 2000, kYield = 200;
+
+  void wait_for(std::uint32_t parts) {
+    for (int spins = 0; done_.load(std::memory_order_acquire) != parts; ++spins) pause(spins);
+  }
 
   static std::uint64_t make(std::uint32_t loop, std::uint32_t front, std::uint32_t back) {
     return std::uint64_t(loop) << 32 | front << 16 | back;
@@ -85,7 +99,13 @@ class JobPool final : public Jobs {
     } while (!word_.compare_exchange_weak(word, front ? word + (1 << 16) : word - 1, std::memory_order_acq_rel,
                                           std::memory_order_acquire));
     const std::uint32_t begin = part * grain_;
-    task_(context_, begin, grain_ < count_ - begin ? begin + grain_ : count_);
+    try {
+      task_(context_, begin, grain_ < count_ - begin ? begin + grain_ : count_);
+    } catch (...) {
+      failed_.store(true, std::memory_order_relaxed);
+      done_.fetch_add(1, std::memory_order_release);
+      throw;
+    }
     done_.fetch_add(1, std::memory_order_release);
     return true;
   }
@@ -95,7 +115,12 @@ class JobPool final : public Jobs {
     for (int spins = 0;; ++spins) {
       if (anything_left(word_.load(std::memory_order_acquire))) {
         std::fesetenv(FE_DFL_ENV);  // whatever a callback left in it
-        while (take(false)) {
+        try {
+          while (take(false)) {
+          }
+        } catch (const ThreadExit&) {
+          throw;  // the others go on without this thread
+        } catch (...) {
         }
         spins = 0;
       }
@@ -126,6 +151,8 @@ class JobPool final : public Jobs {
   std::uint32_t count_ = 0, grain_ = 1, loop_ = 0;
   alignas(64) std::atomic<std::uint64_t> word_{0};  // loop, first part that is left, one past the last
   alignas(64) std::atomic<std::uint32_t> done_{0};  // parts
+
+  std::atomic<bool> failed_{false};                 // a part was not finished
 
   alignas(64) std::atomic<std::uint32_t> asleep_{0};
   std::mutex bed_;

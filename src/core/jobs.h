@@ -4,18 +4,27 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 
 #include "core/layers.h"
 
 namespace carom::core {
 
+/// A callback of the host's threw, or ended the thread, where that was not the thread of the call.
+struct CallbackLeft : std::exception {
+  const char* what() const noexcept override {
+    return "a callback threw or ended a thread that shared a loop of this call";
+  }
+};
+
 class Jobs {
  public:
-  /// Do [begin, end) of a loop. Does not throw.
+  /// Do [begin, end) of a loop. Only what a callback of the host's throws goes out of it, or its end of the thread.
   using Task = void (*)(void* context, std::uint32_t begin, std::uint32_t end);
 
   virtual ~Jobs() = default;
   /// Do all of [0, count), in parts of `grain` or more, on the calling thread and others; return when all is done.
+  /// @throws CallbackLeft if a part on another thread was not finished
   virtual void run(Task task, void* context, std::uint32_t count, std::uint32_t grain) = 0;
 };
 

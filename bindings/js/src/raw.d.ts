@@ -28,7 +28,8 @@ export interface Raw {
   carom_accuracy_init(accuracy: number, struct_size: number): number;
   /** Set an error tolerance from the next step on.
    *  @param accuracy NULL: none, as a world is created
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are 0);
+   *  @status OK; UNSUPPORTED; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are
+   *  0);
    *          BUSY; REENTRANT */
   carom_world_set_accuracy(world: number, accuracy: number, error: number): number;
   /** @param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
@@ -39,7 +40,7 @@ export interface Raw {
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_island) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
   carom_world_get_islands(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a
    *  little over twice as much as they; nothing of the world itself changes. The same world gives the same result.
@@ -65,24 +66,24 @@ export interface Raw {
   carom_material_set_resistance(world: number, material: bigint, rolling: number, spinning: number, error: number): number;
   /** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_material_get_resistance(world: number, material: bigint, rolling: number, spinning: number, error: number): number;
-  /** @status OK; *_HANDLE; IN_USE (a collider uses it); BUSY */
+  /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY */
   carom_material_destroy(world: number, material: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_body_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY;
    *          REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_body_create(world: number, desc: number, body: number, error: number): number;
-  /** Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT */
+  /** Destroys its colliders too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
   carom_body_destroy(world: number, body: bigint, error: number): number;
   /** Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a
    *  body that cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_body_get(world: number, body: bigint, desc: number, error: number): number;
-  /** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY;
-   *  REENTRANT */
+  /** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
+   *  NOT_UNIT; BUSY; REENTRANT */
   carom_body_set_pose(world: number, body: bigint, position: number, orientation: number, error: number): number;
   /** @param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
-   *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
   carom_body_set_velocity(world: number, body: bigint, linear: number, angular: number, error: number): number;
   /** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z,
    *  w, body to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
@@ -129,10 +130,10 @@ export interface Raw {
   carom_body_get_colliders(world: number, body: bigint, colliders: number, capacity: bigint, count: number, error: number): number;
   /** Add a force and a torque about the centre of mass, for the next step only.
    *  @param force [3] N, world   @param torque [3] N m, world
-   *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
   carom_body_add_force(world: number, body: bigint, force: number, torque: number, error: number): number;
   /** Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
-   *  @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
   carom_body_add_impulse(world: number, body: bigint, impulse: number, point: number, error: number): number;
   /** How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
    *  rises. Wakes the body and its island.
@@ -168,7 +169,8 @@ export interface Raw {
   carom_body_get_attribute(world: number, body: bigint, attribute: number, value: number, error: number): number;
   /** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_body_is_asleep(world: number, body: bigint, asleep: number, error: number): number;
-  /** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT */
+  /** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; NULL_ARGUMENT; *_HANDLE;
+   *  BUSY; REENTRANT */
   carom_body_wake(world: number, body: bigint, error: number): number;
   /** Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
    *  says otherwise: under CAROM_SWEEP_NONE no body is swept, under CAROM_SWEEP_FLAGGED only CAROM_CONTINUOUS_ALWAYS.
@@ -203,7 +205,7 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
    *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_body_create_named(world: number, type: number, name: number, params: number, count: bigint, position: number, body: number, error: number): number;
-  /** @status OK; *_HANDLE; BUSY; REENTRANT */
+  /** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
   carom_collider_destroy(world: number, collider: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_collider_get(world: number, collider: bigint, desc: number, body: number, error: number): number;
@@ -348,7 +350,8 @@ export interface Raw {
    *  WebAssembly, and where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
    *  @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY */
   carom_plugins_register_standard(engine: number, error: number): number;
-  /** Forget a plugin (logically: the code stays mapped).   @status OK; IN_USE (shapes of it live); *_HANDLE; REENTRANT */
+  /** Forget a plugin (logically: the code stays mapped).   @status OK; NULL_ARGUMENT; IN_USE (shapes of it live);
+   *  *_HANDLE; REENTRANT */
   carom_plugin_unload(engine: number, plugin: bigint, error: number): number;
   /** Find a loaded plugin by its id.
    *  @param id as in carom_shape_plugin.id
@@ -368,7 +371,7 @@ export interface Raw {
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_contact_event) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
   carom_world_get_contact_events(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** Arguments as carom_world_get_contact_events(). */
   carom_world_get_sensor_events(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
@@ -432,7 +435,7 @@ export interface Raw {
   carom_force_field_update(world: number, field: bigint, desc: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
   carom_force_field_get(world: number, field: bigint, desc: number, error: number): number;
-  /** @status OK; *_HANDLE; BUSY; REENTRANT */
+  /** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
   carom_force_field_destroy(world: number, field: bigint, error: number): number;
   /** Which fields a body feels. A field with a bit that few bodies have costs those few.
    *  @param mask 1 when a body is created; 0: none
@@ -454,7 +457,7 @@ export interface Raw {
   /** @param length out: m, as its ends stand   @param force out: N, above 0 it pulls them together, as it is set
    *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_spring_get_state(world: number, spring: bigint, length: number, force: number, error: number): number;
-  /** Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT */
+  /** Goes with its bodies, too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
   carom_spring_destroy(world: number, spring: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_water_init(water: number, struct_size: number): number;
@@ -488,7 +491,7 @@ export interface Raw {
    *          body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
    *          LIMIT; OUT_OF_MEMORY */
   carom_joint_create(world: number, desc: number, joint: number, error: number): number;
-  /** @status OK; *_HANDLE; BUSY; REENTRANT */
+  /** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
   carom_joint_destroy(world: number, joint: bigint, error: number): number;
   /** @param desc out: as it was made, with frames in body coordinates
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
@@ -575,7 +578,7 @@ export interface Raw {
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_ledger_entry) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
   carom_world_get_ledger(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_ledger_state(world: number, state: number, error: number): number;
@@ -585,7 +588,7 @@ export interface Raw {
    *  @param desc may be NULL: defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
   carom_particles_create(world: number, desc: number, set: number, error: number): number;
-  /** Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT */
+  /** Its particles too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
   carom_particles_destroy(world: number, set: bigint, error: number): number;
   /** @param desc out: as it was made or updated; capacity: particles there is memory for
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
@@ -606,7 +609,7 @@ export interface Raw {
   carom_particles_add(world: number, set: bigint, n: bigint, scalar: number, positions: number, position_stride: bigint, velocities: number, velocity_stride: bigint, error: number): number;
   /** Remove n particles. The others keep their order, so each moves up by as many as went before it.
    *  @param indices [n] ascending, each once; NULL: all of them (n must be their number)
-   *  @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
   carom_particles_remove(world: number, set: bigint, indices: number, n: bigint, error: number): number;
   /** Read one field of n particles.
    *  @param field   CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS
@@ -657,7 +660,7 @@ export interface Raw {
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_plan_line) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
   carom_world_get_plan(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_distance_desc_init(desc: number, struct_size: number): number;
@@ -740,7 +743,7 @@ export interface Raw {
    *  @param normal [3] unit (within 1e-6)   @param offset m
    *  @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY */
   carom_shape_create_half_space(engine: number, normal: number, offset: number, shape: number, error: number): number;
-  /** @status OK; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
+  /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
   carom_shape_destroy(engine: number, shape: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE */
   carom_shape_get_info(engine: number, shape: bigint, info: number, error: number): number;
@@ -821,14 +824,14 @@ export interface Raw {
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_contact) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
   carom_world_get_contacts(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO treat
    *  all groups alike: then there are none.
    *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
    *  @param stride   sizeof(carom_group) as the caller knows it
    *  @param count    out: how many there are (may exceed capacity; capacity are written)
-   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY */
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
   carom_world_get_groups(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** Copy out the faults of the last step; arguments as carom_world_get_contacts(). */
   carom_world_get_faults(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
@@ -866,10 +869,10 @@ export interface Raw {
    *          NOT_UNIT; OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader */
   carom_world_cast_shapes(world: number, shapes: number, want: number, desc: number, dst: number, stride: bigint, error: number): number;
   /** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
-   *  @thread reader */
+   *  @status as carom_world_cast_rays_all(); NOT_UNIT   @thread reader */
   carom_world_cast_shapes_all(world: number, shapes: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
-   *  carom_world_cast_rays_all().   @thread reader */
+   *  carom_world_cast_rays_all().   @status as carom_world_cast_rays_all(); NOT_UNIT   @thread reader */
   carom_world_overlap_shapes(world: number, shapes: number, desc: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** The collider nearest to each of many shapes or points, and where: least signed distance.
    *  @param reach  m, >= 0, may be infinite: farther ones are not looked for (then: MISS)

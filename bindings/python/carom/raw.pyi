@@ -1162,7 +1162,8 @@ def carom_accuracy_init(accuracy: Any, struct_size: Any) -> int:
 def carom_world_set_accuracy(world: Any, accuracy: Any, error: Any) -> int:
     """Set an error tolerance from the next step on.
     @param accuracy NULL: none, as a world is created
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are 0);
+    @status OK; UNSUPPORTED; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are
+    0);
             BUSY; REENTRANT"""
     ...
 def carom_world_get_accuracy(world: Any, accuracy: Any, present: Any, error: Any) -> int:
@@ -1175,7 +1176,7 @@ def carom_world_get_islands(world: Any, dst: Any, stride: Any, capacity: Any, co
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_island) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY"""
     ...
 def carom_world_measure_growth(world: Any, dt: Any, steps: Any, growth: Any, error: Any) -> int:
     """Measure how errors grow from here. Two copies of the world take the steps, at its dials and accuracy, so it costs a
@@ -1208,7 +1209,7 @@ def carom_material_get_resistance(world: Any, material: Any, rolling: Any, spinn
     """@param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_material_destroy(world: Any, material: Any, error: Any) -> int:
-    """@status OK; *_HANDLE; IN_USE (a collider uses it); BUSY"""
+    """@status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY"""
     ...
 def carom_body_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -1218,7 +1219,7 @@ def carom_body_create(world: Any, desc: Any, body: Any, error: Any) -> int:
             REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_body_destroy(world: Any, body: Any, error: Any) -> int:
-    """Destroys its colliders too.   @status OK; *_HANDLE; BUSY; REENTRANT"""
+    """Destroys its colliders too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_body_get(world: Any, body: Any, desc: Any, error: Any) -> int:
     """Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a
@@ -1226,12 +1227,12 @@ def carom_body_get(world: Any, body: Any, desc: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
     ...
 def carom_body_set_pose(world: Any, body: Any, position: Any, orientation: Any, error: Any) -> int:
-    """@param position [3] m   @param orientation [4] x, y, z, w   @status OK; *_HANDLE; NOT_FINITE; NOT_UNIT; BUSY;
-    REENTRANT"""
+    """@param position [3] m   @param orientation [4] x, y, z, w   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
+    NOT_UNIT; BUSY; REENTRANT"""
     ...
 def carom_body_set_velocity(world: Any, body: Any, linear: Any, angular: Any, error: Any) -> int:
     """@param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
-    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT"""
     ...
 def carom_body_get_pose(world: Any, body: Any, position: Any, orientation: Any, error: Any) -> int:
     """@param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z,
@@ -1290,11 +1291,11 @@ def carom_body_get_colliders(world: Any, body: Any, colliders: Any, capacity: An
 def carom_body_add_force(world: Any, body: Any, force: Any, torque: Any, error: Any) -> int:
     """Add a force and a torque about the centre of mass, for the next step only.
     @param force [3] N, world   @param torque [3] N m, world
-    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_add_impulse(world: Any, body: Any, impulse: Any, point: Any, error: Any) -> int:
     """Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
-    @status OK; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT"""
     ...
 def carom_body_set_gravity_factor(world: Any, body: Any, factor: Any, error: Any) -> int:
     """How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
@@ -1339,7 +1340,8 @@ def carom_body_is_asleep(world: Any, body: Any, asleep: Any, error: Any) -> int:
     """@param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_body_wake(world: Any, body: Any, error: Any) -> int:
-    """Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; *_HANDLE; BUSY; REENTRANT"""
+    """Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; NULL_ARGUMENT; *_HANDLE;
+    BUSY; REENTRANT"""
     ...
 def carom_body_set_continuous(world: Any, body: Any, mode: Any, error: Any) -> int:
     """Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
@@ -1382,7 +1384,7 @@ def carom_body_create_named(world: Any, type: Any, name: Any, params: Any, count
             PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_collider_destroy(world: Any, collider: Any, error: Any) -> int:
-    """@status OK; *_HANDLE; BUSY; REENTRANT"""
+    """@status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_collider_get(world: Any, collider: Any, desc: Any, body: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
@@ -1561,7 +1563,8 @@ def carom_plugins_register_standard(engine: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_plugin_unload(engine: Any, plugin: Any, error: Any) -> int:
-    """Forget a plugin (logically: the code stays mapped).   @status OK; IN_USE (shapes of it live); *_HANDLE; REENTRANT"""
+    """Forget a plugin (logically: the code stays mapped).   @status OK; NULL_ARGUMENT; IN_USE (shapes of it live);
+    *_HANDLE; REENTRANT"""
     ...
 def carom_plugin_find(engine: Any, id: Any, plugin: Any, error: Any) -> int:
     """Find a loaded plugin by its id.
@@ -1585,7 +1588,7 @@ def carom_world_get_contact_events(world: Any, dst: Any, stride: Any, capacity: 
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_contact_event) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY"""
     ...
 def carom_world_get_sensor_events(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """Arguments as carom_world_get_contact_events()."""
@@ -1670,7 +1673,7 @@ def carom_force_field_get(world: Any, field: Any, desc: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY"""
     ...
 def carom_force_field_destroy(world: Any, field: Any, error: Any) -> int:
-    """@status OK; *_HANDLE; BUSY; REENTRANT"""
+    """@status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_body_set_force_field_mask(world: Any, body: Any, mask: Any, error: Any) -> int:
     """Which fields a body feels. A field with a bit that few bodies have costs those few.
@@ -1700,7 +1703,7 @@ def carom_spring_get_state(world: Any, spring: Any, length: Any, force: Any, err
     @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
     ...
 def carom_spring_destroy(world: Any, spring: Any, error: Any) -> int:
-    """Goes with its bodies, too.   @status OK; *_HANDLE; BUSY; REENTRANT"""
+    """Goes with its bodies, too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_water_init(water: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -1746,7 +1749,7 @@ def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
             LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_joint_destroy(world: Any, joint: Any, error: Any) -> int:
-    """@status OK; *_HANDLE; BUSY; REENTRANT"""
+    """@status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_joint_get(world: Any, joint: Any, desc: Any, error: Any) -> int:
     """@param desc out: as it was made, with frames in body coordinates
@@ -1851,7 +1854,7 @@ def carom_world_get_ledger(world: Any, dst: Any, stride: Any, capacity: Any, cou
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_ledger_entry) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY"""
     ...
 def carom_world_get_ledger_state(world: Any, state: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
@@ -1865,7 +1868,7 @@ def carom_particles_create(world: Any, desc: Any, set: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY"""
     ...
 def carom_particles_destroy(world: Any, set: Any, error: Any) -> int:
-    """Its particles too.   @status OK; *_HANDLE; BUSY; REENTRANT"""
+    """Its particles too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT"""
     ...
 def carom_particles_get(world: Any, set: Any, desc: Any, error: Any) -> int:
     """@param desc out: as it was made or updated; capacity: particles there is memory for
@@ -1891,7 +1894,7 @@ def carom_particles_add(world: Any, set: Any, n: Any, scalar: Any, positions: An
 def carom_particles_remove(world: Any, set: Any, indices: Any, n: Any, error: Any) -> int:
     """Remove n particles. The others keep their order, so each moves up by as many as went before it.
     @param indices [n] ascending, each once; NULL: all of them (n must be their number)
-    @status OK; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT"""
     ...
 def carom_particles_read(world: Any, set: Any, field: Any, scalar: Any, indices: Any, n: Any, dst: Any, stride: Any, error: Any) -> int:
     """Read one field of n particles.
@@ -1953,7 +1956,7 @@ def carom_world_get_plan(world: Any, dst: Any, stride: Any, capacity: Any, count
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_plan_line) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY"""
     ...
 def carom_distance_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -2054,7 +2057,7 @@ def carom_shape_create_half_space(engine: Any, normal: Any, offset: Any, shape: 
     @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY"""
     ...
 def carom_shape_destroy(engine: Any, shape: Any, error: Any) -> int:
-    """@status OK; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT"""
+    """@status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT"""
     ...
 def carom_shape_get_info(engine: Any, shape: Any, info: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE"""
@@ -2154,7 +2157,7 @@ def carom_world_get_contacts(world: Any, dst: Any, stride: Any, capacity: Any, c
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_contact) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY"""
     ...
 def carom_world_get_groups(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO treat
@@ -2162,7 +2165,7 @@ def carom_world_get_groups(world: Any, dst: Any, stride: Any, capacity: Any, cou
     @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
     @param stride   sizeof(carom_group) as the caller knows it
     @param count    out: how many there are (may exceed capacity; capacity are written)
-    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL (stride); BUSY"""
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY"""
     ...
 def carom_world_get_faults(world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """Copy out the faults of the last step; arguments as carom_world_get_contacts()."""
@@ -2208,11 +2211,11 @@ def carom_world_cast_shapes(world: Any, shapes: Any, want: Any, desc: Any, dst: 
     ...
 def carom_world_cast_shapes_all(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
-    @thread reader"""
+    @status as carom_world_cast_rays_all(); NOT_UNIT   @thread reader"""
     ...
 def carom_world_overlap_shapes(world: Any, shapes: Any, desc: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
     """All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
-    carom_world_cast_rays_all().   @thread reader"""
+    carom_world_cast_rays_all().   @status as carom_world_cast_rays_all(); NOT_UNIT   @thread reader"""
     ...
 def carom_world_find_nearest(world: Any, shapes: Any, reach: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
     """The collider nearest to each of many shapes or points, and where: least signed distance.

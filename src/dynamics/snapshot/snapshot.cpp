@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "collision/broad/broad_phase.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact/lone_rollers.h"
 #include "dynamics/contact_views.h"
 #include "dynamics/events/events.h"
 #include "dynamics/sleep/sleep.h"
@@ -108,6 +110,14 @@ void load_state(World& world, Found& found) {
 
 }  // namespace
 }  // namespace snapshot
+
+void World::abandon_step() {
+  for (auto& phase : broad) phase.reset();
+  clear_sleepers(*this, ClearingSleepers(*this));
+  snapshot::clear_last_step(*this);
+  lone_rollers.reset();
+  ++scene.collider_revision;
+}
 
 bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault) {
   using namespace snapshot;
