@@ -79,7 +79,7 @@ class InsideJob {
  private:
   bool before_;  // the stepping thread does parts too
 };
-/// Likewise for good: a thread of our own, which nobody cancels.
+/// Likewise for good: a thread of our own, which is never cancelled.
 void mark_inside();
 
 /// Cancellation of this thread waits from here on. @return what to give back

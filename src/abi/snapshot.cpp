@@ -16,9 +16,9 @@ void save(Call& call, const Reading& world, std::uint32_t flags, void* buffer, s
   if (!only_bits(call, 2, "flags", flags, CAROM_SNAPSHOT_WHOLE) || (capacity && !present(call, 3, "buffer", buffer)) ||
       !present(call, 5, "needed", needed))
     return;
-  const auto write = [&](std::byte* to, std::uint64_t room) {
-    return flags & CAROM_SNAPSHOT_WHOLE ? save_world(*world, EngineNames(world.engine()), to, room)
-                                        : save_state(*world, to, room);
+  const auto write = [&](std::byte* to, std::uint64_t space) {
+    return flags & CAROM_SNAPSHOT_WHOLE ? save_world(*world, EngineNames(world.engine()), to, space)
+                                        : save_state(*world, to, space);
   };
   const std::uint64_t size = write(nullptr, 0);  // known before the first byte is written
   *needed = size;

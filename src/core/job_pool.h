@@ -57,7 +57,7 @@ class JobPool final : public Jobs {
     try {
       while (take(true)) {
       }
-    } catch (...) {  // others have parts in hand, of what ends with this call: nobody takes another
+    } catch (...) {  // others have parts in hand, of what ends with this call: none takes another
       const std::uint64_t left = word_.exchange(make(loop_, 0, 0), std::memory_order_acq_rel);
       if (anything_left(left)) done_.fetch_add((left & 0xFFFF) - (left >> 16 & 0xFFFF), std::memory_order_release);
       wait_for(parts);

@@ -15,7 +15,7 @@ namespace carom::core {
 #ifdef __GLIBCXX__
 using ThreadExit = __cxxabiv1::__forced_unwind;
 #else
-/// Where threads end without unwinding, nobody throws it.
+/// Where threads end without unwinding, it is never thrown.
 struct ThreadExit {
   ThreadExit() = delete;
 };

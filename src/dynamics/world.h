@@ -164,7 +164,7 @@ class World {
   // ---- stepping: src/dynamics/stages.cpp ----
   void step(Real dt);
   /// After a step that a callback did not let come to its end, by ending the thread or by an exception. Bodies are where
-  /// it left them, the next step finds all pairs anew, and nobody sleeps. Allocates nothing.
+  /// it left them, the next step finds all pairs anew, and all bodies are awake. Allocates nothing.
   void abandon_step();
 
   // ---- reading ----
