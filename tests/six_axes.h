@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dynamics/joint/axis_parts.h"
+#include "dynamics/joint/turns.h"
 #include "joint_scenes.h"
 
 namespace carom::test {
@@ -26,8 +27,13 @@ inline void set_all(TestWorld& t, std::uint32_t j, std::uint32_t but, const Join
   for (std::uint32_t k = 0; k < kAxes; ++k)
     if (k != but && (k < kPlaces ? places : turns)) t.world.set_joint_axis(j, k, axis);
 }
+/// As a pose alone tells it.
+inline std::array<Real, kAxes> axes_told(const JointEnds& ends) {
+  return axes_at(ends, told_angles(ends.a.q.conjugate() * ends.b.q, SwingPlane::none));
+}
 inline Real axis_of(const TestWorld& t, std::uint32_t j, std::uint32_t k) {
-  return axes_at(place_of(t.world, joint(t, j)))[k];
+  const JointPlace place = place_of(t.world, joint(t, j));
+  return axes_at(place, place.turned)[k];
 }
 inline bool is_direct(int solver) { return solver >= kDirectChoice; }
 inline Real off_joint(const TestWorld& t, std::uint32_t j) {

@@ -41,7 +41,7 @@ extern "C" {
 
 /** What may be limited, driven or sprung. */
 /* clang-format off */
-#define CAROM_COORDINATE_TWIST 0u    /* rad, (-pi, pi], of B about the x axes: ball, hinge */
+#define CAROM_COORDINATE_TWIST 0u    /* rad, of B about the x axes, whole turns counted: ball, hinge */
 #define CAROM_COORDINATE_SWING 1u    /* rad, [0, pi], between the x axes: ball, universal */
 #define CAROM_COORDINATE_SLIDE 2u    /* m, of B's point along A's x axis: slider */
 #define CAROM_COORDINATE_DISTANCE 3u /* m, between the points: distance; of the rope, |a - anchor_a| + ratio |b -
@@ -52,16 +52,17 @@ extern "C" {
 /** @name Axes of a six-axis joint: where B's frame is in A's
  *  B's orientation in A's frame is a twist about x, then a swing about an axis across x, q = swing * twist. TURN_X is
  *  the twist, 2 atan2(q.x, q.w). TURN_Y and TURN_Z are the components of the swing's rotation vector: axis times angle.
- *  Where one turn alone is not 0, it is the angle about that axis. Near a swing of pi the three are no coordinates any
- *  more: keep limits and drives off it by 0.01 rad. All three turns together may be locked anywhere.
+ *  Where TURN_Y or TURN_Z is locked at 0, the other is the angle about its axis. Where both are free, near a swing of pi
+ *  the three are no coordinates any more: keep limits and drives off it by 0.01 rad. All three turns together may be
+ *  locked anywhere. Whole turns are counted, @see carom_joint_state.coordinate.
  *  @{ */
 /* clang-format off */
 #define CAROM_AXIS_X 0u            /* m, B's point along A's x axis */
 #define CAROM_AXIS_Y 1u            /* m */
 #define CAROM_AXIS_Z 2u            /* m */
-#define CAROM_AXIS_TURN_X 3u       /* rad, (-pi, pi] */
-#define CAROM_AXIS_TURN_Y 4u       /* rad, [-pi, pi] */
-#define CAROM_AXIS_TURN_Z 5u       /* rad, [-pi, pi] */
+#define CAROM_AXIS_TURN_X 3u       /* rad, whole turns counted */
+#define CAROM_AXIS_TURN_Y 4u       /* rad, likewise */
+#define CAROM_AXIS_TURN_Z 5u       /* rad, likewise */
 #define CAROM_AXIS_COUNT 6u
 #define CAROM_AXIS_MODE_FREE 0u    /* no bounds */
 #define CAROM_AXIS_MODE_LOCKED 1u  /* at `lower` */
@@ -124,7 +125,7 @@ typedef struct carom_joint_desc {
 typedef struct carom_joint_limit {
   uint32_t struct_size;
   uint32_t enabled; /**< 0 or 1 */
-  double lower;     /**< m or rad: twist [-pi, pi], swing [0, pi], slide [-1e9, 1e9], distance [0, 1e9] */
+  double lower;     /**< m or rad: twist [-1e3, 1e3], swing [0, pi], slide [-1e9, 1e9], distance [0, 1e9] */
   double upper;     /**< at least lower */
 } carom_joint_limit;
 
@@ -169,7 +170,7 @@ typedef struct carom_joint_transmission {
 typedef struct carom_joint_axis {
   uint32_t struct_size;
   uint32_t mode;         /**< CAROM_AXIS_MODE_* */
-  double lower;          /**< m, [-1e9, 1e9], or rad, [-pi, pi] */
+  double lower;          /**< m, [-1e9, 1e9], or rad, [-1e3, 1e3] */
   double upper;          /**< likewise, at least lower */
   uint32_t stop_gains;   /**< CAROM_GAINS_*: of the stops of a limit */
   uint32_t drive_gains;  /**< of a drive to a position */
@@ -217,8 +218,13 @@ typedef struct carom_joint_state {
   double torque[3]; /**< N m, world, on B about its point, likewise */
   double gap;       /**< m, how far the points are from where they should be, limits included */
   double angle;     /**< rad, how far the axes are, likewise; of a gear how far its wheels have slipped, of A's turns */
-  double coordinate[4]; /**< by CAROM_COORDINATE_*, as the bodies stand now */
-  double axis[6];       /**< m and rad, by CAROM_AXIS_*, likewise; of any kind */
+  /** By CAROM_COORDINATE_*, as the bodies stand now. A twist of a ball, a hinge or six axes counts whole turns. It
+   *  begins in (-pi, pi] as the joint is made, and goes on from step to step. Snapshots and forks keep it. A pose that a
+   *  host sets stands for many angles: taken is the one nearest to the last. Where that lies over 0.1 rad beyond a limit
+   *  and another does not, that other is taken. A limit that is set over half a turn away makes whole turns be
+   *  forgotten, too. */
+  double coordinate[4];
+  double axis[6]; /**< m and rad, by CAROM_AXIS_*, likewise; of any kind */
 } carom_joint_state;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */

@@ -157,7 +157,7 @@ Bounds bounds_of(std::uint32_t coordinate) {
   constexpr double kPi = std::numbers::pi;
   switch (coordinate) {
     case CAROM_COORDINATE_TWIST:
-      return {-kPi, kPi};
+      return {-kMostTurned, kMostTurned};
     case CAROM_COORDINATE_SWING:
       return {0, kPi};
     case CAROM_COORDINATE_SLIDE:
@@ -344,7 +344,7 @@ int32_t carom_joint_get_state(carom_world* world, carom_joint handle, carom_join
     full.broken = joint.broken;
     from_vec3(joint.force, full.force), from_vec3(joint.torque, full.torque);
     full.gap = place.gap, full.angle = place.angle;
-    const auto axis = axes_at(place);
+    const auto axis = axes_at(place, place.turned);
     std::copy(place.at.begin(), place.at.end(), full.coordinate), std::copy(axis.begin(), axis.end(), full.axis);
     write_struct(full, state);
   });

@@ -1,8 +1,6 @@
 // Axes of six-axis joints, and drives to an orientation: what a host says of them, checked and handed to the world, and read back.
 #include <carom/joint.h>
 
-#include <numbers>
-
 #include "abi/joint_numbers.h"
 #include "abi/record_calls.h"
 #include "dynamics/joint/parts.h"
@@ -59,7 +57,7 @@ bool may_turn(Call& call, const Joint& joint) {
 bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, JointAxis& to) {
   carom_joint_axis d;
   carom_joint_axis_init(&d, sizeof d);
-  const double far = axis < kPlaces ? kLongestJoint : std::numbers::pi;
+  const double far = axis < kPlaces ? kLongestJoint : kMostTurned;
   if (!read_struct(call, 4, "desc", given, d) || !known(call, 4, "desc->mode", d.mode, CAROM_AXIS_MODE_COUNT) ||
       !known(call, 4, "desc->drive", d.drive, CAROM_DRIVE_COUNT) ||
       !in_range(call, 4, "desc->lower", d.lower, -far, far) || !in_range(call, 4, "desc->upper", d.upper, -far, far) ||

@@ -8,6 +8,7 @@
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/speeds.h"
+#include "dynamics/joint/turns.h"
 
 namespace carom::abi {
 namespace {
@@ -25,11 +26,16 @@ void put(const Numbers& numbers, double* record) {
   std::copy(numbers.begin(), numbers.end(), record);
 }
 
+std::array<double, kAxes> axes_of(const World& world, const Joint& joint) {
+  const auto ends = ends_of(world, joint.def);
+  return axes_at(ends, counted_angles(world, joint, ends));
+}
+
 constexpr JointField kBulkJointFields[CAROM_JOINT_READ_COUNT] = {
     // in the order of CAROM_JOINT_READ_*
     {"coordinates", 4, [](const World& w, const Joint& j, double* r) { put(place_of(w, j).at, r); }},
     {"speeds", 4, [](const World& w, const Joint& j, double* r) { put(speeds_of(w, j).coordinate, r); }},
-    {"axes", 6, [](const World& w, const Joint& j, double* r) { put(axes_at(ends_of(w, j.def)), r); }},
+    {"axes", 6, [](const World& w, const Joint& j, double* r) { put(axes_of(w, j), r); }},
     {"axis_speeds", 6, [](const World& w, const Joint& j, double* r) { put(speeds_of(w, j).axis, r); }},
     {"force", 3, [](const World&, const Joint& j, double* r) { from_vec3(j.force, r); }},
     {"torque", 3, [](const World&, const Joint& j, double* r) { from_vec3(j.torque, r); }},

@@ -7,6 +7,7 @@ namespace carom::abi {
 
 inline constexpr double kLongestJoint = 1e9, kFastestMotor = 1e6, kStrongestMotor = 1e30, kStiffest = 1e4,
                         kMostDamping = 1e3;
+inline constexpr double kMostTurned = 1e3;  // rad, of limits and targets of angles that count turns
 
 /// Argument 2 of a call.
 inline bool resolve_joint(Call& call, const World& world, carom_joint joint) {

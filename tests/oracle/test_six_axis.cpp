@@ -102,7 +102,7 @@ static Real spin_locked(int solver, int substeps, unsigned mask) {
   def.body_b = body, def.frame_a = frame_a, def.frame_b.p = Vec3(0.05, -0.1, 0.1);
   const std::uint32_t j = handle_slot(t.world.add_joint(def));
   // The frame on B stands off its centre: locked places are where it is now.
-  const auto now = axes_at(ends_of(t.world, joint(t, j).def));
+  const auto now = axes_told(ends_of(t.world, joint(t, j).def));
   for (std::uint32_t k = 0; k < kAxes; ++k)
     if (mask >> k & 1) t.world.set_joint_axis(j, k, locked_at(now[k]));
   t.world.set_velocity(body, Vec3::zero(), Vec3(0.4, -0.6, 0.5));
@@ -147,7 +147,7 @@ static void rows_are_rates_of_axes(void**) {
     const std::uint32_t j = handle_slot(t.world.add_joint(def));
     JointAxis pulled;
     pulled.spring = {Gains::force, 1e-9, 0};
-    const auto before = axes_at(ends_of(t.world, def));
+    const auto before = axes_told(ends_of(t.world, def));
     if (before[4] * before[4] + before[5] * before[5] > 9 || std::fabs(before[3]) > 3) continue;  // near a swing of pi
     if (i % 2)
       set_all(t, j, kAxes, pulled);
@@ -164,7 +164,7 @@ static void rows_are_rates_of_axes(void**) {
         return Pose{normalized(exp_map(time * turn) * p.q), p.p + time * v};
       };
       t.world.set_pose(a, moved(pa, va, wa)), t.world.set_pose(b, moved(pb, vb, wb));
-      return axes_at(ends_of(t.world, def));
+      return axes_told(ends_of(t.world, def));
     };
     const auto after = at(e), first = at(-e);
     int locks = 0, drives = 0;

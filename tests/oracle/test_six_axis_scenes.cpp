@@ -24,7 +24,8 @@ void hold_all_but(TestWorld& t, std::uint32_t j, std::uint32_t axis) {
     if (k != axis) t.world.set_joint_axis(j, k, held());
 }
 Real where(const TestWorld& t, std::uint32_t j, std::uint32_t k) {
-  return axes_at(ends_of(t.world, joint(t, j).def))[k];
+  const JointPlace place = place_of(t.world, joint(t, j));
+  return axes_at(place, place.turned)[k];
 }
 
 }  // namespace

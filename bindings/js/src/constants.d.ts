@@ -442,7 +442,7 @@ export const CAROM_JOINT_GEAR: 7;
 /** each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free */
 export const CAROM_JOINT_SIX_AXIS: 8;
 export const CAROM_JOINT_COUNT: 9;
-/** rad, (-pi, pi], of B about the x axes: ball, hinge */
+/** rad, of B about the x axes, whole turns counted: ball, hinge */
 export const CAROM_COORDINATE_TWIST: 0;
 /** rad, [0, pi], between the x axes: ball, universal */
 export const CAROM_COORDINATE_SWING: 1;
@@ -457,11 +457,11 @@ export const CAROM_AXIS_X: 0;
 export const CAROM_AXIS_Y: 1;
 /** m */
 export const CAROM_AXIS_Z: 2;
-/** rad, (-pi, pi] */
+/** rad, whole turns counted */
 export const CAROM_AXIS_TURN_X: 3;
-/** rad, [-pi, pi] */
+/** rad, likewise */
 export const CAROM_AXIS_TURN_Y: 4;
-/** rad, [-pi, pi] */
+/** rad, likewise */
 export const CAROM_AXIS_TURN_Z: 5;
 export const CAROM_AXIS_COUNT: 6;
 /** no bounds */

@@ -22,12 +22,13 @@ void put_motion(Passing to, std::uint32_t i, const Passes::Kept& k) {
 
 Passes::KeptJoint kept_of(const World& world, std::uint32_t slot) {
   const Joint& j = world.joints.joint[slot];
-  return {j.p, j.drive_p, j.p_h, j.transmission.phase, j.force, j.torque, j.turn.p, world.joints.axes_of(j).p};
+  return {j.p,     j.drive_p, j.p_h,    j.transmission.phase,     j.turned,
+          j.force, j.torque,  j.turn.p, world.joints.axes_of(j).p};
 }
 
 void put_joint(Joints& joints, std::uint32_t slot, const Passes::KeptJoint& k) {
   Joint& j = joints.joint[slot];
-  j.p = k.p, j.drive_p = k.drive_p, j.p_h = k.p_h, j.transmission.phase = k.phase;
+  j.p = k.p, j.drive_p = k.drive_p, j.p_h = k.p_h, j.transmission.phase = k.phase, j.turned = k.turned;
   j.force = k.force, j.torque = k.torque, j.turn.p = k.turn_p;
   if (JointAxes* const axes = joints.axes_of(j)) axes->p = k.axes_p;
 }

@@ -51,7 +51,7 @@ struct Passes {
     std::array<Real, kMostEqualities> p;
     std::array<Real, kMostDrives> drive_p;
     Real p_h, phase;
-    Vec3 force, torque, turn_p;
+    Vec3 turned, force, torque, turn_p;
     std::array<std::array<Real, kAxisSources>, kAxes> axes_p;
   };
   Array<KeptJoint> joint_begun, joint_ended;

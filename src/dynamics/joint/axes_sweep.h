@@ -15,17 +15,56 @@ namespace carom::dynamics {
 namespace {
 
 struct AxesPlacing : JointPlacing {
-  const AxesLanes& axes;
+  AxesLanes& axes;
+  int plane = 0;  // 1, 2: the swing is an angle about y, about z, for the other is locked at 0; 0: a rotation vector
   Lanes n_x, n_y, n_z, f, g;
 
-  CAROM_LANES_INLINE AxesPlacing(JointLanes& j, const BodyShift* shift, bool locked, const AxesLanes& of_joint)
-      : JointPlacing(j, shift, locked, nullptr, nullptr), axes(of_joint) {
+  CAROM_LANES_INLINE AxesPlacing(const JointRun& run, JointLanes& j, bool locked)
+      : JointPlacing(j, run.shift, locked, nullptr, nullptr), axes(run.axes[j.axed - 1]) {
+    for (std::uint32_t k = 0; k < j.layout.parts; ++k)
+      plane = j.layout.part[k] == JointPart::across_y ? 1 : j.layout.part[k] == JointPart::across_z ? 2 : plane;
     n_x = dot(axes_a.x, axes_b.x), n_y = dot(axes_a.y, axes_b.x), n_z = dot(axes_a.z, axes_b.x);
-    const Lanes sine = square_root(n_y * n_y + n_z * n_z), angle = angle_of<Lanes>(sine, n_x);
+    const JointDriveLanes* const drives = run.drives + j.first_drive;
+    if (plane != 0)
+      count_in_plane();
+    else
+      count_vector(drives);
+    axes.ahead_y = axes.ahead_z = all(0);
+    if (plane == 0) count_twist(run, *this, kFirstAxis + 3);
+  }
+
+  /// The swing as an angle, and the twist about the axis that this has turned: q = (c + s e) twist.
+  CAROM_LANES_INLINE void count_in_plane() {
+    f = g = all(0);
+    const Lanes sine = plane == 1 ? -n_z : n_y;
+    Lanes& swing = plane == 1 ? axes.swing_y : axes.swing_z;
+    swing = nearest_turn(angle_of<Lanes>(sine, n_x), swing + (plane == 1 ? axes.ahead_y : axes.ahead_z));
+    const Lanes c = square_root(larger(0.5 + 0.5 * n_x, all(0))), side = square_root(larger(0.5 - 0.5 * n_x, all(0)));
+    const Lanes s = sine < 0 ? -side : side;
+    const LaneQuat t = conjugate(q_a) * q_b;
+    const Lanes x = plane == 1 ? c * t.x - s * t.z : c * t.x + s * t.y;
+    const Lanes w = plane == 1 ? c * t.w + s * t.y : c * t.w + s * t.z;
+    const LaneMask back = w < 0;
+    joint.twist = nearest_turn(2 * angle_of<Lanes>(back ? -x : x, back ? -w : w), joint.twist + joint.twist_ahead);
+    joint.twist_ahead = all(0);
+  }
+
+  /// The swing as a vector: of all along one line whose lengths differ by whole turns the nearest to where it was.
+  CAROM_LANES_INLINE void count_vector(const JointDriveLanes* drives) {
+    const Lanes sine = square_root(n_y * n_y + n_z * n_z);
     const LaneMask apart = sine > 1e-5, straight = n_x > 0;
     const Lanes s = larger(sine, all(1e-5));
+    Lanes angle = angle_of<Lanes>(sine, n_x);
+    if (joint.layout.counts) {
+      const LaneMask any = n_x < 1e-3 - 1;
+      const Lanes near_y = near_turn(joint.layout, drives, kFirstAxis + 4, axes.swing_y + axes.ahead_y, any),
+                  near_z = near_turn(joint.layout, drives, kFirstAxis + 5, axes.swing_z + axes.ahead_z, any);
+      const Lanes near = (n_y * near_z - n_z * near_y) / s;
+      angle = apart ? nearest_turn(angle, near) : angle;
+    }
     f = apart ? angle / s : (straight ? all(1) : angle / s);
     g = apart ? (s - angle * n_x) / (s * s * s) : (straight ? all(1.0 / 3) : all(0));
+    axes.swing_y = -f * n_z, axes.swing_z = f * n_y;
   }
 
   /// A vector of A's frame, in the world.
@@ -42,20 +81,21 @@ struct AxesPlacing : JointPlacing {
       case 2:
         return along(r, axes_a.z, dot(axes_a.z, joint.gap));
       case 3:
+        if (plane != 0) return about(r, axes_b.x, joint.twist);
         return coordinate(0, r);
       case 4:
-        return about(r, in_world(-f * n_y, g * n_z * n_z + f * n_x, -g * n_y * n_z), -f * n_z);
+        if (plane == 1) return about(r, axes_a.y, axes.swing_y);
+        return about(r, in_world(-f * n_y, g * n_z * n_z + f * n_x, -g * n_y * n_z), axes.swing_y);
       default:
-        return about(r, in_world(-f * n_z, -g * n_y * n_z, g * n_y * n_y + f * n_x), f * n_y);
+        if (plane == 2) return about(r, axes_a.z, axes.swing_z);
+        return about(r, in_world(-f * n_z, -g * n_y * n_z, g * n_y * n_y + f * n_x), axes.swing_z);
     }
   }
 
-  /// A turn that is locked alone; of a twist, the nearer way.
+  /// A turn that is locked alone, by the nearer way.
   CAROM_LANES_INLINE void turn(int which, JointRowLanes& r) const {
-    constexpr double kHalf = 3.14159265358979323846;
     axis(3 + which, r);
-    const Lanes off = r.error - (which == 0 ? axes.turn.x : which == 1 ? axes.turn.y : axes.turn.z);
-    r.error = off > kHalf ? off - 2 * kHalf : (off < -kHalf ? off + 2 * kHalf : off);
+    r.error = nearest_turn(r.error - (which == 0 ? axes.turn.x : which == 1 ? axes.turn.y : axes.turn.z), all(0));
   }
 
   CAROM_LANES_INLINE JointRowLanes* lock(JointPart which, JointRowLanes* r) const {
@@ -80,6 +120,8 @@ struct AxesPlacing : JointPlacing {
       case JointPart::pins:
       case JointPart::ropes:
       case JointPart::gears:
+      case JointPart::across_y:
+      case JointPart::across_z:
         break;
     }
     return part(which, r);
@@ -112,7 +154,7 @@ CAROM_LANES_INLINE void find_pull(const AxesLanes::Pull& of, JointDriveLanes& dr
 void place_axes(const JointRun& run, JointLanes& joint) {
   const LockLanes* const locks = locks_of(run, joint);
   const AxesLanes& axes = run.axes[joint.axed - 1];
-  const AxesPlacing placing(joint, run.shift, locks != nullptr, axes);
+  const AxesPlacing placing(run, joint, locks != nullptr);
   JointRowLanes* const rows = run.rows + joint.first;
   JointRowLanes* next = rows;
   for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.lock(joint.layout.part[k], next);

@@ -2,9 +2,9 @@
 #include "dynamics/joint/axis_parts.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "core/wide_angle.h"
+#include "dynamics/joint/turns.h"
 
 namespace carom::dynamics {
 namespace {
@@ -20,15 +20,20 @@ constexpr AxisParts kAxisParts[2] = {{JointPart::line, JointPart::point},
                                      {JointPart::direction, JointPart::orientation}};
 
 /// Of places, at any offset: A's point is moved there. Of turns: all three at any offset, for B's frame is turned; the two
-/// across x where x axes stay parallel.
-void add_parts(const std::array<JointAxis, kAxes>& axis, std::uint32_t first, LockedParts& parts) {
+/// across x where x axes stay parallel. One of those two alone, at no offset, keeps the other in a plane.
+void add_parts(const JointAxes& axes, std::uint32_t first, LockedParts& parts) {
+  const std::array<JointAxis, kAxes>& axis = axes.axis;
+  const SwingPlane plane = swing_plane(axes);
   const AxisParts& together = kAxisParts[first / kPlaces];
   const bool x = axis[first].is_locked(), y = axis[first + 1].is_locked(), z = axis[first + 2].is_locked();
   if (x && y && z) return parts.add(together.three);
-  const bool parallel = first < kPlaces || (axis[4].lower == 0 && axis[5].lower == 0);
+  const bool parallel = first < kPlaces || (nearest_turn(axis[4].lower, 0) == 0 && nearest_turn(axis[5].lower, 0) == 0);
   if (!x && y && z && parallel) return parts.add(together.two);
   for (std::uint32_t k = first; k < first + kPlaces; ++k)
-    if (axis[k].is_locked()) parts.add(kAlone[k]);
+    if (axis[k].is_locked())
+      parts.add(k == 4 && plane == SwingPlane::about_z   ? JointPart::across_z
+                : k == 5 && plane == SwingPlane::about_y ? JointPart::across_y
+                                                         : kAlone[k]);
 }
 
 /// f(source, kind of row) for all that acts along an axis, in the order of rows.
@@ -47,17 +52,14 @@ bool turns_as_one(const Joint& joint, const JointAxes& axes) {
          axes.turns_are_free();
 }
 
-/// rad, of all angles that are the same the nearest to 0.
-Real nearest(Real angle) { return std::remainder(angle, 2 * std::numbers::pi); }
-
 Real root_of_squares(const Real (&v)[3]) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 }  // namespace
 
 LockedParts locked_parts(const JointAxes& axes) {
   LockedParts parts;
-  add_parts(axes.axis, 0, parts);
-  add_parts(axes.axis, kPlaces, parts);
+  add_parts(axes, 0, parts);
+  add_parts(axes, kPlaces, parts);
   return parts;
 }
 
@@ -68,7 +70,7 @@ AxisOffsets offsets_of(const JointAxes& axes) {
     const JointAxis &place = axes.axis[k], &turn = axes.axis[kPlaces + k];
     if (place.is_locked()) off.place[static_cast<int>(k)] = place.lower;
     if (turn.is_locked())
-      off.turn[static_cast<int>(k)] = turn.lower;
+      off.turn[static_cast<int>(k)] = nearest_turn(turn.lower, 0);
     else
       off.all_turns = false;
   }
@@ -106,8 +108,10 @@ std::uint64_t axes_key(const Joints& joints, const Joint& joint) {
       key |= std::uint64_t(kind == DriveKind::motor || kind == DriveKind::stop ? 2 : 1) << (7 * k + 1 + 2 * source);
     });
   }
-  for (const JointPart part : locked_parts(axes))
+  for (const JointPart part : locked_parts(axes)) {
     if (part == JointPart::direction) key |= std::uint64_t(1) << 58;
+    if (part == JointPart::across_y || part == JointPart::across_z) key |= std::uint64_t(1) << 59;
+  }
   return key;
 }
 
@@ -121,27 +125,19 @@ DrivenAxes driven_axes(const Joints& joints, const Joint& joint) {
   return any;
 }
 
-std::array<Real, kAxes> axes_at(const JointEnds& ends) {
-  const Quat t = ends.a.q.conjugate() * ends.b.q;
-  const Vec3 place = ends.a.q.conjugate() * ends.apart, n = t * Vec3::unit_x();
-  const Real sign = t.w() < 0 ? -1 : 1, twist = 2 * angle_of<double>(sign * t.x(), sign * t.w());
-  const Real sine = std::sqrt(n.y() * n.y() + n.z() * n.z()), angle = angle_of<double>(sine, n.x());
-  Real y = -n.z(), z = n.y();
-  if (sine > 1e-12)
-    y *= angle / sine, z *= angle / sine;
-  else if (n.x() < 0)
-    y = angle, z = 0;
-  return {place.x(), place.y(), place.z(), twist, y, z};
+std::array<Real, kAxes> axes_at(const JointEnds& ends, const Vec3& turned) {
+  const Vec3 place = ends.a.q.conjugate() * ends.apart;
+  return {place.x(), place.y(), place.z(), turned.x(), turned.y(), turned.z()};
 }
 
 JointPlace judge_axes(const JointAxes& axes, JointPlace place) {
-  const std::array<Real, kAxes> at = axes_at(place);
+  const std::array<Real, kAxes> at = axes_at(place, place.turned);
   Real off[2][3] = {}, beyond[2] = {};
   for (std::uint32_t k = 0; k < kAxes; ++k) {
     const JointAxis& a = axes.axis[k];
     const std::uint32_t group = k / kPlaces;
     if (a.is_locked())
-      off[group][k % kPlaces] = k == 3 ? nearest(at[k] - a.lower) : at[k] - a.lower;
+      off[group][k % kPlaces] = k < kPlaces ? at[k] - a.lower : nearest_turn(at[k] - a.lower, 0);
     else if (a.is_limited() && !a.stop.on())
       beyond[group] = std::max({beyond[group], a.lower - at[k], at[k] - a.upper});
   }

@@ -37,9 +37,10 @@ struct DrivenAxes {
 DrivenAxes driven_axes(const Joints& joints, const Joint& joint);
 
 /// Where B's frame is in A's: m along A's x, y, z; rad, the twist about x and the swing's rotation vector along y, z, of
-/// q = swing * twist. At a swing of pi the twist is 0 and the swing about y.
+/// q = swing * twist, whole turns counted.
+/// @param turned  counted_angles(), @see turns.h
 /// @accuracy  places: rounding of the bodies' positions; angles 1e-15 / cos(swing / 2) rad
-std::array<Real, kAxes> axes_at(const JointEnds& ends);
+std::array<Real, kAxes> axes_at(const JointEnds& ends, const Vec3& turned);
 
 /// How far a six-axis joint is off what it locks, and beyond hard limits.
 JointPlace judge_axes(const JointAxes& axes, JointPlace place);

@@ -77,19 +77,15 @@ void bend(const JointRun& run, double h) {
         case JointPart::turn_x:
         case JointPart::turn_y:
         case JointPart::turn_z:
+        case JointPart::across_y:
+        case JointPart::across_z:
+        case JointPart::gears:
           r += 1;
           break;
         case JointPart::ropes: {
           const PullLanes& pull = *pull_of(run, joint);
           r->curve = half * (rope_bend(run, joint.a, a, joint.r_a, pull.rope_a) +
                              pull.ratio * rope_bend(run, joint.b, b, joint.r_b, pull.rope_b));
-          r += 1;
-          break;
-        }
-        case JointPart::gears: {
-          GearLanes& gear = run.gears[joint.geared - 1];
-          gear.ahead_a = -h * dot(r->w_a, a.omega);
-          gear.ahead_b = (h / gear.ratio) * dot(r->w_b, b.omega);
           r += 1;
           break;
         }

@@ -159,13 +159,14 @@ bool has_sane_impulses(Joints& joints, Joint& joint) {
   const auto finite_all = [](const auto& p) { return std::ranges::all_of(p, [](Real x) { return finite(x); }); };
   const JointAxes& axes = std::as_const(joints).axes_of(joint);
   return finite_all(joint.p) && finite_all(joint.drive_p) && joint.turn.p.all_finite() &&
-         std::ranges::all_of(axes.p, finite_all) && finite(joint.transmission.phase) && joint.force.all_finite() &&
-         joint.torque.all_finite();
+         std::ranges::all_of(axes.p, finite_all) && finite(joint.transmission.phase) && joint.turned.all_finite() &&
+         joint.force.all_finite() && joint.torque.all_finite();
 }
 
 void start_cold(Joints& joints, Joint& joint) {
   joints.clear_impulses(joint);
   joint.transmission.phase = finite(joint.transmission.phase) ? joint.transmission.phase : 0;
+  if (!joint.turned.all_finite()) joint.turned.set_zero();
   joint.force.set_zero(), joint.torque.set_zero();
 }
 

@@ -3,6 +3,7 @@
 
 #include "dynamics/events/events.h"
 #include "dynamics/joint/parts.h"
+#include "dynamics/joint/turns.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
 
@@ -51,6 +52,7 @@ Handle World::add_joint(const JointDef& def) {
   if (slot == joints.joint.size()) joints.joint.emplace_back();
   fill_joint(slot, def);
   Joint& joint = joints.joint[slot];
+  start_count(*this, joint);
   if (def.body_a != kInvalid) joint.next_a = joints.first[def.body_a], joints.first[def.body_a] = slot;
   if (def.body_b != kInvalid) joint.next_b = joints.first[def.body_b], joints.first[def.body_b] = slot;
   ++scene.revision;
@@ -90,6 +92,7 @@ void World::set_joint_drive(std::uint32_t slot, Coordinate c, const JointDrive& 
   const std::uint64_t before = layout_key(joints, joint);
   wake_both(*this, joint.def);
   joint.drive[static_cast<std::size_t>(c)] = drive;
+  recount(*this, joint);
   mark_layout(*this, joint, before);
 }
 
@@ -98,6 +101,7 @@ void World::set_joint_axis(std::uint32_t slot, std::uint32_t axis, const JointAx
   const std::uint64_t before = layout_key(joints, joint);
   wake_both(*this, joint.def);
   joints.axes_of(joint)->axis[axis] = to;
+  recount(*this, joint);
   mark_layout(*this, joint, before);
 }
 

@@ -30,7 +30,7 @@ inline bool has_transmission(JointKind kind) { return kind == JointKind::pulley 
 
 /// What may be limited, driven or sprung of a joint; as CAROM_COORDINATE_*.
 enum class Coordinate : std::uint8_t {
-  twist,     // rad, of B about the x axes, (-pi, pi]
+  twist,     // rad, of B about the x axes, whole turns counted
   swing,     // rad, between the x axes, [0, pi]
   slide,     // m, of B's point along A's x axis
   distance,  // m, between the points; of a pulley, of its ropes: that of A and ratio times that of B
@@ -103,6 +103,7 @@ struct Joint {
   std::uint32_t next_a = kInvalid, next_b = kInvalid;  // the next joint of each body
   std::uint32_t axes = 0;                              // in Joints::axes, from 1; 0: it is no six-axis joint
   TurnDrive turn;                                      // of a ball, or of a six-axis joint that may turn any way
+  Vec3 turned = Vec3::zero();  // rad: twist, and swing about y and z of six axes, as counted last, @see turns.h
 };
 
 /// Of a joint that has none: all are free.
@@ -148,6 +149,7 @@ struct JointEnds {
 /// And how far it is from what it locks.
 struct JointPlace : JointEnds {
   std::array<Real, kCoordinates> at;  // m or rad
+  Vec3 turned = Vec3::zero();         // rad, as Joint::turned
   Real gap = 0;                       // m, of what is locked of the points
   Real angle = 0;                     // rad, of what is locked of the axes
 };

@@ -25,7 +25,9 @@ enum class JointPart : std::uint8_t {
   place_z,      // 1
   turn_x,       // 1: the twist stays
   turn_y,       // 1: so does one component of the swing
-  turn_z        // 1
+  turn_z,       // 1
+  across_y,     // 1: B's x axis stays at right angles to A's y axis: no swing about z
+  across_z      // 1: to A's z axis: no swing about y
 };
 enum class DriveKind : std::uint8_t { motor, spring, limit, stop };  // in the order in which they are visited
 /// Whether all of what a row does in a substep is done at once, by a law of where that began.
@@ -45,6 +47,7 @@ struct JointLayout {
   std::uint32_t parts = 0, equalities = 0, drives = 0;
   bool two_ways = false;  // A is pulled another way than B, @see PullLanes
   bool axed = false;      // it has AxesLanes
+  bool counts = false;    // some drive reads an angle that counts turns
   JointPart part[kMostParts] = {};
   DriveRow drive[kMostDriveRows] = {};
 };
@@ -94,6 +97,8 @@ struct AxesLanes {
     Lanes stiffest;            // m/s at 1 m or rad, per mass, likewise: stiffer is not stable
     Lanes per_mass;            // 1: times the row's mass; else 0
   } pull[kMostDriveRows];      // by row: of springs and stops
+  Lanes swing_y, swing_z;      // rad, as counted
+  Lanes ahead_y, ahead_z;      // rad, as JointLanes::twist_ahead
 };
 
 inline constexpr int kFactor = kMostRows * (kMostRows + 1) / 2;
@@ -121,6 +126,8 @@ struct JointLanes {
   LaneSymmetric inv_inertia_a, inv_inertia_b;
   LaneVec r_a, r_b, gap;
   LaneVec x_a;            // world, A's x axis
+  Lanes twist;            // rad, as counted, where the layout counts or has axes
+  Lanes twist_ahead;      // rad, how far it goes on in the move to come: which of many turns a pose will stand for
   Lanes factor[kFactor];  // L D L^T of the coupling of the equalities: rows of L, 1/D in its diagonal
 
   LaneVec force, torque;  // N s, N m s: on B, about its point, since the step began

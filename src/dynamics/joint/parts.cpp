@@ -6,6 +6,7 @@
 
 #include "core/wide_angle.h"
 #include "dynamics/joint/axis_parts.h"
+#include "dynamics/joint/turns.h"
 
 namespace carom::dynamics {
 namespace {
@@ -42,9 +43,18 @@ constexpr std::uint32_t rows_of(JointPart part) {
     case JointPart::turn_x:
     case JointPart::turn_y:
     case JointPart::turn_z:
+    case JointPart::across_y:
+    case JointPart::across_z:
       return 1;
   }
   return 0;
+}
+
+/// Whether a drive is told by an angle that counts turns. A motor knows of no angle.
+bool counts_turns(const DriveRow& row) {
+  const std::uint32_t first = kFirstAxis + kPlaces;
+  return row.kind != DriveKind::motor && (row.coordinate == static_cast<std::uint32_t>(Coordinate::twist) ||
+                                          (row.coordinate >= first && row.coordinate < kFirstTurn));
 }
 
 constexpr Real kNoLength = 1e-9;  // m: a rod that has none has no direction; its points just stay together
@@ -93,6 +103,7 @@ JointLayout layout_of(const Joints& joints, const Joint& joint) {
     layout.drive[layout.drives++] = {static_cast<std::uint8_t>(c), kind};
   });
   add_axis_drives(joints, joint, layout);
+  for (std::uint32_t k = 0; k < layout.drives; ++k) layout.counts |= counts_turns(layout.drive[k]);
   return layout;
 }
 
@@ -145,10 +156,12 @@ std::array<Real, kCoordinates> coordinates_of(const JointEnds& ends) {
 }
 
 JointPlace place_of(const World& world, const Joint& joint) {
-  JointPlace place{ends_of(world, joint.def), {}, 0, 0};
+  JointPlace place{ends_of(world, joint.def), {}};
   const Quat t = place.a.q.conjugate() * place.b.q;
   const Mat3 a = place.a.q.matrix(), b = place.b.q.matrix();
   place.at = coordinates_of(place);
+  place.turned = counted_angles(world, joint, place);
+  place.at[0] = place.turned.x();
   if (joint.def.kind == JointKind::pulley) {
     const Ropes ropes = ropes_of(world, joint, place);
     place.at[3] = ropes.a.norm() + joint.transmission.ratio * ropes.b.norm();
@@ -186,6 +199,8 @@ JointPlace place_of(const World& world, const Joint& joint) {
       case JointPart::turn_x:
       case JointPart::turn_y:
       case JointPart::turn_z:
+      case JointPart::across_y:
+      case JointPart::across_z:
         break;  // of six-axis joints alone, judged above
     }
   for (std::size_t c = 0; c < kCoordinates; ++c) {

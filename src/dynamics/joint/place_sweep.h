@@ -51,14 +51,19 @@ struct JointShift {
   }
 };
 
+constexpr double kLaneTurn = 6.283185307179586477;  // rad, once around
+
+/// Of all angles that differ from one by whole turns, the nearest to another. rad
+CAROM_LANES_INLINE Lanes nearest_turn(Lanes angle, Lanes near) {
+  constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds
+  return angle + kLaneTurn * (((near - angle) * (1 / kLaneTurn) + kRound) - kRound);
+}
+
 /// rad: by how much a turn is one about an axis, of all such angles the nearest to one.
 CAROM_LANES_INLINE Lanes turned_about(const LaneQuat& turn, const LaneVec& axis, Lanes near) {
   const Lanes along = turn.x * axis.x + turn.y * axis.y + turn.z * axis.z;
   const LaneMask back = turn.w < 0;
-  const Lanes angle = 2 * angle_of<Lanes>(back ? -along : along, back ? -turn.w : turn.w);
-  constexpr double kTurn = 6.283185307179586477, kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds
-  const Lanes turns = ((near - angle) * (1 / kTurn) + kRound) - kRound;
-  return angle + kTurn * turns;
+  return nearest_turn(2 * angle_of<Lanes>(back ? -along : along, back ? -turn.w : turn.w), near);
 }
 
 /// A joint at the present poses; writes its rows.
@@ -158,6 +163,12 @@ struct JointPlacing {
       case JointPart::pins:
         about(*r, cross(axes_b.z, axes_a.y), dot(axes_a.y, axes_b.z));
         return r + 1;
+      case JointPart::across_y:
+        about(*r, cross(axes_b.x, axes_a.y), dot(axes_a.y, axes_b.x));
+        return r + 1;
+      case JointPart::across_z:
+        about(*r, cross(axes_a.z, axes_b.x), -dot(axes_a.z, axes_b.x));
+        return r + 1;
       case JointPart::ropes:
         ropes(*r);
         r->error = r->error - joint.length;
@@ -216,11 +227,8 @@ struct JointPlacing {
   CAROM_SHARED_PART void coordinate(int which, JointRowLanes& r) const {
     switch (which) {
       case 0: {  // twist: its rate is omega . (x_a + x_b) / (1 + x_a.x_b)
-        const LaneQuat t = conjugate(q_a) * q_b;
-        const LaneMask back = t.w < 0;
-        const Lanes angle = 2 * angle_of<Lanes>(back ? -t.x : t.x, back ? -t.w : t.w);
         const Lanes scale = 1 / larger(1 + dot(axes_a.x, axes_b.x), all(1e-3));
-        return about(r, scale * (axes_a.x + axes_b.x), angle);
+        return about(r, scale * (axes_a.x + axes_b.x), joint.twist);
       }
       case 1: {  // swing
         const LaneVec c = cross(axes_a.x, axes_b.x);
@@ -239,12 +247,37 @@ struct JointPlacing {
   }
 };
 
+/// Where an angle is taken to have been, of which a pose does not tell the whole turns. At a swing of pi a twist may be
+/// any: there it is one that limits and springs ask for.
+/// @param coordinate  of the rows that are told by it
+/// @param any         lanes in which it may be any
+CAROM_LANES_INLINE Lanes near_turn(const JointLayout& layout, const JointDriveLanes* drives, int coordinate, Lanes near,
+                                   LaneMask any) {
+  for (std::uint32_t k = 0; k < layout.drives; ++k)
+    if (layout.drive[k].coordinate == coordinate && layout.drive[k].kind != DriveKind::motor)
+      near = any ? larger(smaller(near, drives[k].upper), drives[k].lower) : near;
+  return near;
+}
+
+/// The twist, as counted.
+CAROM_SHARED_PART void count_twist(const JointRun& run, const JointPlacing& at, int coordinate) {
+  JointLanes& joint = at.joint;
+  const LaneQuat t = conjugate(at.q_a) * at.q_b;
+  const LaneMask back = t.w < 0;
+  const Lanes angle = 2 * angle_of<Lanes>(back ? -t.x : t.x, back ? -t.w : t.w);
+  const Lanes near = near_turn(joint.layout, run.drives + joint.first_drive, coordinate,
+                               joint.twist + joint.twist_ahead, dot(at.axes_a.x, at.axes_b.x) < 1e-3 - 1);
+  joint.twist = nearest_turn(angle, near);
+  joint.twist_ahead = all(0);
+}
+
 /// @param locks  null, known when compiled: none
 template <bool kTwoWays>
 CAROM_LANES_INLINE void place_one(const JointRun& run, JointLanes& joint, const LockLanes* locks) {
   PullLanes* const pull = kTwoWays ? pull_of(run, joint) : nullptr;
   GearLanes* const gear = kTwoWays || !joint.geared ? nullptr : run.gears + (joint.geared - 1);
   const JointPlacing placing(joint, run.shift, locks != nullptr, pull, gear);
+  if (joint.layout.counts) count_twist(run, placing, 0);
   JointRowLanes* const rows = run.rows + joint.first;
   JointRowLanes* next = rows;
   for (std::uint32_t k = 0; k < joint.layout.parts; ++k) next = placing.part(joint.layout.part[k], next);

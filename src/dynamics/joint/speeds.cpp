@@ -1,7 +1,7 @@
 #include "dynamics/joint/speeds.h"
 
-#include "core/wide_angle.h"
 #include "dynamics/joint/parts.h"
+#include "dynamics/joint/turns.h"
 
 namespace carom::dynamics {
 namespace {
@@ -25,15 +25,6 @@ Real lengthening(const Vec3& r, const Vec3& rate) {
   return length > 0 ? r.dot(rate) / length : rate.norm();
 }
 
-/// Rate of 2 atan2(t.x, t.w).   @param w  rad/s, in the frame that t leads to
-Real twisting(const Quat& t, const Vec3& w) {
-  const Real turned = t.x() * t.x() + t.w() * t.w();
-  if (!(turned > 0)) return 0;
-  const Real x = t.w() * w.x() + w.y() * t.z() - w.z() * t.y();          // 2 x'
-  const Real scalar = -(w.x() * t.x() + w.y() * t.y() + w.z() * t.z());  // 2 w'
-  return (t.w() * x - t.x() * scalar) / turned;
-}
-
 }  // namespace
 
 JointSpeeds speeds_of(const World& world, const Joint& joint) {
@@ -44,26 +35,19 @@ JointSpeeds speeds_of(const World& world, const Joint& joint) {
   const Vec3 r = to_a * ends.apart, parting = b.v - a.v;
   const Vec3 place = to_a * parting - (to_a * a.omega).cross(r), w = to_a * (b.omega - a.omega);
   const Vec3 n = t * Vec3::unit_x(), n_rate = w.cross(n);
-  const Real sine = std::sqrt(n.y() * n.y() + n.z() * n.z()), twist = twisting(t, w);
-  Real swing = n_rate.norm(), grows = 1, grows_rate = 0;  // angle over sine
-  if (sine > kAgree) {
-    const Real sine_rate = (n.y() * n_rate.y() + n.z() * n_rate.z()) / sine;
-    const Real angle = angle_of<double>(sine, n.x());
-    swing = n.x() * sine_rate - sine * n_rate.x();
-    grows = angle / sine, grows_rate = (swing - grows * sine_rate) / sine;
-  }
+  const Real sine = std::sqrt(n.y() * n.y() + n.z() * n.z());
+  Real swing = n_rate.norm();
+  if (sine > kAgree) swing = n.x() * ((n.y() * n_rate.y() + n.z() * n_rate.z()) / sine) - sine * n_rate.x();
+  const SwingPlane plane =
+      def.kind == JointKind::six_axis ? swing_plane(world.joints.axes_of(joint)) : SwingPlane::none;
+  const Vec3 turning = rates_of_angles(t, plane, counted_angles(world, joint, ends), w);
   JointSpeeds speeds;
-  speeds.coordinate = {twist, swing, place.x(), lengthening(ends.apart, parting)};
+  speeds.coordinate = {turning.x(), swing, place.x(), lengthening(ends.apart, parting)};
   if (def.kind == JointKind::pulley) {
     const Ropes ropes = ropes_of(world, joint, ends);
     speeds.coordinate[3] = lengthening(ropes.a, a.v) + joint.transmission.ratio * lengthening(ropes.b, b.v);
   }
-  speeds.axis = {place.x(),
-                 place.y(),
-                 place.z(),
-                 twist,
-                 -(grows_rate * n.z() + grows * n_rate.z()),
-                 grows_rate * n.y() + grows * n_rate.y()};
+  speeds.axis = {place.x(), place.y(), place.z(), turning.x(), turning.y(), turning.z()};
   return speeds;
 }
 

@@ -9,6 +9,7 @@
 #include "dynamics/island.h"
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
+#include "dynamics/joint/turns.h"
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/solver/soft_step.h"
 #include "dynamics/warm_scale.h"
@@ -137,6 +138,16 @@ void fill(const World& world, std::uint32_t index, const Softness& soft, Real h,
   set_quat(lanes.start_frame_a, lane, ends.a.q), set_quat(lanes.start_frame_b, lane, ends.b.q);
   set(lanes.start_gap, lane, ends.apart);
   lanes.length[lane] = joint.def.length;
+  lanes.twist_ahead[lane] = 0;
+  if (lanes.layout.counts || lanes.axed) {
+    const Vec3 turned = counted_angles(world, joint, ends);
+    set(lanes.twist, lane, turned.x());
+    if (lanes.axed) {
+      AxesLanes& axes = w.axes[lanes.axed - 1];
+      set(axes.swing_y, lane, turned.y()), set(axes.swing_z, lane, turned.z());
+      set(axes.ahead_y, lane, 0), set(axes.ahead_z, lane, 0);
+    }
+  }
   fill_transmission(world, joint, ends, w, lanes, lane);
   if (lanes.axed) fill_axes(world, joint, w.axes[lanes.axed - 1], lanes, lane);
   lanes.bias_rate[lane] = soft.bias_rate;
@@ -388,6 +399,9 @@ void end_joints(const World& world, Breaking to, Events& events, const StepTime&
     keep_drives(joints, joint, w, lanes, lane);
     joint.p_h = time.h;
     if (lanes.geared) joint.transmission.phase = phase_of(world, joint, w, lanes, lane);
+    const AxesLanes* const axes = lanes.axed ? &w.axes[lanes.axed - 1] : nullptr;
+    const Vec3 led(lanes.twist[lane], axes ? axes->swing_y[lane] : 0, axes ? axes->swing_z[lane] : 0);
+    count_angles(world, joint, lanes.layout.counts ? &led : nullptr, time.dt);
     joint.force = get(lanes.force, lane) / time.dt;
     joint.torque = get(lanes.torque, lane) / time.dt;
     if (!has_sane_impulses(joints, joint)) start_cold(joints, joint);

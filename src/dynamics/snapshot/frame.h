@@ -7,7 +7,7 @@
 
 namespace carom::dynamics::snapshot {
 
-inline constexpr std::size_t kMostSections = 16;
+inline constexpr std::size_t kMostSections = 24;
 /// In the order in which they are loaded: who slept is told to who listens, so those come first.
 const Section* const* sections(std::size_t& n);
 bool is_structure(const Section& section);

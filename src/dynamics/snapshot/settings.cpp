@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/joint/turns.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/snapshot/joint_axes.h"
 #include "dynamics/snapshot/section.h"
@@ -234,6 +235,28 @@ struct AllJoints {
   }
 };
 
+/// Turns that joints have counted. A joint whose angles are what its pose tells says so by a zero.
+struct Turns {
+  template <class Io, class W>
+  static void go(Io& io, W& world) {
+    auto& all = world.joints;
+    for (std::uint32_t i = 0; i < all.slots.slots() && !io.bad(); ++i) {
+      if (!all.slots.alive(i) || !counts_turns(all.joint[i].def.kind)) continue;
+      io.begin_item(), io.name_item(Item::joint, i);
+      auto& j = all.joint[i];
+      bool counted = false;
+      if constexpr (Io::saves) counted = !same_bits(j.turned, told_angles(world, j));
+      if (!yes_or_no(io, counted)) {
+        if constexpr (Io::loads) start_count(world, j);
+        continue;
+      }
+      const Vec3 turned = io.vec(j.turned);
+      io.demand(turned.squared_norm() <= kMostCounted * kMostCounted);
+      keep(io, j.turned, turned);
+    }
+  }
+};
+
 struct HeldApart {
   template <class Io, class W>
   static void go(Io& io, W& world) {
@@ -265,6 +288,7 @@ constinit const Section kMaterials = section<Materials>("MATE", "materials");
 constinit const Section kFields = section<AllFields>("FIEL", "force fields");
 constinit const Section kSprings = section<AllSprings>("SPRI", "springs");
 constinit const Section kJoints = section<AllJoints>("JOIN", "joints");
+constinit const Section kTurns = section<Turns>("TURN", "turns of joints");
 constinit const Section kApart = section<HeldApart>("APAR", "pairs held apart");
 
 }  // namespace carom::dynamics::snapshot

@@ -5,6 +5,7 @@
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/contact/mean_motion.h"
+#include "dynamics/joint/turns.h"
 #include "dynamics/joint/wide_joints.h"
 
 namespace carom::dynamics {
@@ -36,6 +37,7 @@ void solve_velocities(const World& world, Solver::Solves to, const StepTime& tim
   take_half_kicks(world, to);
   serve(world.plan->solver->velocities, world, to, time);
   bound_moves(world, to);
+  aim_joints(world, time.h);
   find_mean_motion(world, time);
 }
 void solve_positions(const World& world, Solver::Relaxes to, const StepTime& time) {

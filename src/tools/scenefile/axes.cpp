@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
 namespace carom::tools::scenefile {
 namespace {
@@ -143,7 +142,7 @@ double given_or_boundless(const Value& of, const char* key, double boundless) {
 }
 Khr khr_of(const Value& limit) {
   const bool turns = limit.has("angularAxes");
-  const double far = turns ? std::numbers::pi : kFar;
+  const double far = turns ? kMostTurned : kFar;
   const double lower = std::clamp(limit.number_or("min", -far), -far, far),
                upper = std::clamp(limit.number_or("max", far), -far, far);
   return {turns, upper - lower < kZeroWidth && !is_soft_limit(limit), lower, std::max(lower, upper),
@@ -165,7 +164,7 @@ void take_limit(const Value& limit, std::array<carom_joint_axis, CAROM_AXIS_COUN
 
 void take_drive(const Value& drive, std::array<carom_joint_axis, CAROM_AXIS_COUNT>& axes) {
   const bool turns = drive["type"].text() == "angular";
-  const double far = turns ? std::numbers::pi : kFar;
+  const double far = turns ? kMostTurned : kFar;
   carom_joint_axis& d = axes[drive["axis"].index(3, "axes") + (turns ? 3 : 0)];
   d.drive = CAROM_DRIVE_POSITION;
   d.drive_gains = !drive.has("mode") || drive["mode"].text() == "force" ? CAROM_GAINS_FORCE : CAROM_GAINS_ACCELERATION;

@@ -6,6 +6,8 @@
 
 namespace carom::tools::scenefile {
 
+inline constexpr double kMostTurned = 1e3;  // rad: as far as a limit or a target of a turn may be
+
 /// An entry of physicsJoints.   @throws Error if the file can say nothing of its kind
 json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& desc);
 

@@ -261,7 +261,7 @@ void Reader::drive_joint(const Value& joint, const Plan& plan, carom_joint handl
   Call call;
   if (plan.limited) {
     const bool angle = plan.coordinate == CAROM_COORDINATE_TWIST || plan.coordinate == CAROM_COORDINATE_SWING;
-    const double most = angle ? std::numbers::pi : 1e9;
+    const double most = plan.coordinate == CAROM_COORDINATE_SWING ? std::numbers::pi : angle ? kMostTurned : 1e9;
     carom_joint_limit limit;
     carom_joint_limit_init(&limit, sizeof limit);
     limit.enabled = 1, limit.lower = std::clamp(plan.lower, -most, most),

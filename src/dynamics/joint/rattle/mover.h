@@ -13,6 +13,9 @@
 
 namespace carom::dynamics::rattle {
 
+/// Its angles as counted, where bodies stand at a stage's end.
+/// @param h  s, of the stage; 0: as the step begins
+void count_turns(const World& world, RattleJoint& j, const RattleBody& a, const RattleBody& b, Real h);
 /// Whether all that a joint limits is between its limits.
 bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody& a, const RattleBody& b);
 
@@ -58,6 +61,7 @@ class Mover {
     }
     island_.rounding = 16 * kEpsilon * std::max(Real(1), far + island_.reach);
     island_.gain = 0;
+    count(0);
     if (!within_limits() || !shut()) return bar();
     place();
     if (!is_resolved(h, kRattleSwing)) return false;
@@ -83,6 +87,7 @@ class Mover {
       if (off <= island_.rounding || (off > 0.5 * before && off <= 64 * island_.rounding)) {
         tell();
         for (RattleBody& b : bodies()) b.inv_mass > 0 ? arrive(b) : stay(b);
+        count(h);
         place();
         island_.gain += energy() - island_.energy;
         return true;
@@ -412,6 +417,11 @@ class Mover {
   bool bar() const {
     island_.is_barred = true;
     return false;
+  }
+
+  void count(Real h) const {
+    for (RattleJoint& j : joints())
+      if (j.is_limited || j.springs) count_turns(world_, j, r_.bodies[j.a], r_.bodies[j.b], h);
   }
 
   /// No limit acts.

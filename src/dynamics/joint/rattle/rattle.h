@@ -124,6 +124,7 @@ struct RattleJoint {
   Quat frame_a, frame_b;  // joint -> body
   Mat3 axes_a, axes_b;    // the same
   Vec3 r_b;               // m, world: where its torque is told
+  Vec3 turned;            // rad, as Joint::turned, where it has a limit or a spring
   Vec3 force, torque;     // N s, N m s, world, on B, about its point: since the step began
 };
 

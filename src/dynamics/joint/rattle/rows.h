@@ -5,6 +5,7 @@
 
 #include "core/wide_angle.h"
 #include "dynamics/joint/rattle/rattle.h"
+#include "dynamics/joint/turns.h"
 
 namespace carom::dynamics::rattle {
 
@@ -39,9 +40,9 @@ struct Placed {
     switch (which) {
       case Coordinate::twist: {  // as JointPlacing::coordinate() has it
         const Quat t = (a.q * joint.frame_a).conjugate() * (b.q * joint.frame_b);
-        const Real sign = t.w() < 0 ? -1 : 1;
+        const Real sign = t.w() < 0 ? -1 : 1, angle = 2 * angle_of<double>(sign * t.x(), sign * t.w());
         const Vec3 axis = (x_a + x_b) / std::max(1 + x_a.dot(x_b), Real(1e-3));
-        return {2 * angle_of<double>(sign * t.x(), sign * t.w()), Vec3::zero(), axis, axis};
+        return {nearest_turn(angle, joint.turned.x()), Vec3::zero(), axis, axis};
       }
       case Coordinate::swing: {
         const Vec3 c = x_a.cross(x_b);

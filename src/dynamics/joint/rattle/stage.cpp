@@ -6,6 +6,7 @@
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/joint/rattle/motion.h"
 #include "dynamics/joint/rattle/rattle.h"
+#include "dynamics/joint/turns.h"
 #include "dynamics/ledger/accounts.h"
 #include "dynamics/quarantine.h"
 
@@ -176,6 +177,7 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
       for (std::uint32_t k = 0; k < j.rows; ++k) joint.p[k] = r.rows[j.row + k].load * (time.h / 2);
       joint.p_h = time.h;
       joint.force = j.force / time.dt, joint.torque = j.torque / time.dt;
+      count_angles(world, joint, j.is_limited || j.springs ? &j.turned : nullptr, time.dt);
     }
   });
   if (keeps_ledger(world)) rattle::account(world, r);

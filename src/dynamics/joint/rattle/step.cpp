@@ -7,6 +7,7 @@
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/rattle/mover.h"
+#include "dynamics/joint/turns.h"
 #include "dynamics/ledger/ledger.h"
 
 namespace carom::dynamics::rattle {
@@ -93,10 +94,7 @@ void read_ahead(Rattle& r) {
   });
 }
 
-}  // namespace
-
-bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody& a, const RattleBody& b) {
-  const Joint& joint = world.joints.joint[j.slot];
+JointEnds ends_at(const World& world, const Joint& joint, const RattleBody& a, const RattleBody& b) {
   JointEnds ends;
   const auto end = [&](std::uint32_t slot, const Pose& frame, const RattleBody& body, Pose& to, Vec3& arm) {
     arm = slot == kInvalid ? Vec3(Vec3::zero()) : Vec3(body.r * (frame.p - world.scene.center[slot]));
@@ -106,15 +104,32 @@ bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody
   const Vec3 x_a = end(joint.def.body_a, joint.def.frame_a, a, ends.a, ends.arm_a),
              x_b = end(joint.def.body_b, joint.def.frame_b, b, ends.b, ends.arm_b);
   ends.apart = (x_b - x_a) + (ends.arm_b - ends.arm_a);
+  return ends;
+}
+
+}  // namespace
+
+void count_turns(const World& world, RattleJoint& j, const RattleBody& a, const RattleBody& b, Real h) {
+  const Joint& joint = world.joints.joint[j.slot];
+  if (!counts_turns(joint.def.kind)) return;
+  const JointEnds ends = ends_at(world, joint, a, b);
+  const Vec3 w = b.omega - a.omega;
+  j.turned = h == 0 ? counted_angles(world, joint, ends) : led_angles(world, joint, ends, j.turned, w, h);
+}
+
+bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody& a, const RattleBody& b) {
+  const Joint& joint = world.joints.joint[j.slot];
+  const JointEnds ends = ends_at(world, joint, a, b);
   const auto within = [](Real x, Real lower, Real upper) { return x >= lower && x <= upper; };
   if (joint.def.kind == JointKind::six_axis) {
-    const std::array<Real, kAxes> at = axes_at(ends);
+    const std::array<Real, kAxes> at = axes_at(ends, j.turned);
     const JointAxes& axes = world.joints.axes_of(joint);
     for (std::uint32_t k = 0; k < kAxes; ++k)
       if (axes.axis[k].is_limited() && !within(at[k], axes.axis[k].lower, axes.axis[k].upper)) return false;
     return true;
   }
-  const std::array<Real, kCoordinates> at = coordinates_of(ends);
+  std::array<Real, kCoordinates> at = coordinates_of(ends);
+  at[0] = j.turned.x();
   for (std::size_t c = 0; c < kCoordinates; ++c) {
     const JointLimit& limit = joint.drive[c].limit;
     if (!limit.on || !has(joint.def.kind, static_cast<Coordinate>(c))) continue;

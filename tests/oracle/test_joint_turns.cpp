@@ -1,0 +1,263 @@
+// Angles of joints count whole turns: stops, springs, gears and readings beyond half a turn, under every solver.
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include "carom_test.h"
+#include "dynamics/snapshot/snapshot.h"
+#include "six_axes.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr Real kPi = std::numbers::pi;
+/// rad: what a stop may be passed by. The direct solver leads errors back to 1e-9; those of the others are softened.
+Real passed_by(int solver) { return is_direct(solver) ? 1e-6 : 0.02; }
+
+struct Way {
+  int solver;
+  Real order;  // of joints
+};
+constexpr Way kWays[] = {{kSequentialChoice, 0}, {kSoftChoice, 0}, {kDirectChoice, 0}, {kAutoChoice, 0},
+                         {kAutoChoice, 2},       {kAutoChoice, 4}, {kAutoChoice, 6}};
+
+enum class Kind { hinge, ball, turn_x, turn_y, turn_z };
+constexpr Kind kEveryKind[] = {Kind::hinge, Kind::ball, Kind::turn_x, Kind::turn_y, Kind::turn_z};
+
+/// A body on a joint that leaves one turn free.
+struct Turner {
+  TestWorld t{Vec3(0, 0, 0)};
+  Kind kind;
+  std::uint32_t body, j, base = kInvalid;
+  Vec3 axis;
+
+  Turner(Kind k, const Way& way, bool two_links = false) : kind(k) {
+    choose(t, way.solver);
+    t.world.set_dial(Dial::joint_order, way.order);
+    body = add_body(t, Vec3(0.5, 0, 0), 20, Vec3(0.2, 1.5, 1.4));
+    if (two_links) base = add_body(t, Vec3(-0.3, 0, 0), 60, Vec3(1, 3, 3));
+    const bool is_axes = kind >= Kind::turn_x;
+    j = join(t,
+             is_axes              ? JointKind::six_axis
+             : kind == Kind::ball ? JointKind::ball
+                                  : JointKind::hinge,
+             base, body, Vec3(0, 0, 0), kOblique);
+    axis = kOblique * Vec3::unit(is_axes ? static_cast<int>(kind) - static_cast<int>(Kind::turn_x) : 0);
+    if (kind == Kind::ball) set_limit(t, j, Coordinate::swing, 0, 0);  // else it tumbles
+    if (is_axes) set_all(t, j, free_axis(), locked_at());
+  }
+  std::uint32_t free_axis() const {
+    return kPlaces + static_cast<std::uint32_t>(kind) - static_cast<std::uint32_t>(Kind::turn_x);
+  }
+  JointAxis& set(JointAxis& a) const { return a = t.world.joints.axes_of(joint(t, j)).axis[free_axis()]; }
+  void limit(Real lower, Real upper) {
+    JointAxis a;
+    if (kind < Kind::turn_x) return set_limit(t, j, Coordinate::twist, lower, upper);
+    set(a), a.mode = AxisMode::limited, a.lower = lower, a.upper = upper;
+    t.world.set_joint_axis(j, free_axis(), a);
+  }
+  void motor(Real speed, Real most) {
+    JointAxis a;
+    if (kind < Kind::turn_x) return set_motor(t, j, Coordinate::twist, speed, most);
+    set(a), a.drive = AxisDrive::velocity, a.speed = speed, a.max_force = most;
+    t.world.set_joint_axis(j, free_axis(), a);
+  }
+  void spring(Real target) {
+    JointAxis a;
+    if (kind < Kind::turn_x) return set_spring(t, j, Coordinate::twist, target, 1, 1);
+    set(a), a.spring = {Gains::frequency, 1, 1}, a.rest = target;
+    t.world.set_joint_axis(j, free_axis(), a);
+  }
+  void throw_it(Real speed) { t.world.set_velocity(body, (speed * axis).cross(t.world.state.x[body]), speed * axis); }
+  Real angle() const { return kind < Kind::turn_x ? coordinate(t, j, Coordinate::twist) : axis_of(t, j, free_axis()); }
+};
+
+struct Range {
+  Real lower, upper;
+};
+constexpr Range kStops[] = {{0, 3.14159}, {-kPi, kPi}, {-kPi - 1e-15, kPi + 1e-15}, {-1, 4.5}, {-7, 20}};
+
+void it_stops_there(Turner& t, const Range& stops, int steps, int solver) {
+  Real most = -kInfinity;
+  for (int i = 0; i < steps; ++i) {
+    t.t.world.step(kStep);
+    const Real x = t.angle();
+    most = std::max(most, x);
+    assert_true(x < stops.upper + passed_by(solver) && x > stops.lower - passed_by(solver));
+  }
+  assert_true(most > stops.upper - 0.01);
+}
+
+void a_stop_is_never_passed_by_a_motor(void**) {
+  for (const Way& way : kWays)
+    for (const Kind kind : kEveryKind)
+      for (const Range& stops : kStops) {
+        Turner t(kind, way);
+        t.limit(stops.lower, stops.upper), t.motor(11, 200);
+        it_stops_there(t, stops, 220, way.solver);
+      }
+}
+
+void nor_is_it_by_what_is_thrown(void**) {
+  for (const Way& way : kWays)
+    for (const Kind kind : kEveryKind)
+      for (const Real speed : {5.0, 20.0, 90.0}) {
+        Turner t(kind, way, kind == Kind::hinge && speed > 5);
+        t.limit(-kPi, kPi), t.throw_it(speed);
+        it_stops_there(t, {-kPi, kPi}, 60, way.solver);
+      }
+}
+
+/// 5 and 20 rad a step, at 4 substeps up to 5 rad each.
+void turns_are_counted_at_any_speed(void**) {
+  for (const Way& way : kWays)
+    for (const bool limited : {false, true})
+      for (const Real speed : {7.0, 300.0, -1200.0}) {
+        Turner t(Kind::hinge, way);
+        t.t.world.set_velocity(t.body, Vec3::zero(), Vec3::zero());
+        t.t.world.remove_joint(t.j);
+        t.j = join(t.t, JointKind::hinge, kInvalid, t.body, Vec3(0.5, 0, 0), x_along(Vec3(0, 1, 0)));
+        if (limited) t.limit(-1000, 1000);
+        t.t.world.set_velocity(t.body, Vec3::zero(), Vec3(0, speed, 0));
+        t.t.run(30, kStep);
+        assert_true(std::fabs(t.angle() - speed / 2) < 1e-9 * std::fabs(speed));
+      }
+}
+
+void a_spring_winds_up_many_turns(void**) {
+  for (const Way& way : kWays)
+    for (const Kind kind : kEveryKind) {
+      Turner t(kind, way);
+      t.spring(41);
+      t.t.run(300, kStep);
+      assert_true(std::fabs(t.angle() - 41) < 1e-3);
+    }
+}
+
+void snapshots_hold_turns(void**) {
+  const auto bytes_of = [](const World& w) {
+    std::vector<std::byte> bytes(save_state(w, nullptr, 0));
+    save_state(w, bytes.data(), bytes.size());
+    return bytes;
+  };
+  for (const Kind kind : kEveryKind) {
+    Turner t(kind, kWays[3]);
+    t.motor(9, 200), t.limit(-3, 30);
+    const std::vector<std::byte> unwound = bytes_of(t.t.world);
+    t.t.run(100, kStep);
+    const std::vector<std::byte> wound = bytes_of(t.t.world);
+    const Real there = t.angle();
+    assert_true(there > 10);
+    const auto has_turns = [](const std::vector<std::byte>& bytes) {
+      static constexpr std::byte kTag[] = {std::byte{'T'}, std::byte{'U'}, std::byte{'R'}, std::byte{'N'}};
+      return std::search(bytes.begin(), bytes.end(), std::begin(kTag), std::end(kTag)) != bytes.end();
+    };
+    assert_true(!has_turns(unwound) && has_turns(wound));  // what old snapshots say is what they said
+    t.t.run(200, kStep);
+    const std::uint64_t hash = t.t.world.hash();
+    SnapshotFault fault;
+    assert_true(restore_state(t.t.world, wound.data(), wound.size(), fault));
+    assert_true(t.angle() == there);
+    t.t.run(200, kStep);
+    assert_true(t.t.world.hash() == hash && std::fabs(t.angle() - 30) < 1e-6);
+    assert_true(restore_state(t.t.world, unwound.data(), unwound.size(), fault));
+    assert_true(t.angle() == 0);
+  }
+}
+
+/// A host puts bodies back: no stop unwinds turns of which nobody knows any more.
+void a_body_that_is_put_back_stays_there(void**) {
+  for (const Real put : {0.0, -1.5, 2.5}) {
+    Turner t(Kind::hinge, kWays[3]);
+    const Pose begin = t.t.world.pose(t.body);
+    t.limit(-4, 4), t.motor(9, 200);
+    t.t.run(90, kStep);
+    assert_true(std::fabs(t.angle() - 4) < 1e-6);
+    t.motor(0, 0);
+    const Quat turn = exp_map(put * t.axis);
+    t.t.world.set_pose(t.body, {turn * begin.q, turn * begin.p});
+    t.t.world.set_velocity(t.body, Vec3::zero(), Vec3::zero());
+    assert_true(std::fabs(t.angle() - put) < 1e-9);
+    t.t.run(30, kStep);
+    assert_true(std::fabs(t.angle() - put) < 1e-6);
+  }
+}
+
+/// Animated by poses alone it counts, and a stop that is set far away forgets whole turns.
+void poses_a_little_apart_are_counted(void**) {
+  Turner t(Kind::hinge, kWays[3]);
+  const Pose begin = t.t.world.pose(t.body);
+  for (int i = 1; i <= 100; ++i) {
+    const Quat turn = exp_map((0.2 * i) * t.axis);
+    t.t.world.set_pose(t.body, {turn * begin.q, turn * begin.p});
+    t.t.world.set_velocity(t.body, Vec3::zero(), Vec3::zero());
+    t.t.world.step(kStep);
+  }
+  assert_true(std::fabs(t.angle() - 20) < 1e-6);
+  t.limit(-2, 2);
+  assert_true(std::fabs(t.angle() - (20 - 6 * kPi)) < 1e-6);
+}
+
+void gears_turn_their_hinges_many_times(void**) {
+  for (const Way& way : kWays) {
+    TestWorld t(Vec3(0, 0, 0));
+    choose(t, way.solver);
+    t.world.set_dial(Dial::joint_order, way.order);
+    const Quat axes = x_along(Vec3(0, 1, 0));
+    const std::uint32_t a = add_body(t, Vec3(0, 0, 0), 2, Vec3::constant(0.05)),
+                        b = add_body(t, Vec3(1, 0, 0), 3, Vec3::constant(0.08));
+    const std::uint32_t of_a = join(t, JointKind::hinge, kInvalid, a, Vec3(0, 0, 0), axes),
+                        of_b = join(t, JointKind::hinge, kInvalid, b, Vec3(1, 0, 0), axes);
+    Transmission gear;
+    gear.ratio = -2.5;
+    t.world.set_transmission(join(t, JointKind::gear, a, b, Vec3(0, 0, 0), axes), gear);
+    set_limit(t, of_b, Coordinate::twist, -10, 10), set_motor(t, of_a, Coordinate::twist, 30, 20);
+    t.run(180, kStep);
+    assert_true(std::fabs(coordinate(t, of_b, Coordinate::twist) - 10) < passed_by(way.solver));
+    assert_true(std::fabs(coordinate(t, of_a, Coordinate::twist) - 25) < 2.5 * passed_by(way.solver));
+  }
+}
+
+/// Two turns at once, one beyond a swing of pi, where no rotation vector tells them.
+void a_cross_turns_both_ways(void**) {
+  for (const Way& way : kWays)
+    for (const std::uint32_t swing : {4u, 5u}) {
+      TestWorld t(Vec3(0, 0, 0));
+      choose(t, way.solver);
+      t.world.set_dial(Dial::joint_order, way.order);
+      const std::uint32_t body = add_body(t, Vec3(0, 0, 0), 3, Vec3(0.05, 0.06, 0.07)),
+                          j = join_axes(t, kInvalid, body, Vec3(0, 0, 0));
+      set_all(t, j, swing, locked_at());
+      JointAxis a;
+      a.mode = AxisMode::limited, a.lower = -9, a.upper = 9, a.drive = AxisDrive::velocity, a.speed = 4,
+      a.max_force = 50;
+      t.world.set_joint_axis(j, swing, a);
+      a.lower = -12, a.upper = 12, a.speed = -3.3;
+      t.world.set_joint_axis(j, 3, a);
+      for (int i = 0; i < 300; ++i) {
+        t.world.step(kStep);
+        assert_true(off_joint(t, j) < passed_by(way.solver));
+      }
+      assert_true(std::fabs(axis_of(t, j, swing) - 9) < passed_by(way.solver));
+      assert_true(std::fabs(axis_of(t, j, 3) + 12) < passed_by(way.solver));
+    }
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(a_stop_is_never_passed_by_a_motor),
+      cmocka_unit_test(nor_is_it_by_what_is_thrown),
+      cmocka_unit_test(turns_are_counted_at_any_speed),
+      cmocka_unit_test(a_spring_winds_up_many_turns),
+      cmocka_unit_test(snapshots_hold_turns),
+      cmocka_unit_test(a_body_that_is_put_back_stays_there),
+      cmocka_unit_test(poses_a_little_apart_are_counted),
+      cmocka_unit_test(gears_turn_their_hinges_many_times),
+      cmocka_unit_test(a_cross_turns_both_ways),
+  };
+  return cmocka_run_group_tests_name("oracle/joint_turns", tests, nullptr, nullptr);
+}
