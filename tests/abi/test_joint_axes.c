@@ -96,7 +96,7 @@ static void wrong_axes_are_refused(void** state) {
   AXIS_REFUSED(CAROM_E_UNKNOWN_ENUM, 0, d.drive = 4, "drive");
   AXIS_REFUSED(CAROM_E_UNKNOWN_ENUM, 0, d.stop_gains = 3, "stop_gains");
   AXIS_REFUSED(CAROM_E_UNKNOWN_ENUM, 0, d.spring_gains = 9, "spring_gains");
-  AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 3, d.lower = 4, "lower");
+  AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 3, d.lower = 1001, "lower");
   AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 0, (d.mode = CAROM_AXIS_MODE_LIMITED, d.lower = 1), "upper");
   AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 0, d.drive_stiffness = 1e5, "drive_stiffness");
   AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 0, d.stop_damping = -1, "stop_damping");

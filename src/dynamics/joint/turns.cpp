@@ -200,7 +200,8 @@ Vec3 counted_angles(const World& world, const Joint& joint, const JointEnds& end
 Vec3 led_angles(const World& world, const Joint& joint, const JointEnds& ends, const Vec3& from, const Vec3& w,
                 Real t) {
   const SwingPlane plane = plane_of(world, joint);
-  return nearest_angles(told_angles(apart(ends), plane), from + ahead_of(ends, plane, from, w, t), plane);
+  const Vec3 told = told_angles(apart(ends), plane), near = from + ahead_of(ends, plane, from, w, t);
+  return near.squared_norm() < kMostCounted * kMostCounted ? nearest_angles(told, near, plane) : told;
 }
 
 void count_angles(const World& world, Joint& joint, const Vec3* near, Real dt) {

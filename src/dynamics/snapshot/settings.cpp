@@ -245,7 +245,7 @@ struct Turns {
       io.begin_item(), io.name_item(Item::joint, i);
       auto& j = all.joint[i];
       bool counted = false;
-      if constexpr (Io::saves) counted = !same_bits(j.turned, told_angles(world, j));
+      if constexpr (Io::saves) counted = !(j.turned == told_angles(world, j));
       if (!yes_or_no(io, counted)) {
         if constexpr (Io::loads) start_count(world, j);
         continue;
