@@ -18,9 +18,9 @@ inline constexpr Constant<std::uint32_t> kMostUnlike{
     "more: large heaps of unlike masses take all the work there is in each step; fewer: soft contacts throw about what "
     "is light among what is heavy"};
 inline constexpr Constant<std::uint64_t> kMostFactor{
-    "direct_most_factor", 40000, "block products",
-    "of a step of Newton's method: a pyramid of 465 blocks takes 38,000, a heap of 300 cubes more, and soft contacts solve that",
-    "more: a heap that comes to rest stalls the step in which it is tried; fewer: large walls and pyramids sink"};
+    "direct_most_factor", 400000, "block products",
+    "of a step of Newton's method: pyramids and walls of 512 blocks take less, and stand as they were built",
+    "more: a heap that comes to rest stalls the step in which it is tried; fewer: large walls and pyramids sink, or fall"};
 
 inline constexpr Constant<Real> kSinkBorneFor{
     "direct_sink_borne_for", 0.1, "s",
