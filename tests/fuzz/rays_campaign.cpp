@@ -380,7 +380,7 @@ void aim_at_one(const Stage& stage, Random& r, Case& c) {
       if (std::fabs(across) < 0.2) along = -1.0 * n;
       if (across > 0) along = along + -2 * across * n;
       along = scaled_to_one(along);
-      c.want = Case::hit, c.time = 0, c.within = 8 * blur;
+      c.want = Case::hit, c.time = 0, c.within = 8 * blur + 1e-12;  // three times slack over the sine of the angle, 0.2
     } else {  // along: where the surface is flat it must not be met; and a round one curves away
       along = scaled_to_one(along + -across * n);
       if (!tilted) c.want = Case::no_hit;

@@ -243,12 +243,15 @@ Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, cons
   if (here != End::enters) return starts ? Contact::undecided : Contact::enters;
   const Real from = starts ? request.start : entry.touch, to = std::min(-leave.touch, request.stop);
   const Within middle = within(from + 0.5 * std::max(to - from, Real(0)));
-  // A slope that the square root of rounding hides: along the surface, not through something flat.
+  // Through something flat (a plate, a point) the way within rounding of it is as long as its slope says. A way that is
+  // longer goes along a surface. Of a slope that the square root of rounding hides nothing follows.
   constexpr Real kAlong = 1e-8;
+  const Real way = to - from, enough = 16 * request.rounding;
+  const bool through = way <= enough || (middle.slope > kAlong && way * middle.slope <= enough);
   if (middle.outcome == Overlap::fault) return Contact::fault;
   const bool in = middle.outcome == Overlap::overlapping;
   if (starts) return in ? Contact::goes_in : Contact::misses;
-  return in || (middle.outcome == Overlap::touching && middle.slope > kAlong) ? Contact::enters : Contact::misses;
+  return in || (middle.outcome == Overlap::touching && through) ? Contact::enters : Contact::misses;
 }
 
 }  // namespace carom::collision::line

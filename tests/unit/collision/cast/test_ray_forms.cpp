@@ -40,6 +40,8 @@ void assert_agree(const CastResult& form, const CastResult& walk, const Ray& ray
   }
   assert_true(std::fabs(form.normal.norm() - 1) < 1e-14);
   const Real speed = ray.direction.norm(), sine = form.normal.dot(ray.direction) / speed;
+  // Where the surface there runs along the ray, one that is off by slack is met anywhere.
+  if (at_edges && sine < 1e-6) return;
   const Real off = at_edges && sine > 0 ? (form.slack + walk.slack) / (sine * speed) : 0;
   assert_true(form.lower <= walk.upper + off && walk.lower <= form.upper + off);
   if (form.outcome == CastOutcome::overlap) {
