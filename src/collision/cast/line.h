@@ -118,9 +118,11 @@ class Walk {
     for (int i = 0; i < 3; ++i) entry_.weight[i] = at.weight[i];
     // The crossing is of the set swollen a little more than it is, so that the line cannot slip between features.
     const Real more = swollen_ - ask_.radius, slope = std::max(at.normal.z(), Real(1e-300));
-    constexpr Real kMiddle = 1e-6;  // share of a face. What is not clear by it only costs a second look
+    // Share of a face, and slope: a bracket of 1e-6 leaves a normal open by some 1e-3. What is not clear by them only
+    // costs a second look.
+    constexpr Real kMiddle = 1e-6, kSteep = 0.01;
     const Real least = std::min({at.weight[0], at.weight[1], at.weight[2]});
-    entry_.clear = (at.count == 3 && least > kMiddle && slope > kMiddle) || ask_.radius * slope * slope > 8 * more;
+    entry_.clear = (at.count == 3 && least > kMiddle && slope > kSteep) || ask_.radius * slope * slope > 8 * more;
     entry_.touch = at.s;
     entry_.s = at.s + more / slope;
     entry_.upper = std::min(entry_.upper, at.s + (more + ask_.rounding) / slope);
@@ -194,7 +196,8 @@ enum class Graze : bool { misses, enters };
 /// Whether a place along the line is in the set, @see overlap.h.
 struct Within {
   Overlap outcome = Overlap::touching;
-  Real slope = 0;  // of the normal along the line, where it touches
+  Real slope = 0;       // of the normal along the line, where it touches
+  bool capped = false;  // the cap came first: touching says nothing
 };
 
 /// How a line first meets a set from request.start on. Where it starts on the surface or may graze, the same walk from
@@ -215,8 +218,10 @@ Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, cons
   if (there != End::enters) return said(there);
   bool starts = entry.touch <= request.start;
   if (starts) {
-    const Overlap at = within(request.start).outcome;
+    const Within start = within(request.start);
+    const Overlap at = start.outcome;
     if (at == Overlap::fault) return Contact::fault;
+    if (start.capped) return Contact::undecided;
     if (at == Overlap::overlapping) return Contact::inside;
     if (at == Overlap::apart) {
       if (entry.upper < request.start) return Contact::misses;  // it has left
@@ -249,6 +254,7 @@ Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, cons
   const Real way = to - from, enough = 16 * request.rounding;
   const bool through = way <= enough || (middle.slope > kAlong && way * middle.slope <= enough);
   if (middle.outcome == Overlap::fault) return Contact::fault;
+  if (middle.capped) return starts ? Contact::undecided : Contact::enters;
   const bool in = middle.outcome == Overlap::overlapping;
   if (starts) return in ? Contact::goes_in : Contact::misses;
   return in || (middle.outcome == Overlap::touching && through) ? Contact::enters : Contact::misses;

@@ -1,6 +1,8 @@
 // Rays in closed form: sphere, capsule, box, cylinder, cone, ellipsoid. Each routine says where a line enters and
 // leaves the form swollen by some more, and is asked three times: swollen and shrunk by all that rounding can have
 // done, which gives the bracket, and as it is.
+#include <type_traits>
+
 #include "collision/cast/local_ray.h"
 
 namespace carom::collision {
@@ -330,6 +332,8 @@ bool cast_form(const Ray& ray, const Shape& shape, const Frame& frame, const Loc
     result.at_start = false;
     return miss(ray, result), true;
   }
+  // Swollen, a tip goes farther than it swells: whether that is a graze the walk says.
+  if (!goes_in && std::is_same_v<Form, Cone>) return false;
   const Real in = middle.met ? middle.in : least_chord(form, r.rounding).in;
   const Real upper = goes_in ? inner.in : in;
   result.outcome = CastOutcome::hit;

@@ -132,11 +132,12 @@ void cast_ray_at_triangles(const Ray& ray, const Shape& shape, const Frame& fram
   const SceneryRay line(ray, frame);
   const bool is_line = settings.target == 0 && line.usable();
   const Ray local{line.o, frame.rotate_inverse(ray.direction), ray.max};
+  const bool inside = is_line || finite(local.direction);  // else asked outside: turned, the longest overflow
   first_along(scenery, line.o, heading, ball, ray.max, is_line, result, [&](const Triangle& triangle, CastResult& one) {
     if (!scenery.two_sided && heading.speed > 0 && triangle.normal.dot(heading.unit) > 0) return false;
     if (!is_line) {
       at.shape.set(triangle);
-      cast_ray(local, at.shape.shape(), at.place(Frame()), settings, one, fault);
+      cast_ray(inside ? local : ray, at.shape.shape(), at.place(inside ? Frame() : frame), settings, one, fault);
       return true;
     }
     TriangleCrossing crossing;
@@ -145,7 +146,7 @@ void cast_ray_at_triangles(const Ray& ray, const Shape& shape, const Frame& fram
     return true;
   });
   if (result.outcome == CastOutcome::miss) return;
-  put_outside(frame, result);
+  if (inside) put_outside(frame, result);
   if (is_line) result.point_a = ray.origin + result.time * ray.direction;
 }
 
@@ -170,13 +171,17 @@ void cast_shape_at_triangles(const Shape& a, const Frame& frame_a, const Vec3& m
                                             kCastRounding * kUnitRoundoff, settings.cap, fault)
                              .outcome != Overlap::apart;
   const Vec3 centre = a_in_scenery.apply(a.mass.centroid), local = frame.rotate_inverse(motion);
+  const bool inside = finite(local);  // else it is asked outside: turned, the longest motions overflow
   first_along(scenery, a_in_scenery.p, heading, extent, 1, false, result, [&](Triangle& triangle, CastResult& one) {
     if (!face(scenery, centre, triangle) || (is_in && triangle.normal.dot(heading.unit) > kAlong)) return false;
     at.shape.set(triangle);
-    cast_shape(a, a_in_scenery, local, at.shape.shape(), at.place(Frame()), settings, one, fault);
+    if (inside)
+      cast_shape(a, a_in_scenery, local, at.shape.shape(), at.place(Frame()), settings, one, fault);
+    else
+      cast_shape(a, frame_a, motion, at.shape.shape(), at.place(frame), settings, one, fault);
     return true;
   });
-  put_outside(frame, result);
+  if (inside) put_outside(frame, result);
 }
 
 void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, const Shape& shape,

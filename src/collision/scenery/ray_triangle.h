@@ -63,7 +63,8 @@ inline bool cross_triangle(const SceneryRay& ray, const Triangle& triangle, Tria
   const Vec3 n = ray.axes.transpose() * triangle.normal;
   const Real longest2 = std::max({(y[1] - y[0]).squared_norm(), (y[2] - y[1]).squared_norm(),
                                   (y[0] - y[2]).squared_norm()});
-  if (n.z() * n.z() * longest2 <= slack * slack) return false;  // within its plane
+  constexpr Real kAlong2 = 1e-16;  // a slope that the square root of rounding hides: from far off slack is no measure
+  if (n.z() * n.z() <= std::min(slack * slack / longest2, kAlong2)) return false;  // within its plane
   if (!(line::nearest_shadow(y, 3).distance2 <= slack * slack)) return false;
   // Through the corner nearest to the line, where the product has the smallest error.
   int p = 0;
