@@ -1,5 +1,5 @@
-// Rays where rounding decides: at seams, edges and corners, in the plane of a side, from a surface, up to 1e8 m out. By a
-// host that sees include/ alone.
+// Rays where rounding decides: at seams, edges and corners, in the plane of a side, from a surface, up to 1e8 m out. By
+// a host that sees include/ alone.
 //
 //   fuzz_rays_campaign --count N [--from K]
 //   fuzz_rays_campaign --show K
@@ -242,12 +242,16 @@ void aim_at_tiles(const Stage& stage, Random& r, Case& c) {
   c.place = &stage.tiles[o][kind];
   const double out = kOut[o], length = r.between(1, 20);
   const bool round = kind == 2;  // cylinders touch each other in the middle of their sides alone
-  double x = 1 + r.below(kAcross - 1), z = round ? r.below(kAcross) + 0.5 : r.below(2) ? 1 + r.below(kAcross - 1) : r.between(0.1, kAcross - 0.1);
+  double x = 1 + r.below(kAcross - 1), z = r.below(kAcross) + 0.5;
+  if (!round) z = r.below(2) ? 1 + r.below(kAcross - 1) : r.between(0.1, kAcross - 0.1);
   if (r.below(2)) std::swap(x, z);
   V down{{0, -1, 0}};
   // Slanted within the plane of the seam, or any way: into one tile or the other.
   const int slant = r.below(3);
-  if (!round && slant == 1) down = scaled_to_one({{x == std::floor(x) ? 0 : r.between(-1, 1), -1, x == std::floor(x) ? r.between(-1, 1) : 0}});
+  if (!round && slant == 1) {
+    const double aside = r.between(-1, 1);
+    down = scaled_to_one(x == std::floor(x) ? V{{0, -1, aside}} : V{{aside, -1, 0}});
+  }
   if (!round && slant == 2) down = scaled_to_one({{r.between(-1, 1), -1, r.between(-1, 1)}});
   c.direction = down;
   const V top{{out + x, 0, out + z}};
@@ -290,7 +294,8 @@ void aim_at_surface(const Stage& stage, Random& r, Case& c) {
   std::snprintf(c.what, sizeof c.what, "surface %d at %g", kind, out);
 }
 
-constexpr const char* kAloneNames[] = {"box", "hull", "cylinder", "cone", "capsule", "sphere", "ellipsoid", "mesh cube"};
+constexpr const char* kAloneNames[] = {"box",     "hull",   "cylinder",  "cone",
+                                       "capsule", "sphere", "ellipsoid", "mesh cube"};
 
 /// A point of the surface, and a normal of it there, in the shape's frame. @return false: it has several (an edge)
 bool surface_point(int kind, Random& r, V& p, V& n) {
@@ -368,7 +373,8 @@ void aim_at_one(const Stage& stage, Random& r, Case& c) {
       along = scaled_to_one(along + -across * n);
     }
     from = p + -length * along;
-    std::snprintf(c.what, sizeof c.what, "%s%s at %g, edge or side %d", tilted ? "turned " : "", kAloneNames[kind], out, way);
+    std::snprintf(c.what, sizeof c.what, "%s%s at %g, edge or side %d", tilted ? "turned " : "", kAloneNames[kind], out,
+                  way);
   } else {
     const double across = dot(along, n);
     if (way == 3) {  // outwards
@@ -391,7 +397,8 @@ void aim_at_one(const Stage& stage, Random& r, Case& c) {
         along = scaled_to_one(along);
       }
     }
-    std::snprintf(c.what, sizeof c.what, "%s%s at %g, from the surface %d", tilted ? "turned " : "", kAloneNames[kind], out, way);
+    std::snprintf(c.what, sizeof c.what, "%s%s at %g, from the surface %d", tilted ? "turned " : "", kAloneNames[kind],
+                  out, way);
   }
   c.origin = it.at + turn(it.turned, from);
   c.direction = turn(it.turned, along);
@@ -407,14 +414,22 @@ std::string judge(const Stage& stage, const Case& c, bool show) {
   carom_error e = CAROM_ERROR_INIT;
   carom_world_hit hit, batch;
   must(carom_world_cast_ray(c.place->world, c.origin.x, c.direction.x, c.max, nullptr, &hit, sizeof hit, &e), e);
-  if (show) std::printf("%s: from %.17g %.17g %.17g along %.17g %.17g %.17g: outcome %u at %.17g in [%.17g, %.17g], normal %g %g %g; wanted %d at %.17g\n", c.what, c.origin.x[0], c.origin.x[1], c.origin.x[2], c.direction.x[0], c.direction.x[1], c.direction.x[2], hit.outcome, hit.time, hit.lower, hit.upper, hit.normal[0], hit.normal[1], hit.normal[2], int(c.want), c.time);
+  if (show) {
+    const auto three = [](const char* name, const double* x) {
+      std::printf("%s %.17g %.17g %.17g\n", name, x[0], x[1], x[2]);
+    };
+    three("from", c.origin.x), three("along", c.direction.x), three("normal", hit.normal);
+    std::printf("%s: outcome %u at %.17g in [%.17g, %.17g]; wanted %d at %.17g\n", c.what, hit.outcome, hit.time,
+                hit.lower, hit.upper, int(c.want), c.time);
+  }
   // Each alone: the first of them is what the world says.
   carom_cast best = {};
   best.time = best.lower = c.max, best.upper = INFINITY;
   for (const Standing& s : c.place->all) {
     carom_cast one = {};
     one.struct_size = sizeof one;
-    must(carom_ray_cast(stage.engine(), s.shape, s.at.x, s.turned, c.origin.x, c.direction.x, c.max, nullptr, &one, &e), e);
+    must(carom_ray_cast(stage.engine(), s.shape, s.at.x, s.turned, c.origin.x, c.direction.x, c.max, nullptr, &one, &e),
+         e);
     if (one.outcome == CAROM_CAST_UNDECIDED) return say("undecided alone", one.time, one.upper);
     if (one.outcome != CAROM_CAST_MISS && (best.outcome == CAROM_CAST_MISS || one.time < best.time)) best = one;
   }
@@ -437,7 +452,8 @@ std::string judge(const Stage& stage, const Case& c, bool show) {
 
   if (hit.outcome != CAROM_CAST_MISS) {
     const V n{{hit.normal[0], hit.normal[1], hit.normal[2]}};
-    if (!(hit.lower <= hit.time && hit.time <= hit.upper && hit.lower >= 0)) return say("bracket", hit.lower, hit.upper);
+    if (!(hit.lower <= hit.time && hit.time <= hit.upper && hit.lower >= 0))
+      return say("bracket", hit.lower, hit.upper);
     if (!(std::fabs(dot(n, n) - 1) < 1e-12)) return say("normal", dot(n, n), 1);
     if (!(dot(n, c.direction) >= -1e-7)) return say("normal along the ray", dot(n, c.direction), 0);
     if (!std::isfinite(hit.upper)) return say("no upper end", hit.time, hit.upper);

@@ -249,14 +249,18 @@ Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, cons
   const Real from = starts ? request.start : entry.touch, to = std::min(-leave.touch, request.stop);
   const Within middle = within(from + 0.5 * std::max(to - from, Real(0)));
   // Through something flat (a plate, a point) the way within rounding of it is as long as its slope says. A way that is
-  // longer goes along a surface. Of a slope that the square root of rounding hides nothing follows.
-  constexpr Real kAlong = 1e-8;
+  // longer goes along a surface. Of a slope that the root of rounding hides nothing follows: a round surface has it.
   const Real way = to - from, enough = 16 * request.rounding;
-  const bool through = way <= enough || (middle.slope > kAlong && way * middle.slope <= enough);
+  const bool through =
+      way <= enough || (middle.slope > 16 * std::sqrt(request.rounding) && way * middle.slope <= enough);
   if (middle.outcome == Overlap::fault) return Contact::fault;
   if (middle.capped) return starts ? Contact::undecided : Contact::enters;
   const bool in = middle.outcome == Overlap::overlapping;
-  if (starts) return in ? Contact::goes_in : Contact::misses;
+  if (starts) {
+    // From an edge within the plane of a side: it would be met from farther off, too.
+    const bool begins = graze == Graze::enters && entry.touch >= request.start - enough && way > enough;
+    return in || begins ? Contact::goes_in : Contact::misses;
+  }
   return in || (middle.outcome == Overlap::touching && through) ? Contact::enters : Contact::misses;
 }
 

@@ -184,7 +184,7 @@ void cast_whole(const Ray& ray, const Shape& shape, const Frame& frame, const Ca
   const auto within = [&](Real s) {
     const OverlapResult found = overlap_with_point(shape, off + (s / scale) * r.u, target, r.rounding / r.size,
                                                    settings.cap, fault);
-    return line::Within{found.outcome, found.normal.dot(r.u), found.outcome == Overlap::touching && found.support_calls >= settings.cap};
+    return line::Within{found.outcome, found.normal.dot(r.u), found.capped};
   };
   const line::Graze graze = target > 0 ? line::Graze::misses : line::Graze::enters;
   const line::Contact contact = line::meet(basis, set_in, request, first, graze, within, entry);

@@ -328,13 +328,19 @@ bool cast_form(const Ray& ray, const Shape& shape, const Frame& frame, const Loc
     return true;
   }
   const bool goes_in = inner.met && inner.in > 0;
-  if (!goes_in && (result.at_start || settings.target > 0)) {  // along the surface, or leaving it
+  // Swollen, a tip goes farther than it swells: whether that is a graze the walk says.
+  if (!goes_in && std::is_same_v<Form, Cone>) {
+    result.at_start = false;
+    return false;
+  }
+  const Chord chord = middle.met ? middle : least_chord(form, r.rounding);
+  const Real in = chord.in, hair = 16 * r.rounding;
+  // From an edge within the plane of a side: it would be met from farther off, too.
+  const bool begins = in >= -hair && chord.out > in + hair && chord.out > hair;
+  if (!goes_in && (settings.target > 0 || (result.at_start && !begins))) {  // along the surface, or leaving it
     result.at_start = false;
     return miss(ray, result), true;
   }
-  // Swollen, a tip goes farther than it swells: whether that is a graze the walk says.
-  if (!goes_in && std::is_same_v<Form, Cone>) return false;
-  const Real in = middle.met ? middle.in : least_chord(form, r.rounding).in;
   const Real upper = goes_in ? inner.in : in;
   result.outcome = CastOutcome::hit;
   result.lower = time(outer.in);

@@ -168,7 +168,7 @@ struct Cast {
       moved.p -= (difference.to_metres(s) + ahead) * u;
       const OverlapResult found =
           overlap(a, b, moved, settings.target, relative_rounding, settings.cap, difference.fault);
-      return line::Within{found.outcome, found.normal.dot(u), found.outcome == Overlap::touching && found.support_calls >= settings.cap};
+      return line::Within{found.outcome, found.normal.dot(u), found.capped};
     };
     const line::Contact contact = line::meet(basis, set_in, request, first, line::Graze::misses, within, entry);
     result.support_calls = result.iterations = entry.calls;
