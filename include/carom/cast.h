@@ -6,8 +6,8 @@
  *  shapes at rest call carom_shape_distance().)
  *
  *  Within slack, which is rounding of the numbers given, these rules decide:
- *    - A ray that grazes a surface or runs in the plane of a side is a HIT. So flush shapes have no gap for it, nor have
- *      triangles of a mesh or height field. Within the plane of a triangle it is a MISS: that has no thickness.
+ *    - A ray that grazes a surface or runs in the plane of a side is a HIT. So flush shapes have no gap for it, nor
+ *      have triangles of a mesh or height field. Within the plane of a triangle it is a MISS: that has no thickness.
  *    - A shape that moves, a ray with a target too, is not stopped by what it grazes or slides along: MISS.
  *    - What starts in touch and goes in is a HIT at time 0. What goes along or away is a MISS. A triangle is gone into
  *      against its normal. (Not of a time of impact: it reports what touches at time 0.)
@@ -35,8 +35,9 @@ extern "C" {
 /* bits of flags, of carom_cast_desc and carom_query_desc */
 #define CAROM_ASK_GENERIC 1u /* support functions only, no routine for declared forms */
 #define CAROM_ASK_SENSORS 2u /* sensors are found, too; of a world only */
-/** What a ray or a shape touches or overlaps at its start is passed over. Of a mesh or height field that is each triangle
- *  touched, and for a shape each other one that the motion does not go into. Overlaps and the nearest do not use it. */
+/** What a ray or a shape touches or overlaps at its start is passed over: that collider. Of a mesh or height field it
+ *  is each triangle touched, and for a shape each other one that the motion does not go into. Overlaps and the nearest
+ *  do not use it. */
 #define CAROM_ASK_IGNORE_TOUCHED 4u
 
 /** How to cast; fill with carom_cast_desc_init(). */

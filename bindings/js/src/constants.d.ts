@@ -179,8 +179,9 @@ export const CAROM_CAST_BAD_RAY: 4;
 export const CAROM_ASK_GENERIC: 1;
 /** sensors are found, too; of a world only */
 export const CAROM_ASK_SENSORS: 2;
-/** What a ray or a shape touches or overlaps at its start is passed over. Of a mesh or height field that is each triangle
- *  touched, and for a shape each other one that the motion does not go into. Overlaps and the nearest do not use it. */
+/** What a ray or a shape touches or overlaps at its start is passed over: that collider. Of a mesh or height field it
+ *  is each triangle touched, and for a shape each other one that the motion does not go into. Overlaps and the nearest
+ *  do not use it. */
 export const CAROM_ASK_IGNORE_TOUCHED: 4;
 /** proven by `normal`: along it the shapes are at least separation_bound apart */
 export const CAROM_OVERLAP_APART: 0;

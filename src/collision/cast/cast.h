@@ -6,8 +6,8 @@
 
 namespace carom::collision {
 
-/// hit: they touch within the motion. overlap: one is in the other already at its start. undecided: so near to touching,
-/// or so slowly approaching, that neither was proven.
+/// hit: they touch within the motion. overlap: one is in the other already at its start. undecided: so near to
+/// touching, or so slowly approaching, that neither was proven.
 ///
 /// What counts where rounding hides the truth (within `slack`):
 ///   - A ray that grazes a surface, or runs along a side of it, is a hit. So a ray finds no gap between flush shapes.

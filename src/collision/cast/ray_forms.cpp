@@ -184,7 +184,7 @@ class Cylinder : AboutAxis {
     const Real off = std::sqrt(p.x() * p.x() + p.z() * p.z());
     const Vec3 end(0, p.y() < 0 ? -1 : 1, 0);
     if (off == 0) return end;
-    // On the rim it is the one that faces the ray more.
+    // On the border it is the one that faces the ray more.
     const Vec3 side(p.x() / off, 0, p.z() / off);
     const Real beyond = std::fabs(p.y()) - half_ - (off - radius_);
     return beyond > 4 * r.rounding || (beyond > -4 * r.rounding && end.dot(r.u) < side.dot(r.u)) ? end : side;
@@ -246,7 +246,7 @@ class Cone {
     const Vec3 p = r.o + s * r.u;
     const Real off = std::sqrt(p.x() * p.x() + p.z() * p.z());
     if (off == 0) return p.y() < 0 ? Vec3(0, -1, 0) : Vec3(0, 1, 0);
-    // On the rim it is the one that faces the ray more.
+    // On the border it is the one that faces the ray more.
     const Vec3 base(0, -1, 0), flank = Vec3(p.x() / off, slope_, p.z() / off) / secant_;
     const Real beyond = -half_ - p.y() - (off - slope_ * (half_ - p.y())) / secant_;
     return beyond > 4 * r.rounding || (beyond > -4 * r.rounding && base.dot(r.u) < flank.dot(r.u)) ? base : flank;
@@ -350,7 +350,7 @@ bool cast_form(const Ray& ray, const Shape& shape, const Frame& frame, const Loc
   result.separation = settings.target;
   Vec3 n = -form.outward(r, in);
   const Real facing = n.dot(r.u);
-  if (facing < 0) {  // at a rim or tip, within rounding: one square to the ray is among the normals there
+  if (facing < 0) {  // at a border or tip, within rounding: one square to the ray is among the normals there
     n -= facing * r.u;
     n = n.squared_norm() > 1e-12 ? n.normalized() : r.u;
   }

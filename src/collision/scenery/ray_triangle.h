@@ -1,7 +1,7 @@
 // A ray through a surface: one line in the scenery's frame, and the triangles that it crosses.
 //
-// No gap between triangles lets it through. All of them are asked about the same numbers of the same line, and each takes
-// in what passes it by no more than rounding. So a line that crosses the surface crosses one of them.
+// No gap between triangles lets it through. All of them are asked about the same numbers of the same line, and each
+// takes in what passes it by no more than rounding. So a line that crosses the surface crosses one of them.
 #pragma once
 
 #include "collision/cast/line.h"
