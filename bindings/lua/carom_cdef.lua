@@ -84,7 +84,7 @@ struct carom_material_desc { uint32_t struct_size; uint32_t friction_mix; uint32
 struct carom_body_desc { uint32_t struct_size; uint32_t fields; uint32_t type; uint32_t reserved; double position[3]; double orientation[4]; double linear_velocity[3]; double angular_velocity[3]; double mass; double center[3]; double inertia[9]; double linear_damping; double angular_damping; uint64_t user; double gravity_factor; uint32_t locks; uint32_t continuous; double linear_drag; double quadratic_drag; uint32_t force_field_mask; uint32_t reserved2; double magnetic_moment[3]; };
 struct carom_attribute_info { uint32_t struct_size; uint32_t attribute; uint32_t numbers; uint32_t is_whole; uint32_t of_dynamic; uint32_t effect; const char *name; const char *unit; const char *summary; double min; double max; double usual[4]; };
 struct carom_collider_desc { uint32_t struct_size; uint32_t reserved; carom_shape shape; carom_material material; double position[3]; double orientation[4]; double density; uint64_t category; uint64_t mask; int32_t group; uint32_t sensor; double surface_linear[3]; double surface_angular[3]; };
-struct carom_cast_desc { uint32_t struct_size; uint32_t iterations; double tolerance; double target; };
+struct carom_cast_desc { uint32_t struct_size; uint32_t iterations; double tolerance; double target; uint32_t flags; uint32_t reserved; };
 struct carom_cast { uint32_t struct_size; uint32_t outcome; uint32_t status; uint32_t iterations; double time; double lower; double upper; double separation; double slack; double normal[3]; double point_a[3]; double point_b[3]; uint32_t support_calls; uint32_t reserved; };
 struct carom_motion { uint32_t struct_size; uint32_t reserved; double position[3]; double orientation[4]; double center[3]; double linear_velocity[3]; double angular_velocity[3]; };
 struct carom_overlap { uint32_t struct_size; uint32_t outcome; double separation_bound; double normal[3]; double point[3]; double slack; uint32_t support_calls; uint32_t reserved; };
@@ -445,6 +445,9 @@ return {
   CAROM_CAST_OVERLAP = 2,
   CAROM_CAST_UNDECIDED = 3,
   CAROM_CAST_BAD_RAY = 4,
+  CAROM_ASK_GENERIC = 1,
+  CAROM_ASK_SENSORS = 2,
+  CAROM_ASK_IGNORE_TOUCHED = 4,
   CAROM_OVERLAP_APART = 0,
   CAROM_OVERLAP_OVERLAPPING = 1,
   CAROM_OVERLAP_TOUCHING = 2,
@@ -704,8 +707,6 @@ return {
   CAROM_FAULT_PARTICLE_STATE = 6,
   CAROM_WANT_FIRST = 0,
   CAROM_WANT_ANY = 1,
-  CAROM_ASK_GENERIC = 1,
-  CAROM_ASK_SENSORS = 2,
   VERSION = "0.9.0",
-  ROWS = 654, -- of the layout manifest
+  ROWS = 656, -- of the layout manifest
 }

@@ -4,6 +4,13 @@
  *  Every result is a bracket. Contact begins at a time in [lower, upper]: before `lower` the separation is proven to
  *  exceed the target, and within the bracket it comes down to target + slack or less. (For the closest points of two
  *  shapes at rest call carom_shape_distance().)
+ *
+ *  Within slack, which is rounding of the numbers given, these rules decide:
+ *    - A ray that grazes a surface or runs in the plane of a side is a HIT. So flush shapes have no gap for it, nor
+ *      have triangles of a mesh or height field. Within the plane of a triangle it is a MISS: that has no thickness.
+ *    - A shape that moves, a ray with a target too, is not stopped by what it grazes or slides along: MISS.
+ *    - What starts in touch and goes in is a HIT at time 0. What goes along or away is a MISS. A triangle is gone into
+ *      against its normal. (Not of a time of impact: it reports what touches at time 0.)
  *  @thread engine: any thread, also while worlds of the engine step (engine.h).
  */
 #ifndef CAROM_CAST_H
@@ -19,11 +26,19 @@ extern "C" {
 /* clang-format off */
 #define CAROM_CAST_MISS 0u      /* no contact within the motion, proven */
 #define CAROM_CAST_HIT 1u       /* contact begins within the motion */
-#define CAROM_CAST_OVERLAP 2u   /* in contact already at the start: time 0 */
-#define CAROM_CAST_UNDECIDED 3u /* grazing within rounding, or the cap came first: neither was proven. `lower`
+#define CAROM_CAST_OVERLAP 2u   /* one is in the other already at the start: time 0 */
+#define CAROM_CAST_UNDECIDED 3u /* the cap came first, or numbers are too large: neither was proven. `lower`
                                    holds */
 #define CAROM_CAST_BAD_RAY 4u   /* of a batch: this ray is not finite, or its max is negative; it was not cast */
 /* clang-format on */
+
+/* bits of flags, of carom_cast_desc and carom_query_desc */
+#define CAROM_ASK_GENERIC 1u /* support functions only, no routine for declared forms */
+#define CAROM_ASK_SENSORS 2u /* sensors are found, too; of a world only */
+/** What a ray or a shape touches or overlaps at its start is passed over: that collider. Of a mesh or height field it
+ *  is each triangle touched, and for a shape each other one that the motion does not go into. Overlaps and the nearest
+ *  do not use it. */
+#define CAROM_ASK_IGNORE_TOUCHED 4u
 
 /** How to cast; fill with carom_cast_desc_init(). */
 typedef struct carom_cast_desc {
@@ -34,6 +49,8 @@ typedef struct carom_cast_desc {
    *  that counts as contact, likewise; bounds of the dial gjk_tolerance, default 1e-6 */
   double tolerance;
   double target; /**< m, 0 to 1e9, default 0: separation that counts as contact (a ray becomes a ball of this radius) */
+  uint32_t flags;    /**< CAROM_ASK_GENERIC, CAROM_ASK_IGNORE_TOUCHED, default 0 */
+  uint32_t reserved; /**< 0 */
 } carom_cast_desc;
 
 /** The result. Numbers of a fault (status CAROM_QUERY_FAULT) mean nothing. */

@@ -29,14 +29,10 @@ extern "C" {
                                points */
 /* clang-format on */
 
-/* bits of flags */
-#define CAROM_ASK_GENERIC 1u /* support functions only, no routine for declared forms */
-#define CAROM_ASK_SENSORS 2u /* sensors are found, too */
-
 /** Settings of a query; fill with carom_query_desc_init(). The same for all queries of a call. */
 typedef struct carom_query_desc {
   uint32_t struct_size;
-  uint32_t flags;      /**< CAROM_ASK_* bits, default 0 */
+  uint32_t flags;      /**< CAROM_ASK_* bits (cast.h), default 0 */
   uint64_t category;   /**< of the query, default all bits: a collider's mask must have a bit of it */
   uint64_t mask;       /**< default all bits: a collider's categories must have a bit of it (by default it has bit 0) */
   carom_body ignore;   /**< its colliders are passed over; default CAROM_NULL_HANDLE: none */

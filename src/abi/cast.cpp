@@ -31,8 +31,14 @@ static_assert(static_cast<std::uint32_t>(Overlap::apart) == CAROM_OVERLAP_APART 
 bool read_desc(Call& call, int argument, const carom_cast_desc* given, CastSettings& settings) {
   carom_cast_desc d;
   carom_cast_desc_init(&d, sizeof d);
-  return (!given || read_struct(call, argument, "desc", given, d)) &&
-         take_settings(call, argument, d.iterations, d.tolerance, d.target, settings);
+  if ((given && !read_struct(call, argument, "desc", given, d)) ||
+      !only_bits(call, argument, "desc->flags", d.flags, CAROM_ASK_GENERIC | CAROM_ASK_IGNORE_TOUCHED) ||
+      !only_bits(call, argument, "desc->reserved", d.reserved, 0) ||
+      !take_settings(call, argument, d.iterations, d.tolerance, d.target, settings))
+    return false;
+  settings.routines = !(d.flags & CAROM_ASK_GENERIC);
+  settings.ignore_touched = d.flags & CAROM_ASK_IGNORE_TOUCHED;
+  return true;
 }
 
 /// A shape and where it stands, as arguments of a call.

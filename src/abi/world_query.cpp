@@ -15,12 +15,14 @@ bool read_desc(Call& call, int argument, const World& world, const carom_query_d
   carom_query_desc d;
   carom_query_desc_init(&d, sizeof d);
   if ((given && !read_struct(call, argument, "desc", given, d)) ||
-      !only_bits(call, argument, "desc->flags", d.flags, CAROM_ASK_GENERIC | CAROM_ASK_SENSORS) ||
+      !only_bits(call, argument, "desc->flags", d.flags,
+                 CAROM_ASK_GENERIC | CAROM_ASK_SENSORS | CAROM_ASK_IGNORE_TOUCHED) ||
       !only_bits(call, argument, "desc->reserved", d.reserved, 0) ||
       (d.ignore != CAROM_NULL_HANDLE && !resolve(call, argument, "desc->ignore", world.scene.bodies, d.ignore)) ||
       !take_settings(call, argument, d.iterations, d.tolerance, d.target, options.cast))
     return false;
   options.cast.routines = !(d.flags & CAROM_ASK_GENERIC);
+  options.cast.ignore_touched = d.flags & CAROM_ASK_IGNORE_TOUCHED;
   options.filter.sensors = d.flags & CAROM_ASK_SENSORS;
   options.filter.category = d.category;
   options.filter.mask = d.mask;

@@ -16,6 +16,7 @@ static int near_to(double x, double y, double error) { return fabs(x - y) <= err
 static void a_ray_meets_a_crate_and_says_where(void** state) {
   Bench b;
   carom_cast r = fresh();
+  carom_cast_desc desc;
   const double position[3] = {1, 2, 3}, quarter[4] = {0, 0, 0.70710678118654752, 0.70710678118654752};
   const double origin[3] = {1, 10, 3}, down[3] = {0, -2, 0}, up[3] = {0, 2, 0};
   (void)state;
@@ -28,7 +29,14 @@ static void a_ray_meets_a_crate_and_says_where(void** state) {
               near_to(r.time, 3.75, 1e-13));
   assert_true(near_to(r.point_b[1], 2.5, 1e-12) && near_to(r.point_a[1], 2.5, 1e-12) &&
               near_to(r.point_b[0], 1, 1e-12));
-  assert_true(near_to(r.normal[1], -1, 1e-12) && r.support_calls > 0 && r.slack > 0 && r.slack < 1e-12);
+  assert_true(near_to(r.normal[1], -1, 1e-12) && r.support_calls == 0 && r.slack > 0 && r.slack < 1e-12);
+  carom_cast_desc_init(&desc, sizeof desc);
+  desc.flags = CAROM_ASK_GENERIC; /* without the routine of boxes */
+  assert_int_equal(carom_ray_cast(b.engine, b.crate, position, quarter, origin, down, 100, &desc, &r, NULL), CAROM_OK);
+  assert_true(r.outcome == CAROM_CAST_HIT && near_to(r.time, 3.75, 1e-13) && r.support_calls > 0);
+  desc.flags = CAROM_ASK_IGNORE_TOUCHED;
+  assert_int_equal(carom_ray_cast(b.engine, b.crate, position, quarter, position, up, 1, &desc, &r, NULL), CAROM_OK);
+  assert_int_equal(r.outcome, CAROM_CAST_MISS);
   assert_int_equal(carom_ray_cast(b.engine, b.crate, position, quarter, origin, up, HUGE_VAL, NULL, &r, NULL),
                    CAROM_OK);
   assert_int_equal(r.outcome, CAROM_CAST_MISS);

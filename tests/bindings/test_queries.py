@@ -138,5 +138,82 @@ class Crowds(unittest.TestCase):
             self.world.casts([self.ball] * 5, self.at, self.way)
 
 
+class Seams(unittest.TestCase):
+    """Ground of many parts, at the origin and far out: nothing stops at a seam, and nothing falls through one."""
+
+    OUT = (0, 12345, 1e6, 1e8)
+
+    @classmethod
+    def setUpClass(cls):
+        cls.engine = e = carom.Engine()
+        n = 13
+        cls.grid = e.mesh([(x, 0, z) for x in range(n) for z in range(n)],
+                          [t for i in range(n - 1) for k in range(n - 1)
+                           for t in ((i * n + k, i * n + k + 1, i * n + k + n), (i * n + k + n, i * n + k + 1, i * n + k + n + 1))])
+        cls.field, cls.chunk = e.height_field([[0.0] * n] * n, spacing=(1, 1)), e.height_field([[0.0] * 5] * 5, spacing=(1, 1))
+        cls.tile, cls.wall = e.box(0.5, 0.25, 0.5), e.box(0.5, 5, 20)
+        prism = [(0.4 * math.cos(a), y, 0.4 * math.sin(a)) for a in range(6) for y in (-0.5, 0.5)]
+        cls.shapes = (e.sphere(0.5), e.box(0.5, 0.5, 0.5), e.capsule(0.3, 0.2), e.cylinder(0.4, 0.5), e.cone(0.4, 0.5),
+                      e.ellipsoid(0.3, 0.5, 0.4), e.hull(prism))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.engine.close()
+
+    def grounds(self, out):
+        def world(*parts):
+            w = self.engine.world()
+            for shape, x, y, z in parts:
+                w.body(shape, position=(out + x, y, out + z), type="static")
+            self.wall_body = w.body(self.wall, position=(out + 11.5, 5, out + 6), type="static")
+            return w
+        yield "mesh", world((self.grid, 0, 0, 0))
+        yield "field", world((self.field, 0, 0, 0))
+        yield "chunks", world(*((self.chunk, 4 * i, 0, 4 * k) for i in range(3) for k in range(3)))
+        yield "tiles", world(*((self.tile, i + 0.5, -0.25, k + 0.5) for i in range(12) for k in range(12)))
+
+    def test_shapes_along_away_and_in(self):
+        for out in self.OUT:
+            off = 1e-5 + 1e-14 * out  # m, of a time: its places are rounded
+            for name, w in self.grounds(out):
+                for number, shape in enumerate(self.shapes):
+                    for x, z, side in ((2, 6, 0), (2.5, 6.25, 0.5), (3, 5.5, -1), (2.25, 6, 1)):
+                        at = (out + x, 0.5, out + z)
+                        with self.subTest(out=out, ground=name, shape=number, at=(x, z)):
+                            self.assertEqual(w.cast(shape, at, (9, 0, side)).body, self.wall_body)
+                            self.assertIsNone(w.cast(shape, at, (0.5, 3, 0)))
+                            self.assertLess(w.cast(shape, at, (0.3, -1, 0)).time, off)
+                            down = w.cast(shape, (out + x, 3, out + z), (0, -4, 0))
+                            self.assertAlmostEqual(4 * down.time, 2.5, delta=off)
+                            if name in ("mesh", "field"):  # one collider; of several only the one that is touched is passed over
+                                sunk = w.cast(shape, (out + x, 0.499, out + z), (9, 0, 0), ignore_touched=True)
+                                self.assertEqual(sunk.body, self.wall_body)
+
+    def test_rays_down_and_from_the_ground(self):
+        for out in self.OUT:
+            for name, w in self.grounds(out):
+                for x, z in ((2, 3), (4, 4), (5, 2.3), (3.7, 8), (1.5, 1.5)):
+                    with self.subTest(out=out, ground=name, at=(x, z)):
+                        hit = w.ray((out + x, 5, out + z), (0, -1, 0))
+                        self.assertAlmostEqual(hit.time, 5, delta=1e-9)
+                        self.assertEqual((hit.outcome, hit.normal), ("hit", (0, -1, 0)))
+                        self.assertIsNone(w.ray((out + x, 0, out + z), (0.3, 1, 0), 4))
+                        self.assertLess(w.ray((out + x, 0, out + z), (0.3, -1, 0)).time, 1e-9 + 1e-14 * out)
+
+    def test_parts_of_a_turned_body(self):
+        for out in self.OUT:
+            w = self.engine.world()
+            body = w.body(position=(out, 0, out), orientation=(0, math.sin(0.2), 0, math.cos(0.2)), type="static")
+            for i in range(-3, 3):
+                for k in range(-3, 3):
+                    body.collider(self.tile, position=(i + 0.5, -0.25, k + 0.5))
+            c, s = math.cos(0.4), math.sin(0.4)
+            for x, z in ((0, 0), (1, 0.3), (-1.2, 2), (2, -2), (0.5, 1)):
+                with self.subTest(out=out, at=(x, z)):
+                    hit = w.ray((out + c * x + s * z, 5, out - s * x + c * z), (0, -1, 0))
+                    self.assertEqual(hit.outcome, "hit")
+                    self.assertAlmostEqual(hit.time, 5, delta=1e-9 + 1e-14 * out)
+
+
 if __name__ == "__main__":
     unittest.main()

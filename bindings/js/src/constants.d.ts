@@ -169,12 +169,20 @@ export const CAROM_FIELD_COUNT: 9;
 export const CAROM_CAST_MISS: 0;
 /** contact begins within the motion */
 export const CAROM_CAST_HIT: 1;
-/** in contact already at the start: time 0 */
+/** one is in the other already at the start: time 0 */
 export const CAROM_CAST_OVERLAP: 2;
-/** grazing within rounding, or the cap came first: neither was proven. `lower` holds */
+/** the cap came first, or numbers are too large: neither was proven. `lower` holds */
 export const CAROM_CAST_UNDECIDED: 3;
 /** of a batch: this ray is not finite, or its max is negative; it was not cast */
 export const CAROM_CAST_BAD_RAY: 4;
+/** support functions only, no routine for declared forms */
+export const CAROM_ASK_GENERIC: 1;
+/** sensors are found, too; of a world only */
+export const CAROM_ASK_SENSORS: 2;
+/** What a ray or a shape touches or overlaps at its start is passed over: that collider. Of a mesh or height field it
+ *  is each triangle touched, and for a shape each other one that the motion does not go into. Overlaps and the nearest
+ *  do not use it. */
+export const CAROM_ASK_IGNORE_TOUCHED: 4;
 /** proven by `normal`: along it the shapes are at least separation_bound apart */
 export const CAROM_OVERLAP_APART: 0;
 /** proven by `point`, which is in both */
@@ -685,7 +693,3 @@ export const CAROM_FAULT_PARTICLE_STATE: 6;
 export const CAROM_WANT_FIRST: 0;
 /** whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points */
 export const CAROM_WANT_ANY: 1;
-/** support functions only, no routine for declared forms */
-export const CAROM_ASK_GENERIC: 1;
-/** sensors are found, too */
-export const CAROM_ASK_SENSORS: 2;

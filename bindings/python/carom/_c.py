@@ -94,6 +94,9 @@ CAROM_CAST_HIT = 1
 CAROM_CAST_OVERLAP = 2
 CAROM_CAST_UNDECIDED = 3
 CAROM_CAST_BAD_RAY = 4
+CAROM_ASK_GENERIC = 1
+CAROM_ASK_SENSORS = 2
+CAROM_ASK_IGNORE_TOUCHED = 4
 CAROM_OVERLAP_APART = 0
 CAROM_OVERLAP_OVERLAPPING = 1
 CAROM_OVERLAP_TOUCHING = 2
@@ -353,8 +356,6 @@ CAROM_FAULT_BODY_STATE = 5
 CAROM_FAULT_PARTICLE_STATE = 6
 CAROM_WANT_FIRST = 0
 CAROM_WANT_ANY = 1
-CAROM_ASK_GENERIC = 1
-CAROM_ASK_SENSORS = 2
 
 # handles
 carom_plugin = c_uint64
@@ -390,7 +391,7 @@ class carom_attribute_info(Structure):
 class carom_collider_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("shape", carom_shape), ("material", carom_material), ("position", c_double * 3), ("orientation", c_double * 4), ("density", c_double), ("category", c_uint64), ("mask", c_uint64), ("group", c_int32), ("sensor", c_uint32), ("surface_linear", c_double * 3), ("surface_angular", c_double * 3)]
 class carom_cast_desc(Structure):
-    _fields_ = [("struct_size", c_uint32), ("iterations", c_uint32), ("tolerance", c_double), ("target", c_double)]
+    _fields_ = [("struct_size", c_uint32), ("iterations", c_uint32), ("tolerance", c_double), ("target", c_double), ("flags", c_uint32), ("reserved", c_uint32)]
 class carom_cast(Structure):
     _fields_ = [("struct_size", c_uint32), ("outcome", c_uint32), ("status", c_uint32), ("iterations", c_uint32), ("time", c_double), ("lower", c_double), ("upper", c_double), ("separation", c_double), ("slack", c_double), ("normal", c_double * 3), ("point_a", c_double * 3), ("point_b", c_double * 3), ("support_calls", c_uint32), ("reserved", c_uint32)]
 class carom_motion(Structure):

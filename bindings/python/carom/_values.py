@@ -102,6 +102,14 @@ def describe(struct: type[S], keywords: Mapping[str, Any]) -> S:
     return desc
 
 
+def ask(struct: type[S], keywords: Mapping[str, Any]) -> S:
+    """A descriptor of a question: as describe(), with ignore_touched= as a bit of flags."""
+    rest = {key: value for key, value in keywords.items() if key != "ignore_touched"}
+    if keywords.get("ignore_touched"):
+        rest["flags"] = int(rest.get("flags") or 0) | raw.CAROM_ASK_IGNORE_TOUCHED
+    return describe(struct, rest)
+
+
 def set_field(desc: ctypes.Structure, key: str, value: Any) -> None:
     kind: Any = dict(desc._fields_).get(key)  # type: ignore[arg-type]
     if kind is None or key in ("struct_size", "reserved"):

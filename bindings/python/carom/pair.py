@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any, Callable, Mapping
 
 from . import raw
-from ._values import describe, need_numpy, record, vec3, vector, word
+from ._values import ask, describe, need_numpy, record, vec3, vector, word
 from .query import OUTCOMES
 from .records import CastRecord, DistanceRecord, OverlapRecord
 from .shape import Shape
@@ -17,7 +17,11 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._values import Rows, Vector
-    from .records import CastKeywords, DistanceKeywords, MotionKeywords
+    from .records import CastKeywords as CastFields
+    from .records import DistanceKeywords, MotionKeywords
+
+    class CastKeywords(CastFields, total=False):
+        ignore_touched: bool
 
 IDENTITY = (0, 0, 0, 1)
 OVERLAPS = ("apart", "overlapping", "touching", "fault")
@@ -28,12 +32,13 @@ def _pose(position: Vector, orientation: Vector, of: str) -> tuple[Any, Any]:
 
 
 class PairQuestions:
-    """`how`: fields of carom_cast_desc, as tolerance=, target=, iterations=. Times are in brackets [lower, upper]."""
+    """`how`: fields of carom_cast_desc, as tolerance=, target=, iterations=, flags=. Times are in brackets [lower, upper].
+    ignore_touched=True: what a ray or shape touches or overlaps at its start is passed over."""
 
     _call: Callable[..., None]
 
     def _cast(self, function: Callable[..., int], how: Mapping[str, Any], *arguments: object) -> CastRecord:
-        desc = describe(raw.carom_cast_desc, how)
+        desc = ask(raw.carom_cast_desc, how)
         result = raw.carom_cast(struct_size=ctypes.sizeof(raw.carom_cast))
         self._call(function, *arguments, ctypes.byref(desc), ctypes.byref(result))
         return record(CastRecord, result, outcome=word("CAST", result.outcome, OUTCOMES))
@@ -72,7 +77,7 @@ class PairQuestions:
     def overlap(self, a: Shape, b: Shape, position_a: Vector = (0, 0, 0), position_b: Vector = (0, 0, 0), orientation_a: Vector = IDENTITY,
                 orientation_b: Vector = IDENTITY, **how: Unpack[CastKeywords]) -> OverlapRecord:
         """Whether two shapes overlap, with a proof. @return outcome ("apart", "overlapping", "touching"), normal or point"""
-        desc = describe(raw.carom_cast_desc, how)
+        desc = ask(raw.carom_cast_desc, how)
         result = raw.carom_overlap(struct_size=ctypes.sizeof(raw.carom_overlap))
         self._call(raw.carom_shape_overlap, a.handle, *_pose(position_a, orientation_a, "_a"), b.handle,
                    *_pose(position_b, orientation_b, "_b"), ctypes.byref(desc), ctypes.byref(result))

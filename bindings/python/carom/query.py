@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 from . import raw
-from ._values import Record, copy_out, describe, enum, need_numpy, numpy, record, vec3, vector, word
+from ._values import Record, ask, copy_out, enum, need_numpy, numpy, record, vec3, vector, word
 from .records import WorldHitRecord
 
 if TYPE_CHECKING:
@@ -15,8 +15,12 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._values import Rows, Vector
-    from .records import QueryKeywords, WantWord
+    from .records import QueryKeywords as QueryFields
+    from .records import WantWord
     from .shape import Shape
+
+    class QueryKeywords(QueryFields, total=False):
+        ignore_touched: bool
 
 OUTCOMES = ("miss", "hit", "overlap", "undecided", "bad_ray")
 
@@ -47,7 +51,8 @@ class Hits(Record):
 
 
 class Questions:
-    """`how`: fields of carom_query_desc, as category=, mask=, ignore=body, tolerance=, target=, flags=."""
+    """`how`: fields of carom_query_desc, as category=, mask=, ignore=body, tolerance=, target=, flags=.
+    ignore_touched=True: what a ray or shape touches or overlaps at its start is passed over."""
 
     _call: Callable[..., None]
     _wrap: Callable[[str, int], Any]
@@ -61,7 +66,7 @@ class Questions:
     def ray(self, origin: Vector, direction: Vector, max: float = math.inf, **how: Unpack[QueryKeywords]) -> WorldHitRecord | None:
         """What origin + t direction, 0 <= t <= max, meets first.
         @return None, or: body, collider, point, normal, time (t), bracket [lower, upper], outcome"""
-        found, desc = raw.carom_world_hit(), describe(raw.carom_query_desc, how)
+        found, desc = raw.carom_world_hit(), ask(raw.carom_query_desc, how)
         self._call(raw.carom_world_cast_ray, vec3(origin, "origin"), vec3(direction, "direction"), max, ctypes.byref(desc),
                    ctypes.byref(found), ctypes.sizeof(found))
         return self._hit(found)
@@ -91,7 +96,7 @@ class Questions:
             outcomes=outcomes.ctypes.data_as(ctypes.POINTER(ctypes.c_uint32)),
             colliders=colliders.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64)),
             times=times.ctypes.data, normals=normals.ctypes.data, points=points.ctypes.data)
-        desc = describe(raw.carom_query_desc, how)
+        desc = ask(raw.carom_query_desc, how)
         self._call(raw.carom_world_cast_rays, ctypes.byref(rays), enum("WANT", want), ctypes.byref(desc), ctypes.byref(hits))
         return RayHits(outcomes=outcomes, colliders=colliders, times=times, normals=normals, points=points)
 
@@ -99,7 +104,7 @@ class Questions:
                  **how: Unpack[QueryKeywords]) -> Hits:
         """All that each of many rays meets: by query, then by time. @return arrays as of casts()"""
         rays, alive, _ = self._rays(origins, directions, max)
-        desc = describe(raw.carom_query_desc, how)
+        desc = ask(raw.carom_query_desc, how)
         return self._arrays(copy_out(self._call, raw.carom_world_cast_rays_all, raw.carom_world_hit, ctypes.byref(rays),
                                      ctypes.byref(desc)))
 
@@ -167,21 +172,21 @@ class Questions:
         @return arrays by query: outcomes (0 a miss), colliders and bodies (handles), times (fractions of the motion),
                 lower, upper, separations, normals, points, points_own"""
         asking, alive, n = self._shapes(shapes, positions, orientations, motions)
-        desc = describe(raw.carom_query_desc, how)
+        desc = ask(raw.carom_query_desc, how)
         return self._each(raw.carom_world_cast_shapes, asking, n, enum("WANT", want), ctypes.byref(desc))
 
     def nearests(self, positions: Rows | Vector, shapes: Shape | Sequence[Shape] | None = None, reach: float = math.inf,
                  orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
         """The collider nearest to each of many points or shapes. @return arrays as of casts()"""
         asking, alive, n = self._shapes(shapes, positions, orientations, None)
-        desc = describe(raw.carom_query_desc, how)
+        desc = ask(raw.carom_query_desc, how)
         return self._each(raw.carom_world_find_nearest, asking, n, reach, ctypes.byref(desc))
 
     def casts_all(self, shapes: Shape | Sequence[Shape], positions: Rows | Vector, motions: Rows | Vector,
                   orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
         """All that each of many moving shapes meets: by query, then by time. @return arrays as of casts()"""
         asking, alive, _ = self._shapes(shapes, positions, orientations, motions)
-        desc = describe(raw.carom_query_desc, how)
+        desc = ask(raw.carom_query_desc, how)
         return self._arrays(copy_out(self._call, raw.carom_world_cast_shapes_all, raw.carom_world_hit, ctypes.byref(asking),
                                      ctypes.byref(desc)))
 
@@ -189,7 +194,7 @@ class Questions:
                      orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
         """All that each of many shapes overlaps, by query. @return arrays as of casts()"""
         asking, alive, _ = self._shapes(shapes, positions, orientations, None)
-        desc = describe(raw.carom_query_desc, how)
+        desc = ask(raw.carom_query_desc, how)
         return self._arrays(copy_out(self._call, raw.carom_world_overlap_shapes, raw.carom_world_hit, ctypes.byref(asking),
                                      ctypes.byref(desc)))
 
@@ -197,7 +202,7 @@ class Questions:
              **how: Unpack[QueryKeywords]) -> WorldHitRecord | None:
         """What a shape meets first as it moves by `motion`, m, without turning; time is a fraction of it. @return as ray()"""
         asking, alive = self._one_shape(shape, position, orientation, motion)
-        found, desc = raw.carom_world_hit(), describe(raw.carom_query_desc, how)
+        found, desc = raw.carom_world_hit(), ask(raw.carom_query_desc, how)
         self._call(raw.carom_world_cast_shapes, ctypes.byref(asking), raw.CAROM_WANT_FIRST, ctypes.byref(desc),
                    ctypes.byref(found), ctypes.sizeof(found))
         return self._hit(found)
@@ -206,7 +211,7 @@ class Questions:
                 **how: Unpack[QueryKeywords]) -> WorldHitRecord | None:
         """The collider nearest to a point or a shape. @return None, or as ray() with separation, m"""
         asking, alive = self._one_shape(shape, position, orientation, None)
-        found, desc = raw.carom_world_hit(), describe(raw.carom_query_desc, how)
+        found, desc = raw.carom_world_hit(), ask(raw.carom_query_desc, how)
         self._call(raw.carom_world_find_nearest, ctypes.byref(asking), reach, ctypes.byref(desc), ctypes.byref(found),
                    ctypes.sizeof(found))
         return self._hit(found)
@@ -215,6 +220,6 @@ class Questions:
                  **how: Unpack[QueryKeywords]) -> list[WorldHitRecord]:
         """All that a shape at a place overlaps. @return list of records as of ray()"""
         asking, alive = self._one_shape(shape, position, orientation, None)
-        desc = describe(raw.carom_query_desc, how)
+        desc = ask(raw.carom_query_desc, how)
         found = copy_out(self._call, raw.carom_world_overlap_shapes, raw.carom_world_hit, ctypes.byref(asking), ctypes.byref(desc))
         return [one for one in map(self._hit, found) if one is not None]

@@ -100,6 +100,9 @@ CAROM_CAST_HIT: int
 CAROM_CAST_OVERLAP: int
 CAROM_CAST_UNDECIDED: int
 CAROM_CAST_BAD_RAY: int
+CAROM_ASK_GENERIC: int
+CAROM_ASK_SENSORS: int
+CAROM_ASK_IGNORE_TOUCHED: int
 CAROM_OVERLAP_APART: int
 CAROM_OVERLAP_OVERLAPPING: int
 CAROM_OVERLAP_TOUCHING: int
@@ -359,8 +362,6 @@ CAROM_FAULT_BODY_STATE: int
 CAROM_FAULT_PARTICLE_STATE: int
 CAROM_WANT_FIRST: int
 CAROM_WANT_ANY: int
-CAROM_ASK_GENERIC: int
-CAROM_ASK_SENSORS: int
 carom_plugin = ctypes.c_uint64
 carom_shape = ctypes.c_uint64
 carom_material = ctypes.c_uint64
@@ -481,6 +482,8 @@ class carom_cast_desc(ctypes.Structure):
     iterations: int
     tolerance: float
     target: float
+    flags: int
+    reserved: int
 class carom_cast(ctypes.Structure):
     """The result. Numbers of a fault (status CAROM_QUERY_FAULT) mean nothing."""
     struct_size: int

@@ -27,6 +27,7 @@ ContinuousWord = Literal["auto", "always", "never"]
 FieldWord = Literal["position", "orientation", "pose", "linear_velocity", "angular_velocity", "velocity", "force",
     "center", "mass"]
 CastWord = Literal["miss", "hit", "overlap", "undecided", "bad_ray"]
+QueryFlagsWord = Literal["generic", "sensors", "ignore_touched"]
 OverlapWord = Literal["apart", "overlapping", "touching", "fault"]
 DialWord = Literal["integrator", "rotation", "substeps", "solver", "velocity_iterations", "position_iterations",
     "velocity_tolerance", "position_tolerance", "restitution_speed", "severity_search", "groups", "broad_phase",
@@ -79,7 +80,6 @@ StageWord = Literal["refresh", "broad", "narrow", "group", "integrate", "solve",
 ReasonWord = Literal["ordinary", "mass_ratio", "sink", "too_much", "bounce", "impact", "still", "joined", "rolls"]
 FaultWord = Literal["returned", "not_finite", "outside", "not_support", "body_state", "particle_state"]
 WantWord = Literal["first", "any"]
-QueryFlagsWord = Literal["generic", "sensors"]
 
 
 class IslandFlags(IntFlag):
@@ -682,6 +682,7 @@ class CastKeywords(TypedDict, total=False):
     iterations: int | None
     tolerance: float | None
     target: float | None
+    flags: int | None
 
 
 class DistanceKeywords(TypedDict, total=False):

@@ -6,8 +6,13 @@
 
 namespace carom::collision {
 
-/// hit: they touch within the motion. overlap: they touched already at its start. undecided: so near to touching, or so
-/// slowly approaching, that neither was proven.
+/// hit: they touch within the motion. overlap: one is in the other already at its start. undecided: so near to
+/// touching, or so slowly approaching, that neither was proven.
+///
+/// What counts where rounding hides the truth (within `slack`):
+///   - A ray that grazes a surface, or runs along a side of it, is a hit. So a ray finds no gap between flush shapes.
+///   - A shape that grazes, or slides flush over another, is a miss. Nothing stops it there.
+///   - A motion that starts in touch is a hit at time 0 if it goes into what it touches. Along or away it is a miss.
 enum class CastOutcome : std::uint32_t { miss, hit, overlap, undecided };
 
 struct CastSettings {
@@ -15,6 +20,7 @@ struct CastSettings {
   Real target = 0;        // m, >= 0: separation that counts as contact; of a time of impact also < 0: a depth
   int cap = 128;          // support evaluations of a ray or linear cast; distance queries of a time of impact
   bool routines = false;  // rays: use a closed form where the shape declares one that there is a routine for
+  bool ignore_touched = false;  // what is touched or overlapped at the start is passed over
 };
 
 /// Contact begins at a time in [lower, upper]: before `lower` the separation exceeds the target, and within the bracket
@@ -30,6 +36,7 @@ struct CastResult {
   Vec3 normal = Vec3::zero();   // unit, from A (or the ray) to B; zero for a miss
   Vec3 point_a = Vec3::zero();  // m, on A's surface (of a ray: where it is)
   Vec3 point_b = Vec3::zero();  // m, on B's surface
+  bool at_start = false;        // touched or overlapped at the start
   int iterations = 0, support_calls = 0;
 };
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "collision/cast/line_geometry.h"
+#include "collision/cast/overlap.h"
 
 namespace carom::collision::line {
 
@@ -28,6 +29,8 @@ template <class Point>
 struct Entry {
   Real lower = -kInfinity, upper = kInfinity;  // where the line enters
   Real s = 0;                                  // best estimate
+  Real touch = kInfinity;  // where the points' hull is entered, swollen by the rounding more
+  bool clear = false;      // it goes through the middle of a face, or well into the ball: no graze
   bool settled = false;                        // the bracket is as narrow as asked
   Vec3 normal = Vec3::unit_z();                // unit, attains `lower`: into the set
   int count = 0;                               // of the points whose hull the line enters
@@ -115,6 +118,12 @@ class Walk {
     for (int i = 0; i < 3; ++i) entry_.weight[i] = at.weight[i];
     // The crossing is of the set swollen a little more than it is, so that the line cannot slip between features.
     const Real more = swollen_ - ask_.radius, slope = std::max(at.normal.z(), Real(1e-300));
+    // Share of a face, and slope: a bracket of 1e-6 leaves a normal open by some 1e-3. What is not clear by them only
+    // costs a second look.
+    constexpr Real kMiddle = 1e-6, kSteep = 0.01;
+    const Real least = std::min({at.weight[0], at.weight[1], at.weight[2]});
+    entry_.clear = (at.count == 3 && least > kMiddle && slope > kSteep) || ask_.radius * slope * slope > 8 * more;
+    entry_.touch = at.s;
     entry_.s = at.s + more / slope;
     entry_.upper = std::min(entry_.upper, at.s + (more + ask_.rounding) / slope);
     int index[3] = {at.index[0], at.index[1], at.index[2]};
@@ -177,42 +186,82 @@ inline Mat3 axes_along(const Vec3& u) {
   return Mat3::columns(across, u.cross(across), u);
 }
 
-/// enters, misses: as above, from the start on. inside: it starts in the set. parting: it starts on the surface, and is
-/// about to leave it.
-enum class Contact { enters, misses, inside, parting, undecided, fault };
+/// enters, misses: as above, from the start on. inside: it starts in the set. goes_in: it starts on the surface, and
+/// goes in. (Along the surface, or away, it misses.)
+enum class Contact { enters, misses, inside, goes_in, undecided, fault };
 
-/// How a line first meets a set from request.start on. Where it enters before that, the same walk from the other side
-/// tells whether it has left the set by then.
+/// What a graze counts as: a point finds no gap, a body is not stopped.
+enum class Graze : bool { misses, enters };
+
+/// Whether a place along the line is in the set, @see overlap.h.
+struct Within {
+  Overlap outcome = Overlap::touching;
+  Real slope = 0;       // of the normal along the line, where it touches
+  bool capped = false;  // the cap came first: touching says nothing
+};
+
+/// How a line first meets a set from request.start on. Where it starts on the surface or may graze, the same walk from
+/// the other side tells how far the set reaches, and the middle of that whether the line goes in at all.
 /// @param axes    of the line
 /// @param set_in  set_in(axes, side): the set in the coordinates of given axes, which are those of the line; side -1:
 ///                with the direction turned round
+/// @param within  within(s): Within of the line's point s
 /// @param entry   `normal` and `calls` are those of all walks; the rest is meant for Contact::enters
-template <class SetIn, class Point>
-Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, const Vec2& first, Entry<Point>& entry) {
+template <class SetIn, class Point, class IsWithin>
+Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, const Vec2& first, Graze graze,
+             const IsWithin& within, Entry<Point>& entry) {
   const auto said = [](End end) {
     return end == End::misses ? Contact::misses : end == End::fault ? Contact::fault : Contact::undecided;
   };
   auto set = set_in(axes, Real(1));
   const End there = enter(set, request, first, entry);
   if (there != End::enters) return said(there);
-  if (!(entry.upper < request.start)) return entry.s <= request.stop ? Contact::enters : Contact::undecided;
-  if (entry.calls >= request.cap) return Contact::undecided;
+  bool starts = entry.touch <= request.start;
+  if (starts) {
+    const Within start = within(request.start);
+    const Overlap at = start.outcome;
+    if (at == Overlap::fault) return Contact::fault;
+    if (start.capped) return Contact::undecided;
+    if (at == Overlap::overlapping) return Contact::inside;
+    if (at == Overlap::apart) {
+      if (entry.upper < request.start) return Contact::misses;  // it has left
+      starts = false;
+    }
+  }
+  if (!starts) {
+    if (entry.touch > request.stop) return Contact::undecided;
+    if (graze == Graze::enters || entry.clear) return Contact::enters;
+  }
+  if (entry.calls >= request.cap) return starts ? Contact::undecided : Contact::enters;
+
   Mat3 back = axes;
   back.set_col(2, -axes.col(2));
   auto behind = set_in(back, Real(-1));
   Request turned = request;
   turned.start = -kInfinity;
-  turned.stop = -request.start;
-  turned.width = kInfinity;
+  turned.stop = starts ? -request.start : kInfinity;
   turned.cap -= entry.calls;
   Entry<Point> leave;
   const End here = enter(behind, turned, first, leave);
   entry.calls += leave.calls;
-  if (here != End::enters) return said(here);
-  entry.normal = Vec3(leave.normal.x(), leave.normal.y(), -leave.normal.z());
-  if (leave.upper <= turned.stop) return Contact::inside;
-  // A walk that came to its end without proving either is one along the surface. Cut short, it tells nothing.
-  return entry.calls < request.cap ? Contact::parting : Contact::undecided;
+  if (here == End::fault || (here == End::misses && starts)) return said(here);
+  if (here != End::enters) return starts ? Contact::undecided : Contact::enters;
+  const Real from = starts ? request.start : entry.touch, to = std::min(-leave.touch, request.stop);
+  const Within middle = within(from + 0.5 * std::max(to - from, Real(0)));
+  // Through something flat (a plate, a point) the way within rounding of it is as long as its slope says. A way that is
+  // longer goes along a surface. Of a slope that the root of rounding hides nothing follows: a round surface has it.
+  const Real way = to - from, enough = 16 * request.rounding;
+  const bool through =
+      way <= enough || (middle.slope > 16 * std::sqrt(request.rounding) && way * middle.slope <= enough);
+  if (middle.outcome == Overlap::fault) return Contact::fault;
+  if (middle.capped) return starts ? Contact::undecided : Contact::enters;
+  const bool in = middle.outcome == Overlap::overlapping;
+  if (starts) {
+    // From an edge within the plane of a side: it would be met from farther off, too.
+    const bool begins = graze == Graze::enters && entry.touch >= request.start - enough && way > enough;
+    return in || begins ? Contact::goes_in : Contact::misses;
+  }
+  return in || (middle.outcome == Overlap::touching && through) ? Contact::enters : Contact::misses;
 }
 
 }  // namespace carom::collision::line

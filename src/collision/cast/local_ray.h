@@ -10,7 +10,7 @@ struct LocalRay {
   Vec3 o, u;             // m; unit
   Real speed;            // m per unit of t
   Real start, stop;      // m along u from the foot of the shape's origin
-  Real rounding, reach;  // m
+  Real size, rounding, reach;  // m
 
   LocalRay(const Ray& ray, const Shape& shape, const Frame& frame, Real target) {
     o = frame.apply_inverse(ray.origin);
@@ -22,7 +22,8 @@ struct LocalRay {
     speed = largest * length;
     start = u.dot(o);
     stop = speed > 0 ? start + speed * ray.max : start;
-    rounding = kCastRounding * kUnitRoundoff * (o.norm() + shape.bounding_radius + target);
+    size = o.norm() + shape.bounding_radius + target;
+    rounding = kUnitRoundoff * (kCastRounding * size + kPlaceRounding * (frame.p.norm() + ray.origin.norm()));
     reach = (1 + 1e-6) * (shape.bounding_radius + target) + rounding;
   }
 };

@@ -41,7 +41,8 @@ class Search {
       fault = difference_.fault;
     }
     result_.support_calls += difference_.calls;
-    if (result_.outcome == Overlap::touching && difference_.calls < cap) ask_distance(fault);
+    result_.capped = result_.outcome == Overlap::touching && difference_.calls >= cap;
+    if (result_.outcome == Overlap::touching && !result_.capped) ask_distance(fault);
     return result_;
   }
 

@@ -13,6 +13,7 @@ struct OverlapResult {
   Vec3 normal = Vec3::zero();           // unit, A's frame, from A to B; apart: proves the bound
   Vec3 point = Vec3::zero();            // m, A's frame; overlapping: in both shapes
   Real slack = 0;                       // m, what rounding may have done
+  bool capped = false;  // touching: the cap came first
   int support_calls = 0;
 };
 

@@ -83,20 +83,25 @@ void cast_at_plane(const Ray& ray, const Shape& shape, const Frame& frame, Real 
     return;
   }
   const Real height = n.dot(from) - shape.offset, rate = n.dot(ray.direction);
-  const Real rounding = kCastRounding * kUnitRoundoff * (from.norm() + std::fabs(shape.offset) + target);
+  const Real rounding =
+      kUnitRoundoff * (kCastRounding * (from.norm() + std::fabs(shape.offset) + target) +
+                       kPlaceRounding * (frame.p.norm() + ray.origin.norm()));
   const Real gap = height - target;
+  const bool along = !(rate < -8 * kUnitRoundoff * ray.direction.norm());  // or away
   result.normal = -n;
   result.slack = rounding;
-  if (gap <= 0) {
+  result.at_start = gap <= rounding;
+  if (gap < -rounding || (gap <= 0 && !(ray.max > 0 && !ray.direction.is_zero()))) {
     result.outcome = CastOutcome::overlap;
     result.upper = 0;
     result.separation = height;
-  } else if (!(rate < 0) || gap > -rate * ray.max) {
+  } else if (along || gap > -rate * ray.max) {
     result.normal.set_zero();
+    result.at_start = false;
     return miss(ray, result);
   } else {
     result.outcome = CastOutcome::hit;
-    result.time = gap / -rate;
+    result.time = std::max(gap, Real(0)) / -rate;
     result.lower = std::max((gap - rounding) / -rate, Real(0));
     result.upper = std::min((gap + rounding) / -rate, ray.max);
     result.separation = target;
@@ -116,6 +121,7 @@ void ask_point(const Ray& ray, const Shape& shape, const Frame& frame, const Cas
   if (found.outcome == Overlap::apart) return miss(ray, result);
   result.outcome = found.outcome == Overlap::overlapping ? CastOutcome::overlap : CastOutcome::undecided;
   result.upper = 0;
+  result.at_start = true;
   result.status = found.outcome == Overlap::fault ? QueryStatus::fault : QueryStatus::exact_enough;
   result.normal = frame.rotate(found.normal);
 }
@@ -139,10 +145,8 @@ void write_hit(const Ray& ray, const Frame& frame, const LocalRay& r, const Mat3
   result.point_a = ray.origin + result.time * ray.direction;
 }
 
-}  // namespace
-
-void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings, CastResult& result,
-              SupportFault& fault) {
+void cast_whole(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings,
+                CastResult& result, SupportFault& fault) {
   result = CastResult();
   const Real target = settings.target;
   if (shape.form == Form::half_space) return cast_at_plane(ray, shape, frame, target, result);
@@ -177,7 +181,13 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
   RayEntry entry;
   const Vec3 centre = 0.5 * (shape.bounds.lo + shape.bounds.hi);
   const Vec2 first = scale * (basis.transpose() * centre).xy() - offset;
-  const line::Contact contact = line::meet(basis, set_in, request, first, entry);
+  const auto within = [&](Real s) {
+    const OverlapResult found = overlap_with_point(shape, off + (s / scale) * r.u, target, r.rounding / r.size,
+                                                   settings.cap, fault);
+    return line::Within{found.outcome, found.normal.dot(r.u), found.capped};
+  };
+  const line::Graze graze = target > 0 ? line::Graze::misses : line::Graze::enters;
+  const line::Contact contact = line::meet(basis, set_in, request, first, graze, within, entry);
   result.support_calls = result.iterations = entry.calls;
   const bool capped = entry.calls >= settings.cap, inside = contact == line::Contact::inside;
   if (contact == line::Contact::misses) return miss(ray, result);
@@ -186,39 +196,46 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
     result.outcome = CastOutcome::undecided;
     return;
   }
-  if (inside || contact == line::Contact::parting) {
-    result.outcome = inside ? CastOutcome::overlap : CastOutcome::hit;
+  result.at_start = inside || contact == line::Contact::goes_in;
+  if (inside) {
+    result.outcome = CastOutcome::overlap;
     result.upper = 0;
-    result.normal = frame.rotate(inside ? r.u : Vec3(basis * entry.normal));
+    result.normal = frame.rotate(r.u);
     result.point_a = result.point_b = ray.origin;
     return;
   }
-  if (contact == line::Contact::enters) {
+  if (result.at_start || contact == line::Contact::enters) {
     write_hit(ray, frame, r, basis, entry, scale, target, result);
     if (!entry.settled && capped) result.status = QueryStatus::capped;
     return;
   }
-  // It grazes, or ends as it touches: the nearest it comes is an estimate of when.
+  // It ends as it touches, or the cap came first: the nearest it comes is an estimate of when.
   result.outcome = CastOutcome::undecided;
   result.status = capped ? QueryStatus::capped : QueryStatus::rounding;
   result.time = std::clamp(-r.start / r.speed, Real(0), ray.max);
   result.point_a = result.point_b = ray.origin + result.time * ray.direction;
 }
 
+}  // namespace
+
+void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const CastSettings& settings, CastResult& result,
+              SupportFault& fault) {
+  cast_whole(ray, shape, frame, settings, result, fault);
+  if (settings.ignore_touched && result.at_start) miss(ray, result = CastResult());
+}
+
 int cast_ray(const Ray& ray, std::span<const Placed> shapes, const CastSettings& settings, CastResult& result,
              SupportFault& fault) {
-  Ray left = ray;  // what is left of it before the best hit
   int first = -1;
   miss(ray, result = CastResult());
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     CastResult one;
-    cast_ray(left, *shapes[i].shape, shapes[i].frame, settings, one, fault);
+    cast_ray(ray, *shapes[i].shape, shapes[i].frame, settings, one, fault);
     const bool bad = one.status == QueryStatus::fault;
     if (one.outcome == CastOutcome::miss || (first >= 0 && !bad && !(one.time < result.time))) continue;
     result = one;
     first = static_cast<int>(i);
     if (bad) return first;
-    left.max = one.time;
   }
   return first;
 }

@@ -17,7 +17,7 @@ struct Ray {
 /// Cast a ray against a shape. settings.target makes it a ball of that radius.
 /// @param frame   shape -> the frame of the ray
 /// @param result  times as fractions of direction; normal points into the shape, opposed to the surface's own. A start
-///                inside is an overlap at time 0, its normal along the ray
+///                inside is an overlap at time 0, its normal along the ray. @see CastOutcome: grazes, starts in touch
 /// @param fault   filled when the support function misbehaves; result.status is then fault
 /// @accuracy      brackets hold, rounding included (kCastRounding)
 /// @oracle        tests/unit/collision/cast/test_ray
@@ -30,7 +30,7 @@ struct Placed {
   Frame frame;  // shape -> the frame of the rays
 };
 
-/// The first of several shapes that a ray meets. Shapes beyond the best hit so far are passed over.
+/// The first of several shapes that a ray meets, each asked as if it were alone.
 /// @param result  of the shape met first (by the estimate `time`; ties: the first in the list); a miss if none is met
 /// @return        its index in the list, or -1
 /// @param fault   of the first support function that misbehaved: result.status is then fault, the index says whose

@@ -1,6 +1,8 @@
 // Rays in closed form: sphere, capsule, box, cylinder, cone, ellipsoid. Each routine says where a line enters and
 // leaves the form swollen by some more, and is asked three times: swollen and shrunk by all that rounding can have
 // done, which gives the bracket, and as it is.
+#include <type_traits>
+
 #include "collision/cast/local_ray.h"
 
 namespace carom::collision {
@@ -108,7 +110,7 @@ class Capsule : AboutAxis {
 /// Between three pairs of planes.
 class Box {
  public:
-  Box(const Shape& shape, const LocalRay& r, Real) : half_(shape.half), o_(r.o), u_(r.u) {
+  Box(const Shape& shape, const LocalRay& r, Real) : half_(shape.half), o_(r.o), u_(r.u), blur_(4 * r.rounding) {
     for (int i = 0; i < 3; ++i) by_[i] = 1 / u_[i];
   }
   bool usable(const LocalRay& r) const { return half_.min_entry() > 4 * r.rounding; }
@@ -128,18 +130,22 @@ class Box {
     return c;
   }
   Vec3 outward(const LocalRay& r, Real s) const {
-    int axis = 0;
-    Real most = -kInfinity;
-    const Vec3 p = r.o + s * r.u;
+    const Vec3 p = r.o + s * r.u, out = p.abs() - half_;
+    const Real most = out.max_entry();
+    // Of the sides that it is on, the one that faces the ray most.
+    int axis = out.max_axis();
     for (int i = 0; i < 3; ++i)
-      if (std::fabs(p[i]) - half_[i] > most) most = std::fabs(p[i]) - half_[i], axis = i;
+      if (out[i] >= most - blur_ && facing(p, i) > facing(p, axis)) axis = i;
     Vec3 n = Vec3::zero();
     n[axis] = p[axis] < 0 ? -1 : 1;
     return n;
   }
 
  private:
+  Real facing(const Vec3& p, int i) const { return p[i] < 0 ? u_[i] : -u_[i]; }
+
   Vec3 half_, o_, u_, by_;
+  Real blur_;  // m
 };
 
 /// Where a line is between two parallel planes across y, as a part of a chord.
@@ -176,8 +182,12 @@ class Cylinder : AboutAxis {
   Vec3 outward(const LocalRay& r, Real s) const {
     const Vec3 p = r.o + s * r.u;
     const Real off = std::sqrt(p.x() * p.x() + p.z() * p.z());
-    if (off == 0 || std::fabs(p.y()) - half_ > off - radius_) return Vec3(0, p.y() < 0 ? -1 : 1, 0);
-    return Vec3(p.x() / off, 0, p.z() / off);
+    const Vec3 end(0, p.y() < 0 ? -1 : 1, 0);
+    if (off == 0) return end;
+    // On the border it is the one that faces the ray more.
+    const Vec3 side(p.x() / off, 0, p.z() / off);
+    const Real beyond = std::fabs(p.y()) - half_ - (off - radius_);
+    return beyond > 4 * r.rounding || (beyond > -4 * r.rounding && end.dot(r.u) < side.dot(r.u)) ? end : side;
   }
 
  private:
@@ -235,9 +245,11 @@ class Cone {
   Vec3 outward(const LocalRay& r, Real s) const {
     const Vec3 p = r.o + s * r.u;
     const Real off = std::sqrt(p.x() * p.x() + p.z() * p.z());
-    if (-half_ - p.y() > (off - slope_ * (half_ - p.y())) / secant_) return Vec3(0, -1, 0);
-    if (off == 0) return Vec3::unit_y();
-    return Vec3(p.x() / off, slope_, p.z() / off) / secant_;
+    if (off == 0) return p.y() < 0 ? Vec3(0, -1, 0) : Vec3(0, 1, 0);
+    // On the border it is the one that faces the ray more.
+    const Vec3 base(0, -1, 0), flank = Vec3(p.x() / off, slope_, p.z() / off) / secant_;
+    const Real beyond = -half_ - p.y() - (off - slope_ * (half_ - p.y())) / secant_;
+    return beyond > 4 * r.rounding || (beyond > -4 * r.rounding && base.dot(r.u) < flank.dot(r.u)) ? base : flank;
   }
 
  private:
@@ -282,6 +294,21 @@ class Ellipsoid {
   Real length_ = 0, foot_ = 0, off_ = 0;  // 1/m, and 1, in radii
 };
 
+/// What a line that grazes meets first: the form swollen by as little as it takes.
+/// @param enough  m, swollen by which the line meets it
+template <class Form>
+Chord least_chord(const Form& form, Real enough) {
+  Real less = 0;
+  Chord c = form.chord(enough);
+  for (int i = 0; i < 24; ++i) {
+    const Real more = 0.5 * (less + enough);
+    const Chord between = form.chord(more);
+    (between.met ? enough : less) = more;
+    if (between.met) c = between;
+  }
+  return c;
+}
+
 template <class Form>
 bool cast_form(const Ray& ray, const Shape& shape, const Frame& frame, const LocalRay& r, const CastSettings& settings,
                CastResult& result) {
@@ -292,31 +319,43 @@ bool cast_form(const Ray& ray, const Shape& shape, const Frame& frame, const Loc
   if (!outer.met || outer.in > length || outer.out < 0) return miss(ray, result), true;
   const Chord inner = form.chord(-r.rounding), middle = form.chord(0);
   const auto time = [&](Real s) { return std::clamp(s / r.speed, Real(0), ray.max); };
-  const auto start = [&](CastOutcome outcome, const Vec3& normal) {
-    result.outcome = outcome;
+  result.at_start = outer.in <= 0;
+  if (inner.met && inner.in <= 0 && inner.out >= 0) {
+    result.outcome = CastOutcome::overlap;
     result.upper = 0;
-    result.normal = normal;
+    result.normal = frame.rotate(r.u);
     result.point_a = result.point_b = ray.origin;
-  };
-  if (inner.met && inner.in <= 0 && inner.out >= 0) return start(CastOutcome::overlap, frame.rotate(r.u)), true;
-  if (inner.met && inner.out < 0)  // on the surface, about to leave
-    return start(CastOutcome::hit, -frame.rotate(form.outward(r, middle.out))), true;
-  if (!inner.met || middle.in > length) {
-    result.outcome = CastOutcome::undecided;
-    result.status = QueryStatus::rounding;
-    result.time = time(-r.start);
-    result.point_a = result.point_b = ray.origin + result.time * ray.direction;
     return true;
   }
+  const bool goes_in = inner.met && inner.in > 0;
+  // Swollen, a tip goes farther than it swells: whether that is a graze the walk says.
+  if (!goes_in && std::is_same_v<Form, Cone>) {
+    result.at_start = false;
+    return false;
+  }
+  const Chord chord = middle.met ? middle : least_chord(form, r.rounding);
+  const Real in = chord.in, hair = 16 * r.rounding;
+  // From an edge within the plane of a side: it would be met from farther off, too.
+  const bool begins = in >= -hair && chord.out > in + hair && chord.out > hair;
+  if (!goes_in && (settings.target > 0 || (result.at_start && !begins))) {  // along the surface, or leaving it
+    result.at_start = false;
+    return miss(ray, result), true;
+  }
+  const Real upper = goes_in ? inner.in : in;
   result.outcome = CastOutcome::hit;
   result.lower = time(outer.in);
-  result.upper = std::max(time(inner.in), result.lower);
-  result.time = std::clamp(time(middle.in), result.lower, result.upper);
-  if (!(inner.in - outer.in <= settings.tolerance * shape.bounding_radius)) result.status = QueryStatus::rounding;
+  result.upper = std::max(time(upper), result.lower);
+  result.time = std::clamp(time(in), result.lower, result.upper);
+  if (!(upper - outer.in <= settings.tolerance * shape.bounding_radius)) result.status = QueryStatus::rounding;
   result.separation = settings.target;
-  const Vec3 n = -form.outward(r, middle.in);
+  Vec3 n = -form.outward(r, in);
+  const Real facing = n.dot(r.u);
+  if (facing < 0) {  // at a border or tip, within rounding: one square to the ray is among the normals there
+    n -= facing * r.u;
+    n = n.squared_norm() > 1e-12 ? n.normalized() : r.u;
+  }
   result.normal = frame.rotate(n);
-  result.point_b = frame.apply(r.o + middle.in * r.u + settings.target * n);
+  result.point_b = frame.apply(r.o + in * r.u + settings.target * n);
   result.point_a = ray.origin + result.time * ray.direction;
   return true;
 }

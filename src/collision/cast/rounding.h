@@ -16,4 +16,8 @@ namespace carom::collision {
 ///     the foot on the line, and lengths along it from there to the start                                 6 M
 inline constexpr Real kCastRounding = kBracketRounding + kPoseRounding + 53;
 
+/// What the last digits of a place leave open, in units of u and of its distance from the origin. Rounding it takes 1,
+/// a body's pose times a collider's own 3 more. Far out flush shapes have gaps of that much, which are none.
+inline constexpr Real kPlaceRounding = 4;
+
 }  // namespace carom::collision

@@ -60,7 +60,8 @@ struct Cast {
   CastResult& result;
   SupportFault& fault;
   Frame b_in_a;
-  Real rounding = 0;  // m
+  Real rounding = 0;           // m
+  Real relative_rounding = 0;  // of the size of the pair
 
   /// Time 0, from the signed distance: overlapping, or touching.
   void at_start(CastOutcome outcome) {
@@ -69,6 +70,7 @@ struct Cast {
     QueryResult found;
     distance(a, b, b_in_a, query, nullptr, found, fault);
     result.outcome = outcome;
+    result.at_start = true;
     result.support_calls += found.support_calls;
     result.time = result.lower = result.upper = 0;
     result.status = found.status;
@@ -86,32 +88,35 @@ struct Cast {
     result.support_calls = found.support_calls;
     const Vec3 n = frame_a.rotate(found.normal);
     const Real rate = -n.dot(motion), gap = found.separation - settings.target;
+    const bool along = !(rate < -8 * kUnitRoundoff * motion.norm());  // or away
     result.slack = rounding;
     if (found.status == QueryStatus::fault) {  // of a point, whose size is 0, no bracket is narrow enough; slack tells
       result.status = found.status;
       result.outcome = CastOutcome::undecided;
       return;
     }
-    if (gap > 0 && (!(rate < 0) || gap > -rate)) return miss(result);
-    result.outcome = gap > 0 ? CastOutcome::hit : CastOutcome::overlap;
-    if (gap > 0) {
-      result.time = gap / -rate;
+    const bool apart = gap >= -rounding && !(gap <= 0 && motion.is_zero());
+    if (apart && (along || gap > -rate)) return miss(result);
+    result.outcome = apart ? CastOutcome::hit : CastOutcome::overlap;
+    result.at_start = gap <= rounding;
+    if (apart) {
+      result.time = std::max(gap, Real(0)) / -rate;
       result.lower = std::max((gap - rounding) / -rate, Real(0));
       result.upper = std::min((gap + rounding) / -rate, Real(1));
     } else {
       result.upper = 0;
     }
-    result.separation = gap > 0 ? settings.target : found.separation;
+    result.separation = apart ? settings.target : found.separation;
     result.normal = n;
     result.point_a = frame_a.apply(found.point_a) + result.time * motion;
     result.point_b = frame_b.apply(found.point_b);
-    if (gap > 0) result.point_b = result.point_a + settings.target * n;
+    if (apart) result.point_b = result.point_a + settings.target * n;
   }
 
   /// No motion: near enough already, or not.
   void at_rest() {
     const OverlapResult found =
-        overlap(a, b, b_in_a, settings.target, kCastRounding * kUnitRoundoff, settings.cap, fault);
+        overlap(a, b, b_in_a, settings.target, relative_rounding, settings.cap, fault);
     result.support_calls = found.support_calls;
     if (found.outcome == Overlap::apart) return miss(result);
     at_start(found.outcome == Overlap::overlapping ? CastOutcome::overlap : CastOutcome::undecided);
@@ -119,7 +124,8 @@ struct Cast {
 
   void run() {
     const Real size = (frame_b.p - frame_a.p).norm() + extent(a) + extent(b) + settings.target;
-    rounding = kCastRounding * kUnitRoundoff * size;
+    rounding = kUnitRoundoff * (kCastRounding * size + kPlaceRounding * (frame_a.p.norm() + frame_b.p.norm()));
+    relative_rounding = size > 0 ? rounding / size : 0;
     result.slack = 3 * rounding;
     if (!usable(b_in_a)) {
       result.outcome = CastOutcome::undecided;
@@ -157,11 +163,18 @@ struct Cast {
     const Real from = difference.to_scaled(ahead);
     const auto set_in = [&](const Mat3& axes, Real side) { return DifferenceSet(difference, axes, side * from); };
     CastEntry entry;
-    const line::Contact contact = line::meet(basis, set_in, request, first, entry);
+    const auto within = [&](Real s) {
+      Frame moved = b_in_a;
+      moved.p -= (difference.to_metres(s) + ahead) * u;
+      const OverlapResult found =
+          overlap(a, b, moved, settings.target, relative_rounding, settings.cap, difference.fault);
+      return line::Within{found.outcome, found.normal.dot(u), found.capped};
+    };
+    const line::Contact contact = line::meet(basis, set_in, request, first, line::Graze::misses, within, entry);
     result.support_calls = result.iterations = entry.calls;
     if (contact == line::Contact::misses) return miss(result);
     if (contact == line::Contact::inside) return at_start(CastOutcome::overlap);
-    if (contact == line::Contact::parting) return at_start(CastOutcome::hit);
+    if (contact == line::Contact::goes_in) return at_start(CastOutcome::hit);
     if (contact == line::Contact::fault) {
       fault = difference.fault;
       result.status = QueryStatus::fault;
@@ -204,6 +217,7 @@ void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const 
                 const CastSettings& settings, CastResult& result, SupportFault& fault) {
   result = CastResult();
   Cast{a, b, frame_a, frame_b, motion, settings, result, fault, relative(frame_a, frame_b)}.run();
+  if (settings.ignore_touched && result.at_start) miss(result = CastResult());
 }
 
 }  // namespace carom::collision

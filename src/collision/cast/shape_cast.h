@@ -8,7 +8,8 @@ namespace carom::collision {
 /// Cast shape A along a translation against B at rest. At most one of them may be a half-space.
 /// @param motion    [3] m, of A relative to B; times are fractions of it, in [0, 1]
 /// @param settings  target: contact is a separation of this
-/// @param result    overlap: time 0, with depth, normal and points of the signed distance
+/// @param result    overlap: time 0, with depth, normal and points of the signed distance. @see CastOutcome: grazes,
+///                  starts in touch
 /// @accuracy        brackets hold, rounding included (kCastRounding)
 /// @oracle          tests/unit/collision/cast/test_shape_cast
 void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& b, const Frame& frame_b,

@@ -279,6 +279,10 @@ void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b,
                     Real duration, const CastSettings& settings, CastResult& result, SupportFault& fault) {
   result = CastResult();
   Advance(a, motion_a, b, motion_b, duration, settings, result, fault).run();
+  result.at_start = result.outcome == CastOutcome::overlap || (result.outcome == CastOutcome::hit && result.time == 0);
+  if (!settings.ignore_touched || !result.at_start) return;
+  result = CastResult();
+  result.time = result.lower = duration;
 }
 
 }  // namespace carom::collision

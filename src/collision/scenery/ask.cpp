@@ -6,6 +6,7 @@
 
 #include "collision/cast/heading.h"
 #include "collision/cast/shape_cast.h"
+#include "collision/scenery/ray_triangle.h"
 #include "collision/volume.h"
 
 namespace carom::collision {
@@ -69,9 +70,11 @@ Real way(Real speed, Real time) { return speed > 0 && time > 0 ? speed * time : 
 
 /// Ask the triangles along a way that a box about a point goes; ask(triangle, one) gives the result for one of them.
 /// @param from, heading, extent  in the scenery's frame   @param end  of time
+/// @param by_proof  of two hits the one that is proven first, by the upper ends: one that runs nearly along a triangle
+///                  says badly when
 template <class Ask>
 void first_along(const Scenery& scenery, const Vec3& from, const Heading& heading, const Aabb& extent, Real end,
-                 CastResult& result, Ask&& ask) {
+                 bool by_proof, CastResult& result, Ask&& ask) {
   miss(end, result);
   Sum sum;
   const auto one = [&](std::uint32_t index) {
@@ -79,13 +82,42 @@ void first_along(const Scenery& scenery, const Vec3& from, const Heading& headin
     CastResult found;
     if (scenery.triangle(index, triangle) && ask(triangle, found)) {
       sum.add(found);
-      if (comes_before(found, result)) result = found;
+      const Real lower = std::min(found.lower, result.lower);
+      if (found.outcome == CastOutcome::hit && result.outcome == CastOutcome::hit && by_proof) {
+        if (found.upper < result.upper) result = found;
+        result.lower = lower;
+      } else if (comes_before(found, result)) {
+        result = found;
+      }
     }
     // Brackets are as wide as the tolerance times the size of a triangle; what is farther by more comes later.
     return result.outcome == CastOutcome::miss ? kInfinity : way(heading.speed, result.upper);
   };
   scenery.each_along(from, heading.unit, extent, way(heading.speed, end), one);
   sum.write(result);
+}
+
+/// A result in the scenery's frame becomes one outside.
+void put_outside(const Frame& frame, CastResult& result) {
+  if (result.outcome == CastOutcome::miss) return;
+  result.normal = frame.rotate(result.normal);
+  result.point_a = frame.apply(result.point_a), result.point_b = frame.apply(result.point_b);
+}
+
+/// In the scenery's frame.
+void write_crossing(const Ray& ray, const SceneryRay& line, const Triangle& triangle, const TriangleCrossing& at,
+                    const CastSettings& settings, CastResult& result) {
+  const auto time = [&](Real s) { return std::clamp(s / line.speed, Real(0), ray.max); };
+  result.outcome = CastOutcome::hit;
+  result.at_start = at.at_start;
+  result.lower = time(at.s - at.blur);
+  result.upper = std::max(time(at.s + at.blur), result.lower);
+  result.time = std::clamp(time(at.s), result.lower, result.upper);
+  result.slack = 3 * at.slack;
+  const Vec3 longest = triangle.corner[1] - triangle.corner[0];
+  if (!(2 * at.blur <= settings.tolerance * longest.norm())) result.status = QueryStatus::rounding;
+  result.normal = triangle.normal.dot(line.u) < 0 ? Vec3(-triangle.normal) : triangle.normal;
+  result.point_b = line.o + at.s * line.u;
 }
 
 }  // namespace
@@ -97,13 +129,25 @@ void cast_ray_at_triangles(const Ray& ray, const Shape& shape, const Frame& fram
   Aabb ball;
   ball.lo = Vec3::constant(-settings.target), ball.hi = Vec3::constant(settings.target);
   const Heading heading(frame, ray.direction);
-  first_along(scenery, frame.apply_inverse(ray.origin), heading, ball, ray.max, result,
-              [&](const Triangle& triangle, CastResult& one) {
-                if (!scenery.two_sided && heading.speed > 0 && triangle.normal.dot(heading.unit) > 0) return false;
-                at.shape.set(triangle);
-                cast_ray(ray, at.shape.shape(), at.place(frame), settings, one, fault);
-                return true;
-              });
+  const SceneryRay line(ray, frame);
+  const bool is_line = settings.target == 0 && line.usable();
+  const Ray local{line.o, frame.rotate_inverse(ray.direction), ray.max};
+  const bool inside = is_line || finite(local.direction);  // else asked outside: turned, the longest overflow
+  first_along(scenery, line.o, heading, ball, ray.max, is_line, result, [&](const Triangle& triangle, CastResult& one) {
+    if (!scenery.two_sided && heading.speed > 0 && triangle.normal.dot(heading.unit) > 0) return false;
+    if (!is_line) {
+      at.shape.set(triangle);
+      cast_ray(inside ? local : ray, at.shape.shape(), at.place(inside ? Frame() : frame), settings, one, fault);
+      return true;
+    }
+    TriangleCrossing crossing;
+    if (!cross_triangle(line, triangle, crossing) || (settings.ignore_touched && crossing.at_start)) return false;
+    write_crossing(ray, line, triangle, crossing, settings, one);
+    return true;
+  });
+  if (result.outcome == CastOutcome::miss) return;
+  if (inside) put_outside(frame, result);
+  if (is_line) result.point_a = ray.origin + result.time * ray.direction;
 }
 
 void cast_shape_at_triangles(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& shape,
@@ -118,14 +162,26 @@ void cast_shape_at_triangles(const Shape& a, const Frame& frame_a, const Vec3& m
     result.outcome = CastOutcome::undecided, result.status = QueryStatus::fault;
     return;
   }
-  const Vec3 centre = a_in_scenery.apply(a.mass.centroid);
-  first_along(scenery, a_in_scenery.p, Heading(frame, motion), extent, 1, result,
-              [&](Triangle& triangle, CastResult& one) {
-                if (!face(scenery, centre, triangle)) return false;
-                at.shape.set(triangle);
-                cast_shape(a, frame_a, motion, at.shape.shape(), at.place(frame), settings, one, fault);
-                return true;
-              });
+  // Who is in the surface already, and may be, gets no deeper by going along it or out of it: no triangle that it does
+  // not go into counts then.
+  constexpr Real kAlong = -1e-8;
+  const Heading heading(frame, motion);
+  const bool is_in = settings.ignore_touched &&
+                     overlap_with_triangles(a, shape, relative(frame_a, frame), settings.target,
+                                            kCastRounding * kUnitRoundoff, settings.cap, fault)
+                             .outcome != Overlap::apart;
+  const Vec3 centre = a_in_scenery.apply(a.mass.centroid), local = frame.rotate_inverse(motion);
+  const bool inside = finite(local);  // else it is asked outside: turned, the longest motions overflow
+  first_along(scenery, a_in_scenery.p, heading, extent, 1, false, result, [&](Triangle& triangle, CastResult& one) {
+    if (!face(scenery, centre, triangle) || (is_in && triangle.normal.dot(heading.unit) > kAlong)) return false;
+    at.shape.set(triangle);
+    if (inside)
+      cast_shape(a, a_in_scenery, local, at.shape.shape(), at.place(Frame()), settings, one, fault);
+    else
+      cast_shape(a, frame_a, motion, at.shape.shape(), at.place(frame), settings, one, fault);
+    return true;
+  });
+  if (inside) put_outside(frame, result);
 }
 
 void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, const Shape& shape,
@@ -235,6 +291,8 @@ void cast_ray(const Ray& ray, const Shape& shape, const Frame& frame, const Cast
 
 void cast_shape(const Shape& a, const Frame& frame_a, const Vec3& motion, const Shape& b, const Frame& frame_b,
                 const CastSettings& settings, CastResult& result, SupportFault& fault) {
+  if (a.bounding_radius == 0 && a.form != Form::half_space)  // a point: no seam lets it through
+    return any_shape::cast_ray(Ray{frame_a.p, motion, 1}, b, frame_b, settings, result, fault);
   if (is_scenery(b)) return cast_shape_at_triangles(a, frame_a, motion, b, frame_b, settings, result, fault);
   carom::cast_shape(a, frame_a, motion, b, frame_b, settings, result, fault);
 }

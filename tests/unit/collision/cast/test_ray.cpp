@@ -194,12 +194,9 @@ static void edges_vertices_and_tips_are_met(void**) {
   };
   for (const auto& c : cases) {
     const CastResult r = ask(Ray{c.from, c.d, 10}, c.s);
-    // All of these touch: an exact tangent may go either way, but a hit is at its place. The time follows from slack,
-    // along the line as far as a corner of slack is blunt: sqrt where the line is in the surface's plane.
-    if (r.outcome == CastOutcome::hit)
-      assert_true(std::fabs(r.time - c.t) < 1e-6);
-    else
-      assert_true(r.outcome == CastOutcome::undecided || c.s.form == Form::box || c.s.form == Form::cone);
+    // All of these touch: a graze is a hit, at its place. The time follows from slack, along the line as far as a
+    // corner of slack is blunt: sqrt where the line is in the surface's plane.
+    assert_true(r.outcome == CastOutcome::hit && std::fabs(r.time - c.t) < 1e-6);
   }
   // Not tangents: these must be hits, exactly.
   for (const int i : {0, 3, 4, 5, 7}) {
@@ -216,10 +213,10 @@ static void starts_inside_and_behind(void**) {
   assert_true(ask(Ray{Vec3(2, 0, 0), Vec3(1, 0, 0), 10}, s).outcome == CastOutcome::miss);          // past
   assert_true(ask(Ray{Vec3(1 + 1e-12, 0, 0), Vec3(1, 0, 0), 10}, s).outcome == CastOutcome::miss);  // just past
   assert_true(ask(Ray{Vec3(1 - 1e-12, 0, 0), Vec3(1, 0, 0), 10}, s).outcome == CastOutcome::overlap);
-  const CastResult at = ask(Ray{Vec3(1, 0, 0), Vec3(1, 0, 0), 10}, s);  // on the surface, leaving: touching at 0
-  assert_true(at.outcome != CastOutcome::miss && at.time == 0);
+  assert_true(ask(Ray{Vec3(1, 0, 0), Vec3(1, 0, 0), 10}, s).outcome == CastOutcome::miss);    // on the surface, leaving
+  assert_true(ask(Ray{Vec3(1, 0.3, 0), Vec3(0, 1, 0), 10}, s).outcome == CastOutcome::miss);  // along it
   const CastResult on = ask(Ray{Vec3(1, 0, 0), Vec3(-1, 0, 0), 10}, s);
-  assert_true(on.outcome != CastOutcome::miss && on.lower == 0 && on.time < 1e-13);
+  assert_true(on.outcome == CastOutcome::hit && on.lower == 0 && on.time < 1e-13);
   // Too short by a hair, long enough by one.
   assert_true(ask(Ray{Vec3(3, 0, 0), Vec3(-1, 0, 0), 2 - 1e-12}, s).outcome == CastOutcome::miss);
   assert_true(ask(Ray{Vec3(3, 0, 0), Vec3(-1, 0, 0), 2 + 1e-12}, s).outcome == CastOutcome::hit);
@@ -315,6 +312,31 @@ static void half_spaces_are_met_where_they_say(void**) {
   assert_true(ask(Ray{above, n, kInfinity}, s, frame).outcome == CastOutcome::miss);
   assert_true(ask(Ray{above, frame.rotate(Vec3(1, 0, 0)), 1e6}, s, frame).outcome == CastOutcome::miss);
   assert_true(ask(Ray{frame.apply(Vec3(0, 0, 0)), n, 1}, s, frame).outcome == CastOutcome::overlap);
+  // On it, to rounding: in is a hit at once; along and out is none.
+  const Vec3 on = frame.apply(Vec3(0.3, 0.5, -2));
+  const CastResult in = ask(Ray{on, frame.rotate(Vec3(1, -1, 0)), 10}, s, frame);
+  assert_true(in.outcome == CastOutcome::hit && in.time < 1e-13 && in.at_start);
+  assert_true(ask(Ray{on, frame.rotate(Vec3(1, 0, 0)), 10}, s, frame).outcome == CastOutcome::miss);
+  assert_true(ask(Ray{on, frame.rotate(Vec3(1, 1, 0)), 10}, s, frame).outcome == CastOutcome::miss);
+}
+
+static void what_is_touched_at_the_start_may_be_passed_over(void**) {
+  CastSettings ignoring;
+  ignoring.ignore_touched = true;
+  const Shape shapes[] = {box(Vec3(1, 1, 1)), sphere(1), ellipsoid(Vec3(1, 1, 2)), cylinder(1, 1), capsule(1, 1),
+                          half_space(Vec3(1, 0, 0), 1)};
+  for (const Shape& s : shapes)
+    for (const bool routines : {false, true}) {
+      ignoring.routines = routines;
+      for (const Real x : {1.0, 1 - 1e-9, 0.5, 0.0}) {
+        CastSettings plain = ignoring;
+        plain.ignore_touched = false;
+        const Ray ray{Vec3(x, 0, 0), Vec3(-1, 0.1, 0), 10};
+        assert_true(ask(ray, s, Frame(), plain).outcome != CastOutcome::miss);
+        assert_true(ask(ray, s, Frame(), ignoring).outcome == CastOutcome::miss);
+      }
+      assert_true(ask({Vec3(1 + 1e-9, 0, 0), Vec3(-1, 0.1, 0), 10}, s, Frame(), ignoring).outcome == CastOutcome::hit);
+    }
 }
 
 static void flat_and_pointlike_shapes(void**) {
@@ -444,6 +466,7 @@ int main() {
       cmocka_unit_test(scale_does_not_matter),
       cmocka_unit_test(a_ball_instead_of_a_ray_is_a_swollen_shape),
       cmocka_unit_test(half_spaces_are_met_where_they_say),
+      cmocka_unit_test(what_is_touched_at_the_start_may_be_passed_over),
       cmocka_unit_test(flat_and_pointlike_shapes),
       cmocka_unit_test(the_first_of_many_is_found),
       cmocka_unit_test(a_cap_is_kept_and_said),

@@ -159,7 +159,29 @@ static void starts_in_touch_and_a_hair_apart(void**) {
     assert_true(in.outcome == CastOutcome::overlap && std::fabs(in.separation + apart) < 1e-14 + 1e-6 * apart);
   }
   const CastResult touch = ask(cube, at(0, 1, 0), Vec3(0, -1, 0), cube, at(0, 0, 0));
-  assert_true(touch.outcome != CastOutcome::miss && touch.lower == 0 && touch.time < 1e-12);
+  assert_true(touch.outcome == CastOutcome::hit && touch.lower == 0 && touch.time < 1e-12);
+  // In exact touch, of every shape alike: on is a hit at once; along and away is none. So it is a hair beside.
+  const Shape on[] = {cube, sphere(0.5), capsule(0.3, 0.2), cylinder(0.4, 0.5), cone(0.5, 0.5),
+                      ellipsoid(Vec3(0.3, 0.5, 0.4)), rounded_box(Vec3(0.3, 0.4, 0.3), 0.1)};
+  const Shape floors[] = {box(Vec3(3, 0.5, 3)), half_space(Vec3(0, 1, 0), 0.5), cylinder(3, 0.5)};
+  CastSettings ignoring;
+  ignoring.ignore_touched = true;
+  for (const Shape& s : on)
+    for (const Shape& floor : floors)
+      for (const Real hair : {0.0, 1e-15, -1e-15}) {
+        const Frame from = at(0.1, 1 + hair, -0.2);
+        assert_true(ask(s, from, Vec3(0.4, -1, 0), floor, at(0, 0, 0)).outcome == CastOutcome::hit);
+        assert_true(ask(s, from, Vec3(0.4, -1, 0), floor, at(0, 0, 0)).time < 1e-12);
+        assert_true(ask(s, from, Vec3(2, 0, 1), floor, at(0, 0, 0)).outcome == CastOutcome::miss);
+        assert_true(ask(s, from, Vec3(-8, 0, 0), floor, at(0, 0, 0)).outcome == CastOutcome::miss);  // off its end
+        assert_true(ask(s, from, Vec3(0, 1, 0), floor, at(0, 0, 0)).outcome == CastOutcome::miss);
+        assert_true(ask(s, from, Vec3(0, -1, 0), floor, at(0, 0, 0), ignoring).outcome == CastOutcome::miss);
+        assert_true(ask(s, at(0, 0.7, 0), Vec3(0, 1, 0), floor, at(0, 0, 0), ignoring).outcome == CastOutcome::miss);
+        // The next floor is flush with this one: nothing to stop at. A step up is.
+        if (floor.form != Form::box) continue;
+        assert_true(ask(s, from, Vec3(8, 0, 0), floor, at(6, 0, 0)).outcome == CastOutcome::miss);
+        assert_true(ask(s, from, Vec3(8, 0, 0), floor, at(6, 1e-3, 0)).outcome == CastOutcome::hit);
+      }
   const CastResult deep = ask(cube, at(0.1, 0.7, 0), Vec3(0, 1, 0), cube, at(0, 0, 0));
   assert_true(deep.outcome == CastOutcome::overlap && std::fabs(deep.separation + 0.3) < 1e-6 && deep.time == 0);
   assert_true((deep.normal - Vec3(0, -1, 0)).norm() < 1e-6);
