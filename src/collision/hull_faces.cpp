@@ -12,6 +12,9 @@ namespace carom::collision {
 namespace {
 
 constexpr Real kSamePlane = 1e-9;  // of the extent
+// Of the largest coordinate: points of a file in single precision are off by half of their last place each, and so are
+// the three that name a face's plane; four times that for planes that reach beyond their three.
+constexpr Real kSamePlaneInFloats = 8 * 0x1p-24;
 constexpr Real kStraight = 1e-6;   // rad
 // Of the extent: a triangle lower than this has no normal to speak of (u / 1e-7 is what rounding turns it by), and
 // opens no face.
@@ -21,6 +24,11 @@ constexpr Real kSliver = 1e-7;
 struct Edge {
   std::uint32_t lo, hi, triangle, side;
 };
+
+/// Whether points hold no more than single precision does.
+bool are_floats(std::span<const double> xyz) {
+  return std::ranges::all_of(xyz, [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
+}
 
 class Gatherer {
  public:
@@ -44,7 +52,8 @@ class Gatherer {
     Vec3 lo = point(tri_[0]), hi = lo;
     for (const std::uint32_t v : tri_) lo = lo.min(point(v)), hi = hi.max(point(v));
     const Real extent = (hi - lo).max_entry();
-    tolerance_ = kSamePlane * extent;
+    const Real largest = lo.abs().max(hi.abs()).max_entry();
+    tolerance_ = std::max(kSamePlane * extent, are_floats(xyz_) ? kSamePlaneInFloats * largest : Real(0));
     faces_.begin.push_back(0);
     for (const std::uint32_t t : order)
       if (face_[t] == kInvalid && area[t] > kSliver * extent * longest(t)) grow(t, cross(t) / area[t]);
@@ -99,7 +108,10 @@ class Gatherer {
         stack_.push_back(t);
       }
     if (!outline(id)) return;
+    Real twice = 0;
+    for (const std::uint32_t t : stack_) twice += cross(t).norm();
     faces_.normal.push_back(normal);
+    faces_.area.push_back(twice / 2);
     faces_.begin.push_back(static_cast<std::uint32_t>(faces_.loop.size()));
   }
 
@@ -151,13 +163,13 @@ class Gatherer {
 }  // namespace
 
 void make_hull_faces(std::span<const double> xyz, HullFaces& faces) {
-  faces.normal.clear(), faces.begin.clear(), faces.loop.clear(), faces.own.clear();
+  faces.normal.clear(), faces.area.clear(), faces.begin.clear(), faces.loop.clear(), faces.own.clear();
   Array<std::uint32_t> triangles(faces.loop.get_allocator());
   if (convex_hull(xyz, triangles) && !triangles.empty()) Gatherer(xyz, triangles, faces).run();
 }
 
 void make_box_faces(const Vec3& half, HullFaces& faces) {
-  faces.normal.clear(), faces.begin.clear(), faces.loop.clear(), faces.own.clear();
+  faces.normal.clear(), faces.area.clear(), faces.begin.clear(), faces.loop.clear(), faces.own.clear();
   for (int c = 0; c < 8; ++c)
     for (int k = 0; k < 3; ++k) faces.own.push_back(c >> k & 1 ? half[k] : -half[k]);
   faces.begin.push_back(0);
@@ -167,6 +179,7 @@ void make_box_faces(const Vec3& half, HullFaces& faces) {
       const int around[4] = {base, base | u, base | u | v, base | v};  // counter-clockwise about +k
       for (int i = 0; i < 4; ++i) faces.loop.push_back(static_cast<std::uint32_t>(around[side ? i : 3 - i]));
       faces.normal.push_back((side ? 1 : -1) * Vec3::unit(k));
+      faces.area.push_back(4 * half[(k + 1) % 3] * half[(k + 2) % 3]);
       faces.begin.push_back(static_cast<std::uint32_t>(faces.loop.size()));
     }
 }

@@ -10,9 +10,10 @@ namespace carom::collision {
 
 /// Faces with their corners; triangles of the hull that lie in one plane are one face.
 struct HullFaces {
-  explicit HullFaces(Memory* memory) : normal(memory), begin(memory), loop(memory), own(memory) {}
+  explicit HullFaces(Memory* memory) : normal(memory), area(memory), begin(memory), loop(memory), own(memory) {}
 
   Array<Vec3> normal;          // unit, outward
+  Array<Real> area;            // m^2
   Array<std::uint32_t> begin;  // [faces + 1] into loop
   Array<std::uint32_t> loop;   // corners (indices of vertices), counter-clockwise seen from outside
   Array<double> own;           // a box's corners; a polytope's vertices lie in its shape's params
@@ -25,7 +26,7 @@ struct HullFaces {
 /// @param xyz     [3n] m; as convex_hull() takes them
 /// @param faces   none if the points lie in a plane
 /// @accuracy      triangles within 1e-9 of the extent of a face's plane belong to it, so that a plane that rounding has
-///                creased is one face; corners that turn by less than 1e-6 rad are left out. A face whose outline is no
+///                creased is one face; within 5e-7 of the largest coordinate if all coordinates are single precision; corners that turn by less than 1e-6 rad are left out. A face whose outline is no
 ///                simple loop (never seen but for such creases) is left out: its shape then falls back to probing there
 /// @oracle        tests/unit/collision/test_hull_faces
 void make_hull_faces(std::span<const double> xyz, HullFaces& faces);

@@ -6,10 +6,6 @@
 namespace carom::collision {
 namespace {
 
-// How much side a point must add to be worth a unit of height over the deepest one (rise per run, 3 degrees): points
-// that hover do not carry. Steeper: corners that hover displace ones that touch. Flatter: a tilt of a jitter leaves an
-// edge in place of a face.
-constexpr Real kChoiceTilt = 0.05;
 // Depths within this share of the contact distance are equal: the choice then stays with the older point.
 constexpr Real kSameDepth = 0.01;
 

@@ -7,6 +7,11 @@
 
 namespace carom::collision {
 
+// How much side a point must add to be worth a unit of height over the deepest one (rise per run, 3 degrees): points
+// that hover do not carry. Steeper: corners that hover displace ones that touch. Flatter: a tilt of a jitter leaves an
+// edge in place of a face.
+inline constexpr Real kChoiceTilt = 0.05;
+
 /// Points to choose from: where they are, and how old.
 struct Pool {
   static constexpr int kMax = 20;

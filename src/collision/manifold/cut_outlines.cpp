@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "collision/manifold/choice.h"
 #include "collision/manifold/patch_constants.h"
 
 namespace carom::collision {
@@ -58,6 +59,7 @@ class Cutter {
     for (int i = 0; i < a_.count; ++i) side(i);
     for (int j = 0; j < b_.count; ++j)
       if (holds(a_, b_.x[j], b_.y[j], tolerance_)) add(b_.x[j], b_.y[j], corner_of_b(b_.name[j]));
+    within(a_, b_, corner_of_a), within(b_, a_, corner_of_b);
   }
 
  private:
@@ -66,6 +68,13 @@ class Cutter {
   /// Every corner, over a plane.
   void all(const Outline& o, std::uint32_t (*feature)(std::uint32_t)) {
     for (int i = 0; i < o.count; ++i) add(o.x[i], o.y[i], feature(o.name[i]));
+    for (std::size_t i = 0; i < o.within_count; ++i) add(o.within[i].x, o.within[i].y, feature(o.within[i].name));
+  }
+
+  /// Corners within one outline that lie within the other too.
+  void within(const Outline& o, const Outline& other, std::uint32_t (*feature)(std::uint32_t)) {
+    for (const OutlineCorner* c = o.within; c < o.within + o.within_count; ++c)
+      if (holds(other, c->x, c->y, tolerance_)) add(c->x, c->y, feature(c->name));
   }
 
   void point() {
@@ -136,6 +145,35 @@ void Outline::close() {
   }
 }
 
+/// Andrew's chain: the lower side from left to right, the upper one back. What lies on a side is within.
+void Outline::wrap(std::span<OutlineCorner> p) {
+  std::sort(p.begin(), p.end(), [](const OutlineCorner& a, const OutlineCorner& b) {
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.name < b.name;
+  });
+  std::size_t chain[2 * Facet::kMostCorners], n = 0;
+  bool on_chain[Facet::kMostCorners] = {};
+  const auto left = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return (p[j].x - p[i].x) * (p[k].y - p[i].y) - (p[j].y - p[i].y) * (p[k].x - p[i].x) > 0;
+  };
+  const auto grow = [&](std::size_t i, std::size_t from) {
+    while (n >= from + 2 && !left(chain[n - 2], chain[n - 1], i)) --n;
+    chain[n++] = i;
+  };
+  for (std::size_t i = 0; i < p.size(); ++i) grow(i, 0);
+  const std::size_t lower = n - 1;
+  for (std::size_t i = p.size() - 1; i-- > 0;) grow(i, lower);
+  --n;  // the first again
+  count = static_cast<int>(std::min<std::size_t>(n, kMax));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const std::size_t at = chain[n <= kMax ? i : i * n / kMax];
+    x[i] = p[at].x, y[i] = p[at].y, name[i] = p[at].name;
+    on_chain[at] = true;
+  }
+  within_count = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (!on_chain[i]) within[within_count++] = p[i];
+}
+
 void ClippedVertices::add(const ClippedVertex& m, Real separation, Real same) {
   for (int i = 0; i < count; ++i) {
     const Real dx = at[i].x - m.x, dy = at[i].y - m.y;
@@ -151,11 +189,15 @@ void ClippedVertices::thin() {
   bool keep[kMax] = {};
   keep[std::min_element(separation_, separation_ + count) - separation_] = true;
   for (const auto& way : kWay) {
-    const auto less = [&](const ClippedVertex& p, const ClippedVertex& q) {
-      return p.x * way[0] + p.y * way[1] < q.x * way[0] + q.y * way[1];
-    };
-    const auto ends = std::minmax_element(at, at + count, less);
-    keep[ends.first - at] = keep[ends.second - at] = true;
+    for (const Real sign : {-1, 1}) {
+      const auto reach = [&](int i) {
+        return sign * (at[i].x * way[0] + at[i].y * way[1]) - separation_[i] / kChoiceTilt;
+      };
+      int best = 0;
+      for (int i = 1; i < count; ++i)
+        if (reach(i) > reach(best)) best = i;
+      keep[best] = true;
+    }
   }
   int n = 0;
   for (int i = 0; i < count; ++i)

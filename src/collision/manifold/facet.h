@@ -22,16 +22,22 @@ struct Facet {
   Vec3 tip = Vec3::zero();       // m: a support point along the direction asked for
 
   // Corners of a declared polytope's face (clip): vertices[3 loop[i]], in place of `corner`
+  const HullFaces* faces = nullptr;
   const double* vertices = nullptr;
   const std::uint32_t* loop = nullptr;
+  // Of several faces that look the same way but for a little, all corners, ascending, in place of the loop of one
+  static constexpr std::size_t kMostUnited = 64, kMostCorners = 192;
+  std::size_t united = 0;  // faces; 0: it is one
+  std::uint32_t united_face[kMostUnited], united_corner[kMostCorners];
 
+  std::uint32_t vertex(int i) const { return united > 0 ? united_corner[i] : loop[i]; }
   Vec3 at(int i) const {
     if (!loop) return corner[i];
-    const double* v = vertices + 3 * static_cast<std::size_t>(loop[i]);
+    const double* v = vertices + 3 * static_cast<std::size_t>(vertex(i));
     return Vec3(v[0], v[1], v[2]);
   }
   /// Which corner it is, for matching points between steps; 0 where only support points are known.
-  std::uint32_t name(int i) const { return loop ? loop[i] + 1 : 0; }
+  std::uint32_t name(int i) const { return loop ? vertex(i) + 1 : 0; }
 };
 
 /// Asks one core, and counts.

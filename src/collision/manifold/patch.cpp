@@ -26,6 +26,37 @@ struct Party {
   const Shape& shape() const { return probe.shape; }
 };
 
+/// Make a face one with those that look the same way within what rests on them: a lid that is flat but for its points'
+/// precision, which would else be seen in parts, now this one, now that. The larger ones first, as many as there is
+/// space for. Its normal is their mean.
+void unite(const HullFaces& faces, std::uint32_t best, Facet& f) {
+  const Vec3& n = faces.normal[best];
+  std::size_t corners = 0;
+  Vec3 sum = Vec3::zero();
+  const auto take = [&](std::uint32_t i) {
+    const std::size_t more = faces.begin[i + 1] - faces.begin[i];
+    if (f.united == Facet::kMostUnited || corners + more > Facet::kMostCorners) return;
+    f.united_face[f.united++] = i;
+    std::copy_n(&faces.loop[faces.begin[i]], more, f.united_corner + corners);
+    corners += more;
+    sum += faces.area[i] * faces.normal[i];
+  };
+  f.united = 0;
+  const auto same_way = [&](std::uint32_t i) { return faces.normal[i].dot(n) > 1 - 0.5 * kFacing * kFacing; };
+  for (std::uint32_t i = 0; i < faces.count(); ++i) {
+    if (i == best || !same_way(i)) continue;
+    if (f.united == 0) take(best);
+    if (f.united > 0) take(i);
+  }
+  if (f.united < 2) {
+    f.united = 0;
+    return;
+  }
+  std::sort(f.united_corner, f.united_corner + corners);
+  f.count = static_cast<int>(std::unique(f.united_corner, f.united_corner + corners) - f.united_corner);
+  f.normal = sum.normalized();
+}
+
 /// The declared face that looks along n, if one does.
 bool look_up(const Shape& s, const Vec3& n, Real reach, Facet& f) {
   const HullFaces& faces = s.faces;
@@ -39,9 +70,11 @@ bool look_up(const Shape& s, const Vec3& n, Real reach, Facet& f) {
   if (!(most > 1 - 0.5 * lean * lean)) return false;
   f.rank = Facet::face, f.round = false;
   f.normal = faces.normal[best];
+  f.faces = &faces;
   f.vertices = faces.own.empty() ? s.vertices.data() : faces.own.data();
   f.loop = faces.loop.data() + faces.begin[best];
   f.count = static_cast<int>(faces.begin[best + 1] - faces.begin[best]);
+  unite(faces, static_cast<std::uint32_t>(best), f);
   f.tip = f.at(0);
   for (int i = 1; i < f.count; ++i)
     if (n.dot(f.at(i) - f.tip) > 0) f.tip = f.at(i);
@@ -59,6 +92,8 @@ bool find_facet(const Vec3& n, Real reach, bool declared, Party& p) {
   }
   return (declared && look_up(s, n, reach, p.facet)) || fit_facet(p.probe, n, reach, p.facet);
 }
+
+constexpr Real kSteepest = 0.1;  // cosine: no face that is a part of a patch leans so far from its normal
 
 enum class Owner { a, b, none };  // whose face a normal is
 
@@ -126,8 +161,12 @@ class Patch {
       n_ = m, owner_ = whose;
       to_beat = std::max(to_beat, s + margin_);
     };
-    if (a_.facet.rank == Facet::face) offer(a_.facet.normal, Owner::a);
-    if (b_.facet.rank == Facet::face) offer(-b_in_a_.rotate(b_.facet.normal), Owner::b);
+    // A face that is one knows its normal; the mean of several is off by what they differ.
+    for (const bool several : {false, true}) {
+      if (a_.facet.rank == Facet::face && (a_.facet.united > 0) == several) offer(a_.facet.normal, Owner::a);
+      if (b_.facet.rank == Facet::face && (b_.facet.united > 0) == several)
+        offer(-b_in_a_.rotate(b_.facet.normal), Owner::b);
+    }
     if (a_.facet.rank != Facet::edge || b_.facet.rank != Facet::edge) return;
     const Vec3 along_b = b_in_a_.rotate(b_.facet.along), across = a_.facet.along.cross(along_b);
     const Real sine = across.norm();
@@ -146,6 +185,7 @@ class Patch {
       o.height = n_.dot(to_a.apply(f.tip) - origin_);
       return;
     }
+    if (f.united > 0) return unite_outline(f, to_a, reversed, o);
     o.count = std::min(f.count, Outline::kMax);
     Real height[2] = {0, 0};
     for (int i = 0; i < o.count; ++i) {
@@ -165,6 +205,27 @@ class Patch {
       o.slope_x = slope * dx, o.slope_y = slope * dy;
     }
     o.height = height[0] - o.slope_x * o.x[0] - o.slope_y * o.y[0];
+    o.close();
+  }
+
+  /// Of several faces: the outline of all their corners, those that lie within it, and each face's plane.
+  void unite_outline(const Facet& f, const Frame& to_a, bool below, Outline& o) const {
+    OutlineCorner corner[Facet::kMostCorners];
+    for (int i = 0; i < f.count; ++i) {
+      const Vec3 x = to_a.apply(f.at(i)) - origin_;
+      corner[i] = {u_.dot(x), v_.dot(x), f.name(i)};
+    }
+    o.wrap({corner, static_cast<std::size_t>(f.count)});
+    o.below = below;
+    for (std::size_t k = 0; k < f.united; ++k) {
+      const std::uint32_t i = f.united_face[k];
+      const double* p = f.vertices + 3 * static_cast<std::size_t>(f.faces->loop[f.faces->begin[i]]);
+      const Vec3 m = to_a.rotate(f.faces->normal[i]), x = to_a.apply(Vec3(p[0], p[1], p[2])) - origin_;
+      const Real mz = m.dot(n_);
+      if (!(std::fabs(mz) > kSteepest)) continue;
+      const Real slope_x = -m.dot(u_) / mz, slope_y = -m.dot(v_) / mz;
+      o.add_plane({n_.dot(x) - slope_x * u_.dot(x) - slope_y * v_.dot(x), slope_x, slope_y});
+    }
     o.close();
   }
 

@@ -24,6 +24,7 @@ TriangleShape::TriangleShape(Memory* memory) : shape_(memory) {
   shape_.params.assign(9, 0.0);
   shape_.vertices = shape_.params;
   shape_.faces.normal.assign(2, Vec3::unit_y());
+  shape_.faces.area.assign(2, 0);
   shape_.faces.begin = {0, 3, 6};
   shape_.faces.loop = {0, 1, 2, 0, 2, 1};  // front, back
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "core/constant.h"
@@ -88,22 +89,53 @@ inline Real wanted_speed(Real speed, Real restitution, Real threshold) {
 }
 
 /// The impulses after which all points move as they want, with Coulomb's friction.
+///
+/// The first sweep gives all points what each alone would need, times the share after which they part as wanted on the
+/// whole. What is hit alike everywhere is done with that: it keeps its symmetry. Later sweeps go from point to point.
+/// Where points lie close together for their bodies' size, a sweep undoes little of a turn. So the changes of a sweep
+/// are prolonged to where they serve best, as long as no impulse leaves its cone.
 /// @param points    std::span of ImpactPoint or of what is made of it
 /// @param speed     m/s, of the impact
 /// @param velocity  of B's surface relative to A's at a point, m/s, as the bodies move by now: velocity(point)
 template <class Point, class Velocity>
 void resolve_impact(ImpactPair& pair, std::span<Point> points, Real speed, const Velocity& velocity) {
-  for (int sweep = 0; sweep < kImpactSweeps; ++sweep) {
-    Real most = 0;
-    for (Point& p : points) {
-      p.row.u = velocity(p);
-      const Vec3 next = resolved_impulse(p.row, p.mass, p.want), change = next - p.row.p;
-      p.row.set_impulse(next);
-      pair.a.push(-change, p.mass.r_a);
-      pair.b.push(change, p.mass.r_b);
-      most = std::max(most, change.norm() * p.row.k_n);
+  std::array<Vec3, Manifold::kMaxPoints> before, u;  // N s, m/s, as a sweep begins
+  const auto give = [&](Point& p, const Vec3& next) {
+    const Vec3 change = next - p.row.p;
+    p.row.set_impulse(next);
+    pair.a.push(-change, p.mass.r_a);
+    pair.b.push(change, p.mass.r_b);
+  };
+  const auto prolong = [&](bool together) {
+    Real done = 0, left = 0;  // J: by the normal parts of the changes, of them
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Vec3 &n = points[k].row.n, now = velocity(points[k]);
+      const Real change = (points[k].row.p - before[k]).dot(n);
+      done += change * (now - u[k]).dot(n), left += change * (points[k].want - now.dot(n));
     }
-    if (!(most > kImpactSettled * speed)) break;
+    const Real share = 1 + left / done;
+    if (!(done > 0) || !(share > (together ? 0 : 1))) return;
+    const auto at_share = [&](std::size_t k) { return Vec3(before[k] + share * (points[k].row.p - before[k])); };
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Vec3 p = at_share(k);
+      const Real p_n = p.dot(points[k].row.n), bound = points[k].row.friction * p_n;
+      if (!together && (!(p_n >= 0) || (p - p_n * points[k].row.n).squared_norm() > bound * bound)) return;
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) give(points[k], at_share(k));
+  };
+  for (int sweep = 0; sweep < kImpactSweeps; ++sweep) {
+    const bool together = sweep == 0 && points.size() > 1;
+    for (std::size_t k = 0; k < points.size(); ++k) before[k] = points[k].row.p, u[k] = velocity(points[k]);
+    Real most = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      Point& p = points[k];
+      p.row.u = together ? u[k] : velocity(p);
+      const Vec3 next = resolved_impulse(p.row, p.mass, p.want);
+      most = std::max(most, (next - p.row.p).norm() * p.row.k_n);
+      give(p, next);
+    }
+    if (!together && !(most > kImpactSettled * speed)) break;
+    if (points.size() > 1) prolong(together);
   }
 }
 

@@ -99,6 +99,24 @@ static void random_clouds_are_closed(void**) {
   }
 }
 
+/// A turned cube with points on its sides, rounded to single precision, has six faces; noise of ten times as much takes
+/// them apart.
+static void points_in_single_precision_lie_in_faces(void**) {
+  for (const Real noise : {0.0, 1e-5}) {
+    std::vector<Vec3> points;
+    const Mat3 turn = exp_map(Vec3(0.3, -0.7, 0.2)).matrix();
+    for (int i = 0; i < 27; ++i) {
+      if (i == 13) continue;
+      Vec3 p = turn * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1) + Vec3(0.5, 0.2, 0.1);
+      for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(p[k] + noise * ((7 * i + 3 * k) % 5 - 2));
+      points.push_back(p);
+    }
+    Shape s = hull(points);
+    make_faces(s);
+    assert_int_equal(s.faces.count() == 6, noise == 0);
+  }
+}
+
 static void flat_clouds_and_curved_shapes_have_no_faces(void**) {
   Shape flat = hull({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0), Vec3(0.5, 0.5, 0)});
   make_faces(flat);
@@ -116,6 +134,7 @@ int main() {
       cmocka_unit_test(a_box_has_six_faces_of_four_corners_either_way),
       cmocka_unit_test(turned_prisms_of_many_sides_keep_their_faces_whole),
       cmocka_unit_test(random_clouds_are_closed),
+      cmocka_unit_test(points_in_single_precision_lie_in_faces),
       cmocka_unit_test(flat_clouds_and_curved_shapes_have_no_faces),
   };
   return cmocka_run_group_tests_name("collision/hull_faces", tests, nullptr, nullptr);
