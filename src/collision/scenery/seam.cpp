@@ -64,16 +64,19 @@ bool farthest(const Ground& ground, const Vec3& place, const Vec3& along, const 
 }
 
 /// Whether the face that a contact pushes from stands out above the neighbour, as far as it matters.
-bool stands_out(const Ground& of, const GroundTouch& touch, const GroundTouch& its, const SeamTerms& terms) {
+bool stands_out(const Ground& of, const GroundTouch& touch, const GroundTouch& plane, const SeamTerms& terms) {
+  // What would push the body into the neighbour bars the way along it, as far as it bars any: a wall that stands on a
+  // floor does so where an edge has sunk in to below its foot.
+  const Real into = std::min(touch.normal.dot(plane.normal), Real(0));
   Vec3 far;
-  if (!farthest(of, touch.point, touch.normal + kLean * its.normal, terms, far)) return true;
+  if (!farthest(of, touch.point, touch.normal + (kLean - into) * plane.normal, terms, far)) return true;
   const Vec3 along = far - touch.point;
   const Real length = along.norm(), share = length > terms.size ? terms.size / length : 1;
-  return its.normal.dot(touch.point + share * along - its.point) > terms.flush;
+  return plane.normal.dot(touch.point + share * along - plane.point) > terms.flush;
 }
 
 /// Whether a ground holds a place.
-bool covers(const Ground& ground, const Vec3& place, const SeamTerms& terms) {
+bool holds(const Ground& ground, const Vec3& place, const SeamTerms& terms) {
   const Vec3 x = ground.frame.apply_inverse(place);
   if (ground.shape.form == Form::half_space) return ground.shape.normal.dot(x) <= ground.shape.offset + terms.flush;
   if (is_scenery(ground.shape))
@@ -100,11 +103,15 @@ bool goes_beyond(const Ground& ground, const GroundTouch& plane, const SeamTerms
 
 }  // namespace
 
-bool is_ghost(const Ground& of, const GroundTouch& touch, const Ground& beside, const GroundTouch& its,
-              const SeamTerms& terms) {
-  if ((touch.normal - its.normal).squared_norm() <= kSameNormal2 || stands_out(of, touch, its, terms)) return false;
-  if (touch.normal.dot(its.normal) < kSideways && its.normal.dot(touch.point - its.point) <= terms.flush) return true;
-  return goes_beyond(beside, touch, terms) && covers(beside, touch.point, terms);
+Beside compare(const Ground& of, const GroundTouch& touch, const GroundTouch& plane, const SeamTerms& terms) {
+  if ((touch.normal - plane.normal).squared_norm() <= kSameNormal2 || stands_out(of, touch, plane, terms))
+    return Beside::real;
+  const bool is_below = plane.normal.dot(touch.point - plane.point) <= terms.flush;
+  return is_below && touch.normal.dot(plane.normal) < kSideways ? Beside::ghost : Beside::level;
+}
+
+bool covers(const Ground& neighbour, const GroundTouch& touch, const SeamTerms& terms) {
+  return goes_beyond(neighbour, touch, terms) && holds(neighbour, touch.point, terms);
 }
 
 }  // namespace carom::collision

@@ -29,12 +29,17 @@ struct SeamTerms {
   int cap;     // support evaluations of a query
 };
 
-/// Whether the ground beside takes the place of a contact: the body's contact with it stays, and no other way is
-/// barred by `of` than what that contact bars.
-/// @param touch  of the body with `of`    @param its  of the same body with `beside`
-/// @accuracy     to `flush`; directions of `touch` and `its` that differ by less than 1e-6 rad are one: false
-/// @oracle       tests/unit/collision/scenery/test_seam, tests/oracle/test_seams
-bool is_ghost(const Ground& of, const GroundTouch& touch, const Ground& beside, const GroundTouch& its,
-              const SeamTerms& terms);
+/// What a body's contact is beside another one of the same body with the same ground.
+///   real      it bars a way that the other one does not, or looks the same way to 1e-6 rad
+///   level     what it pushes from stands out nowhere above the plane of the other: a ghost where a neighbour covers it
+///   ghost     likewise, and it bars the way along that plane: it is one whether covered or not
+/// @param touch  of the body with `of`   @param plane  of the same body with another collider
+/// @accuracy     to `flush`
+/// @oracle       tests/oracle/test_seams
+enum class Beside { real, level, ghost };
+Beside compare(const Ground& of, const GroundTouch& touch, const GroundTouch& plane, const SeamTerms& terms);
+
+/// Whether a neighbour covers the place of a contact and goes on beyond the plane that it pushes with.
+bool covers(const Ground& neighbour, const GroundTouch& touch, const SeamTerms& terms);
 
 }  // namespace carom::collision

@@ -75,6 +75,8 @@ bool Sweeper::is_at_seam(const Side& a, const Side& b, const FirstContact& m) {
   const SeamTerms terms = seam_terms(world_.scene.dials, *a.part.shape, *b.part.shape);
   QuerySettings query = narrow_settings(world_.scene.dials).query;
   query.max_distance += slack(a, b);
+  const GroundTouch touch{-m.normal, m.point};
+  bool is_level = false, is_covered = false;
   for (const std::uint32_t other : c_.found) {
     const std::uint32_t body = table.body[other];
     if ((other == b.collider && !is_scenery(*b.part.shape)) || body == a.body || table.is_sensor(other) ||
@@ -84,17 +86,18 @@ bool Sweeper::is_at_seam(const Side& a, const Side& b, const FirstContact& m) {
         !moves_alike(world_, b.collider, other, m.point, terms.flush, time_.dt))
       continue;
     const Path path = path_of(body);
-    bool is_covered = false;
     each_swept_part(world_, other, table.bounds[other], [&](const SweptPart& part) {
       const Frame frame = path.frame(part, m.when);
       QueryResult found;
       SupportFault fault;
       any_shape::distance(*a.part.shape, *part.shape, relative(frame_a, frame), query, nullptr, found, fault);
       if (fault.kind != SupportFault::none || found.farther || !(found.separation <= query.max_distance)) return;
-      const GroundTouch its{-frame_a.rotate(found.normal), frame.apply(found.point_b)};
-      is_covered |= is_ghost({*b.part.shape, frame_b}, {-m.normal, m.point}, {*part.shape, frame}, its, terms);
+      const GroundTouch plane{-frame_a.rotate(found.normal), frame.apply(found.point_b)};
+      const Beside beside = compare({*b.part.shape, frame_b}, touch, plane, terms);
+      is_covered = is_covered || beside == Beside::ghost || covers({*part.shape, frame}, touch, terms);
+      is_level |= beside != Beside::real;
     });
-    if (is_covered) return true;
+    if (is_level && is_covered) return true;
   }
   return false;
 }

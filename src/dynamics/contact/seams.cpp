@@ -54,6 +54,9 @@ class Seam {
     const std::uint32_t ground = i.ground_is_a ? pair.a : pair.b, body = i.ground_is_a ? pair.b : pair.a;
     const GroundTouch touch = touch_of(c, pair, pairs_[i.record].manifold.point[k], i.ground_is_a);
     const SeamTerms terms = seam_terms(world_.scene.dials, *c.shape[body], *c.shape[ground]);
+    // A neighbour may cover the place though its own contact is none to go by: where an edge of the body lies just above
+    // a seam, both tiles' normals lean.
+    bool is_level = false, is_covered = false;
     for (const GroundContact* j = first_; j < last_; ++j) {
       const Pair other = pairs_.place(j->record).pair;
       const std::uint32_t beside = j->ground_is_a ? other.a : other.b;
@@ -61,12 +64,15 @@ class Seam {
           !moves_alike(world_, ground, beside, touch.point, terms.flush, dt_))
         continue;
       const Manifold& m = pairs_[j->record].manifold;
-      for (int l = 0; l < m.count; ++l)
-        if (is_ghost({*c.shape[ground], c.frame[ground]}, touch, {*c.shape[beside], c.frame[beside]},
-                     touch_of(c, other, m.point[l], j->ground_is_a), terms))
-          return true;
+      for (int l = 0; l < m.count; ++l) {
+        const Beside b =
+            compare({*c.shape[ground], c.frame[ground]}, touch, touch_of(c, other, m.point[l], j->ground_is_a), terms);
+        if (b == Beside::ghost) return true;
+        is_level |= b == Beside::level;
+      }
+      is_covered = is_covered || covers({*c.shape[beside], c.frame[beside]}, touch, terms);
     }
-    return false;
+    return is_level && is_covered;
   }
 
   void drop(const GroundContact& i) {
