@@ -10,6 +10,7 @@
 #include "dynamics/contact/impact.h"
 #include "dynamics/contact/lone_rollers.h"
 #include "dynamics/contact/resistance.h"
+#include "dynamics/contact/seams.h"
 #include "dynamics/contact/surface.h"
 #include "dynamics/detect.h"
 #include "dynamics/events/events.h"
@@ -55,6 +56,10 @@ constexpr StageEntry kStageTable[] = {
      .what = "contacts that the sweep of a fast body finds more exactly are left out",
      .stage = Stage::narrow, .effect = +EffectId::continuous,
      .reads = kContactsRead}),
+    stage<leave_out_ghosts>({.name = "leave out ghosts",
+     .what = "contacts at seams of flush colliders that other contacts of the body take the place of",
+     .stage = Stage::narrow, .effect = +EffectId::collision,
+     .reads = kContactsRead | Part::sleep}),
     stage<make_rows>({.name = "make rows",
      .what = "a row of the solver for each contact point, with the impulse of the last step",
      .stage = Stage::group, .reads = kContactsRead | Part::impulses}),

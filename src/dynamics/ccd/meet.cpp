@@ -2,6 +2,9 @@
 #include <algorithm>
 
 #include "dynamics/ccd/sweeper.h"
+#include "dynamics/contact/seams.h"
+#include "dynamics/detect.h"
+#include "dynamics/filter.h"
 #include "dynamics/integrate/rotation/rotation.h"
 
 namespace carom::dynamics {
@@ -62,6 +65,43 @@ bool Sweeper::is_slow(const Side& a, const Side& b, const FirstContact& m) {
   return closing * time_.h <= most && nearing * (time_.h - m.when) <= most;
 }
 
+/// Whether a body meets a collider where it already lies on another one of the same ground, which goes on flush there:
+/// @see contact/seams.h. Of scenery, on another of its triangles.
+bool Sweeper::is_at_seam(const Side& a, const Side& b, const FirstContact& m) {
+  const std::uint32_t ground = ground_of(world_, b.collider);
+  if (ground == kNoGround) return false;
+  const Colliders& table = world_.scene.colliders;
+  const Frame frame_a = a.path.frame(a.part, m.when), frame_b = b.path.frame(b.part, m.when);
+  const SeamTerms terms = seam_terms(world_.scene.dials, *a.part.shape, *b.part.shape);
+  QuerySettings query = narrow_settings(world_.scene.dials).query;
+  query.max_distance += slack(a, b);
+  const GroundTouch touch{-m.normal, m.point};
+  bool is_level = false, is_covered = false;
+  for (const std::uint32_t other : c_.found) {
+    const std::uint32_t body = table.body[other];
+    if ((other == b.collider && !is_scenery(*b.part.shape)) || body == a.body || table.is_sensor(other) ||
+        ground_of(world_, other) != ground || !may_touch(table, a.collider, other) ||
+        (filtered_ && !lets_touch(world_.scene, a.collider, other)) ||
+        world_.scene.modes.forbids(+EffectId::response, body) ||
+        !moves_alike(world_, b.collider, other, m.point, terms.flush, time_.dt))
+      continue;
+    const Path path = path_of(body);
+    each_swept_part(world_, other, table.bounds[other], [&](const SweptPart& part) {
+      const Frame frame = path.frame(part, m.when);
+      QueryResult found;
+      SupportFault fault;
+      any_shape::distance(*a.part.shape, *part.shape, relative(frame_a, frame), query, nullptr, found, fault);
+      if (fault.kind != SupportFault::none || found.farther || !(found.separation <= query.max_distance)) return;
+      const GroundTouch plane{-frame_a.rotate(found.normal), frame.apply(found.point_b)};
+      const Beside beside = compare({*b.part.shape, frame_b}, touch, plane, terms);
+      is_covered = is_covered || beside == Beside::ghost || covers({*part.shape, frame}, touch, terms);
+      is_level |= beside != Beside::real;
+    });
+    if (is_level && is_covered) return true;
+  }
+  return false;
+}
+
 Sweeper::FirstContact Sweeper::meet(const Side& a, const Side& b, Real from, Real to) {
   // What comes no nearer than two may sink is the solver's, wherever it is.
   const auto arm = [](const Side& s) { return s.part.local.p.norm() + s.part.shape->bounding_radius; };
@@ -84,8 +124,8 @@ Sweeper::FirstContact Sweeper::meet(const Side& a, const Side& b, Real from, Rea
     return {start + r.time, r.normal, (r.point_a + r.point_b) / 2};
   };
   const FirstContact first = look();
-  if (!(first.when <= to) || !is_slow(a, b, first)) return first;
-  // They touch, and are left to that; but not to sink.
+  if (!(first.when <= to) || !(is_slow(a, b, first) || is_at_seam(a, b, first))) return first;
+  // They touch, or a neighbour bears the body there, and are left to that; but not to sink.
   const Real most = slack(a, b), depth = r.outcome == CastOutcome::overlap ? std::min(r.separation, Real(0)) : 0;
   allowed = std::min(-most, depth - kDeeper * most);
   start = first.when;

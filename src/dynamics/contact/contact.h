@@ -172,6 +172,14 @@ struct Driven {
   Vec3 spin;                  // rad/s, world, of B's surface relative to A's, beside the bodies' own
 };
 
+/// A contact of a collider with a ground, @see seams.h
+struct GroundContact {
+  std::uint64_t key;     // collider, ground
+  std::uint32_t record;  // in the pair table
+  bool ground_is_a;
+  std::uint32_t ghosts;  // of its points, a bit each
+};
+
 struct Contacts {
   explicit Contacts(Memory* m)
       : rows(m),
@@ -212,7 +220,8 @@ struct Contacts {
         cursor(m),
         ranked(m),
         place(m),
-        load(m) {}
+        load(m),
+        grounds(m) {}
 
   // by row, in the order of the pair table
   Array<Row> rows;
@@ -274,6 +283,7 @@ struct Contacts {
 
   enum Load : std::uint8_t { kUnseen, kLight, kHeavy };
   Array<std::uint8_t> load;  // by body slot, scratch of a solver that chooses: kUnseen between steps
+  Array<GroundContact> grounds;  // of this step, by key: scratch
 
   bool solved_directly(std::size_t group) const { return direct.empty() || direct[group]; }
   bool solved_in_lanes(std::size_t row) const { return direct.empty() || !direct[label[row]]; }

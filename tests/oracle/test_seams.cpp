@@ -1,0 +1,180 @@
+// Seams of flush colliders are not felt: what slides over them keeps its height and its speed, whatever the ground is
+// made of. Steps, walls and grooves act as ever.
+#include "carom_test.h"
+#include "scenery_builder.h"
+#include "world_builder.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+struct Ride {
+  Real speed, step;  // m/s, s
+  bool skew;         // the ground is tilted with its gravity, and the seams run aslant
+};
+constexpr Ride kRides[] = {{5, 1.0 / 60, false}, {20, 1.0 / 60, true}, {1, 1.0 / 60, true}, {11, 1.0 / 30, false}};
+#ifdef CAROM_SANITIZED
+constexpr std::size_t kMostRides = 2;
+#else
+constexpr std::size_t kMostRides = 4;
+#endif
+constexpr Real kRadius = 0.1;
+// m: what soft contacts give way by under a body that was set down in exact touch, for any ground (a single box, too).
+constexpr Real kSettles = 1.3e-4;
+constexpr Real kHop = 1e-4, kLost = 1e-3;
+
+enum class Tiles { boxes, bond, hulls, meshes, fields, beside, parts, driven, count };
+enum class Mover { ball, box, stick, can, count };
+
+Shape square(Real h) {
+  Triangles t;
+  t.vertex(-h, 0, -h), t.vertex(h, 0, -h), t.vertex(h, 0, h), t.vertex(-h, 0, h);
+  t.triangle(0, 2, 1), t.triangle(0, 3, 2);
+  return mesh(t);
+}
+Shape slab(Real h) {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1 ? h : -h, i & 2 ? 0 : -0.3, i & 4 ? h : -h);
+  return hull(corners);
+}
+
+/// Square tiles whose tops are y = 0, all turned alike.
+struct Floor : TestWorld {
+  Floor(Tiles kind, Real side, const Quat& tilt, const Quat& turn)
+      : TestWorld(tilt * Vec3(0, -9.81, 0)), smooth(material(0, 0)) {
+    const Real h = side / 2;
+    const Shape *const brick = keep(box(Vec3(h, 0.25, h))), *const hulled = keep(slab(h)), *const flat = keep(square(h)),
+                      *const field = keep(height_field(3, 3, h, h, [](std::uint32_t, std::uint32_t) { return 0.0; }));
+    const Quat q = tilt * turn;
+    const BodyType type = kind == Tiles::driven ? BodyType::kinematic : BodyType::fixed;
+    const std::uint32_t whole = kind == Tiles::parts ? add(nullptr, Vec3::zero(), type, q) : 0;
+    for (int i = -5; i <= 9; ++i)
+      for (int k = -5; k <= 6; ++k) {
+        const bool odd = (i + k) % 2 != 0;
+        const Shape* tile = brick;
+        if (kind == Tiles::hulls) tile = hulled;
+        if (kind == Tiles::meshes || (kind == Tiles::beside && odd)) tile = flat;
+        if (kind == Tiles::fields) tile = field;
+        Vec3 at(side * (i + (kind == Tiles::bond && k % 2 != 0 ? 0.5 : 0)), tile == brick ? -0.25 : 0, side * (k + 0.5));
+        if (tile == field) at -= Vec3(h, 0, h);
+        if (kind == Tiles::parts) {
+          world.add_collider(whole, tile, Pose{Quat::identity(), at}, 1000, smooth);
+          continue;
+        }
+        const std::uint32_t body = add(tile, q * at, type, q, smooth);
+        if (kind == Tiles::driven) world.set_velocity(body, q * Vec3(0.7, 0, 0), Vec3::zero());
+      }
+  }
+  std::uint32_t smooth;
+};
+
+Shape mover(Mover kind) {
+  switch (kind) {
+    case Mover::ball: return sphere(kRadius);
+    case Mover::box: return box(Vec3(0.12, kRadius, 0.09));
+    case Mover::stick: return capsule(0.04, kRadius - 0.04);
+    default: return cylinder(0.11, kRadius);
+  }
+}
+
+void nothing_feels_a_seam(void**) {
+  const Quat tilt = exp_map(Vec3(0.2, 0.1, -0.4)), turn = exp_map(Vec3(0, 0.35, 0)), none = Quat::identity();
+  for (int tiles = 0; tiles < static_cast<int>(Tiles::count); ++tiles)
+    for (int m = 0; m < static_cast<int>(Mover::count); ++m)
+      for (std::size_t k = 0; k < kMostRides; ++k) {
+        const Ride& ride = kRides[k];
+        const Quat up = ride.skew ? tilt : none;
+        Floor f(static_cast<Tiles>(tiles), ride.skew ? 0.43 : 0.5, up, ride.skew ? turn : none);
+        const std::uint32_t body = f.add(f.keep(mover(static_cast<Mover>(m))), up * Vec3(-0.913, kRadius, 0.0131),
+                                         BodyType::dynamic, up, f.smooth);
+        f.world.set_velocity(body, up * Vec3(ride.speed, 0, 0), Vec3::zero());
+        if (static_cast<Mover>(m) == Mover::stick) f.world.set_attribute(body, AttributeId::locks, {Real(kAngularLocks)});
+        Real hop = 0, dip = 0;
+        for (int i = 0; i * ride.step * ride.speed < 1.8; ++i) {
+          f.world.step(ride.step);
+          const Real rise = (up.conjugate() * f.world.state.x[body]).y() - kRadius;
+          hop = std::max(hop, rise), dip = std::max(dip, -rise);
+        }
+        const Vec3 v = up.conjugate() * f.world.state.v[body];
+        const bool fine = hop < kHop && dip < kSettles && std::fabs(v.x() / ride.speed - 1) < kLost &&
+                          std::fabs(v.z() / ride.speed) < kLost;
+        if (!fine)
+          print_error("tiles %d, mover %d, ride %zu: hop %g, dip %g, v %g %g\n", tiles, m, k, hop, dip, v.x(), v.z());
+        assert_true(fine);
+      }
+}
+
+/// A sled of two flush boxes, over rails of pieces that end under it: seams of the body itself.
+void nor_does_a_body_of_parts(void**) {
+  for (const Real speed : {2.0, 7.0, 18.0}) {
+    TestWorld t;
+    const std::uint32_t smooth = t.material(0, 0);
+    const Shape *const rail = t.keep(box(Vec3(0.21, 0.05, 0.04))), *const part = t.keep(box(Vec3(0.1, 0.05, 0.4)));
+    for (int i = -5; i <= 8; ++i)
+      for (const Real z : {-0.3, 0.3}) t.add(rail, Vec3(0.42 * i, -0.05, z), BodyType::fixed, Quat::identity(), smooth);
+    const std::uint32_t sled = t.add(nullptr, Vec3(-1.313, 0.05, 0));
+    for (const Real x : {-0.1, 0.1}) t.world.add_collider(sled, part, Pose{Quat::identity(), Vec3(x, 0, 0)}, 1000, smooth);
+    t.world.set_velocity(sled, Vec3(speed, 0, 0), Vec3::zero());
+    Real off = 0;
+    for (int i = 0; i * speed / 60 < 2.5; ++i) {
+      t.world.step(1.0 / 60);
+      off = std::max(off, std::fabs(t.world.state.x[sled].y() - 0.05));
+    }
+    assert_true(off < kSettles);
+    assert_true(std::fabs(t.world.state.v[sled].x() / speed - 1) < kLost);
+  }
+}
+
+/// A step of 5 cm, and a wall that stands on a tile or beside one: no farther than to touch.
+void what_stands_out_stops(void**) {
+  for (const bool from_below : {false, true})
+    for (const Real height : {0.05, 1.0})
+      for (const Real speed : {1.0, 5.0, 20.0})
+        for (const bool ball : {false, true}) {
+          Floor f(Tiles::boxes, 0.5, Quat::identity(), Quat::identity());
+          const Real foot = from_below ? -0.4 : 0, half = (height - foot) / 2;
+          // A seam of the tiles lies under its face.
+          f.add(f.keep(box(Vec3(0.25, half, 2))), Vec3(1.0, foot + half, 0), BodyType::fixed, Quat::identity(), f.smooth);
+          const std::uint32_t body = f.add(f.keep(ball ? sphere(kRadius) : box(Vec3::constant(kRadius))),
+                                           Vec3(0, kRadius, 0.0131), BodyType::dynamic, Quat::identity(), f.smooth);
+          f.world.set_velocity(body, Vec3(speed, 0, 0), Vec3::zero());
+          Real most = 0;
+          for (int i = 0; i * speed / 60 < 1; ++i) {
+            f.world.step(1.0 / 60);
+            if (f.world.state.x[body].y() < height + 0.9 * kRadius) most = std::max(most, f.world.state.x[body].x());
+          }
+          // A ball on the edge of the step has its centre nearer by what Pythagoras says.
+          const Real reach = height < kRadius && ball ? std::sqrt(kRadius * kRadius - 0.05 * 0.05) : kRadius;
+          if (height == 1.0) assert_true(most < 0.75 - reach + 2e-3);
+          assert_true(f.world.state.v[body].x() < 0.5 * speed);
+        }
+}
+
+/// Two boxes apart: the ball between them touches both, and lies where Pythagoras says.
+void a_groove_bears_on_both_sides(void**) {
+  for (const Real half_width : {0.02, 0.06}) {
+    TestWorld t;
+    const Shape* const brick = t.keep(box(Vec3(1, 1, 1)));
+    for (const Real side : {-1.0, 1.0}) t.add(brick, Vec3(side * (1 + half_width), -1, 0), BodyType::fixed);
+    const Real y = std::sqrt(kRadius * kRadius - half_width * half_width);
+    const std::uint32_t ball = t.add(t.keep(sphere(kRadius)), Vec3(0, y + 1e-3, 0));
+    t.run(120, 1.0 / 60);
+    assert_true(std::fabs(t.world.state.x[ball].y() - y) < 2e-4);
+    int sides = 0;
+    for (std::uint32_t i = 0; i < t.world.pairs.size(); ++i) sides += t.world.pairs.place(i).points > 0;
+    assert_int_equal(sides, 2);
+  }
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(nothing_feels_a_seam),
+      cmocka_unit_test(nor_does_a_body_of_parts),
+      cmocka_unit_test(what_stands_out_stops),
+      cmocka_unit_test(a_groove_bears_on_both_sides),
+  };
+  return cmocka_run_group_tests_name("oracle/seams", tests, nullptr, nullptr);
+}
