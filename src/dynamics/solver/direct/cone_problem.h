@@ -40,6 +40,7 @@ struct ConeContact {
   Real want;     // m/s
   Vec3 start_p;  // N s, p as the substep began
   Vec3 curve;    // m/s, of `surface`: @see ConeGroup::bend_ways()
+  Vec3 apart;    // m, the arm of A less that of B, on ground that turns
   Vec3 next_p;   // N s, p as the next one begins
   Real k;        // 1/kg, mean velocity at the point per impulse there
   Real give;     // 1/kg, by which it yields while forces are undetermined: @see least_force.h
