@@ -52,6 +52,32 @@ void ConeGroup::bend_ways(Real h) {
   });
 }
 
+/// What loads give a body is reckoned from where the ground that it lies on leads it: on a disc that is round, and what
+/// holds it on its circle is a load as its weight is. Ground that a host moves leads all of its group.
+void ConeGroup::carry_on(Real h) {
+  if (c_.carried.empty()) return;
+  const Carried* ground = nullptr;
+  Vec3 v = Vec3::zero();  // m/s, of the ground's middle
+  each([&](const ConeContact& contact, std::uint32_t i) {
+    const Carried* const carried = carried_at(c_, i);
+    const Row& row = c_.rows[i];
+    if (!carried || ground || (contact.a != kInvalid && contact.b != kInvalid)) return;
+    ground = carried, v = s_.v[row.moves_a ? row.b : row.a];
+  });
+  each([&](const ConeContact& contact, std::uint32_t i) {
+    const Carried* const carried = carried_at(c_, i);
+    if (!carried) return;
+    const Quat turn = exp_map(h * lead_of(world_, ground ? *ground : *carried, h).spin);
+    for (const std::uint32_t body : {contact.a, contact.b}) {
+      if (body == kInvalid || problem_.bodies[body].is_carried) continue;
+      ConeBody& b = problem_.bodies[body];
+      b.is_carried = true;
+      b.v = {v + turn * Vec3(b.v.linear() - v), turn * b.v.angular()};
+    }
+  });
+  for (ConeBody& b : bodies_of(problem_)) b.is_carried = false;
+}
+
 /// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
 Real ConeGroup::start(Real h) {
   Real least = kInfinity;
@@ -59,6 +85,9 @@ Real ConeGroup::start(Real h) {
   was_held_ = problem_.stood;
   for (ConeBody& b : bodies_of(problem_)) {
     was_held_ &= b.v.linear() == Vec3::zero() && b.v.angular() == Vec3::zero();
+  }
+  carry_on(h);
+  for (ConeBody& b : bodies_of(problem_)) {
     b.gained = -b.v;
     load(b);
     const Real loaded2 = speed2(b, b.gained + b.v);
