@@ -11,6 +11,7 @@
 #include "dynamics/contact/lone_rollers.h"
 #include "dynamics/contact/rolling.h"
 #include "dynamics/contact/slide.h"
+#include "dynamics/contact/turning_ground.h"
 #include "dynamics/give_back.h"
 #include "dynamics/joint/energy_bound.h"
 #include "dynamics/joint/rattle/rattle.h"
@@ -37,7 +38,7 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kTouchingMotionConstants, kLoneRollerConstants,
-                 kPatchFrictionConstants, kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants,
+                 kPatchFrictionConstants, kTurningGroundConstants, kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants,
                  kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants, kRattleConstants, kAccuracyConstants,
                  accuracy::kGrowthConstants, kFloatConstants, kGiveBackConstants);
 

@@ -47,7 +47,8 @@ void keep_begun(const World& world, Passes& p) {
   for (std::size_t k = 0; k < p.all_active.size(); ++k)
     p.joint_begun[k] = p.joint_ended[k] = kept_of(world, p.all_active[k]);
   p.rows = c.rows, p.geometry = c.geometry;
-  p.contact_pairs = c.contact_pairs, p.bouncing = c.bouncing, p.driven = c.driven;
+  p.contact_pairs = c.contact_pairs, p.bouncing = c.bouncing, p.driven = c.driven,
+  p.carried = c.carried;
   p.resisting = p.resisting_ended = c.resisting;
   p.revision = world.scene.revision, p.collider_revision = world.scene.collider_revision, p.alarm = world.scene.alarm;
   p.quarantined = s.quarantined_count, p.faults = world.fault_views.size();

@@ -7,6 +7,7 @@
 #include "dynamics/accuracy/accuracy.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/lone_rollers.h"
+#include "dynamics/contact/turning_ground.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
@@ -39,6 +40,7 @@ Passes::Passes(Memory* m)
       resisting(m),
       resisting_ended(m),
       driven(m),
+      carried(m),
       group_views(m),
       those(m),
       scratch(m),
@@ -84,7 +86,8 @@ bool runs_pair(const Passes& p, bool moves_a, std::uint32_t a, std::uint32_t b) 
 /// @param scale  of impulses
 void set_contacts(const World& world, const Passes& p, Real scale) {
   Contacts& c = *world.contacts;
-  c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear(), c.resisting.clear(), c.driven.clear();
+  c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear(), c.resisting.clear(), c.driven.clear(),
+      c.carried.clear();
   for (const ContactPair& m : p.contact_pairs) {
     if (!runs_pair(p, m.moves_a, m.a, m.b)) continue;
     c.contact_pairs.push_back(m);
@@ -107,6 +110,9 @@ void set_contacts(const World& world, const Passes& p, Real scale) {
   }
   for (const Driven& d : p.driven)
     if (is_in(d.row)) c.driven.push_back(d);
+  for (const Carried& t : p.carried)
+    if (is_in(t.row)) c.carried.push_back(t);
+  number_carried(c);
 }
 
 /// Of the pass that ended, into the lists of all: impulses for substeps of the plan's length.
@@ -221,7 +227,9 @@ void put_back_lists(const World& world, Passes& p) {
 /// All that stages after the passes read.
 void put_back_contacts(const World& world, Passes& p, const StepTime& time) {
   Contacts& c = *world.contacts;
-  c.contact_pairs = p.contact_pairs, c.bouncing = p.bouncing, c.resisting = p.resisting_ended, c.driven = p.driven;
+  c.contact_pairs = p.contact_pairs, c.bouncing = p.bouncing, c.resisting = p.resisting_ended, c.driven = p.driven,
+  c.carried = p.carried;
+  number_carried(c);
   world.wide_joints->active = p.all_active;
   if (p.packed_active != p.all_active) world.wide_joints->is_packed = false, p.packed_active.clear();
   link_joints(world, time);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dynamics/body_state.h"
+#include "dynamics/contact/turning_ground.h"
 
 namespace carom::dynamics {
 namespace {
@@ -48,6 +49,10 @@ void prepare_rows(const World& world, Velocities& to, Real h) {
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
   refresh_inertias(world);
   for (const std::uint32_t i : c.bodies) c.half_end[i] = c.half_begin[i];  // filled anew below
+  for (const Carried& t : c.carried) {
+    const Lead lead = lead_of(world, t, h);
+    for (std::uint32_t i = t.row; i < t.row + t.points; ++i) c.rows[i].p = lead.carried_on(c.rows[i].p, c.rows[i].n, h);
+  }
   for (std::uint32_t i = 0; i < c.rows.size(); ++i) {
     Row& row = c.rows[i];
     RowMass& m = c.mass[i];
@@ -69,6 +74,11 @@ void prepare_rows(const World& world, Velocities& to, Real h) {
     row.u = relative_velocity(s, row, m.r_a, m.r_b);
   }
   for (std::size_t i = 0; i < c.surface.size(); ++i) c.rows[i].u += c.surface[i];
+  for (const Carried& t : c.carried) {
+    const Lead lead = lead_of(world, t, h);
+    for (std::uint32_t i = t.row; i < t.row + t.points; ++i)
+      c.rows[i].u += lead.along(c.mass[i].r_a - c.mass[i].r_b, c.rows[i].n);
+  }
 }
 
 void refresh_inertias(const World& world) {

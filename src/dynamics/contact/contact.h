@@ -72,6 +72,7 @@ struct RowGeometry {
   std::uint32_t pair;       // index in the pair table
   std::uint32_t point;      // index in its manifold
   std::uint32_t impact;     // in Contacts::impacts; rows that bounce only
+  std::uint32_t carried;    // 1 + its place in Contacts::carried; 0: none
 };
 
 /// One end of a row, listed with the body it hangs on: all that is needed to tell the row that the body's velocity
@@ -180,6 +181,16 @@ struct GroundContact {
   std::uint32_t ghosts;  // of its points, a bit each
 };
 
+/// A pair whose ground turns, @see turning_ground.h
+struct Carried {
+  std::uint32_t row, points;  // its first row; how many
+  bool has_belts = false;     // a surface moves of itself
+  Vec3 belt = Vec3::zero();   // m/s, A's less B's, at the other's centre of mass, as rows have it
+  // of rows in lanes
+  std::uint32_t pair = 0, lane = 0;
+  Real t = 0, s = 0;  // m/s, along the tangents: what its drive is without the lead
+};
+
 struct Contacts {
   explicit Contacts(Memory* m)
       : rows(m),
@@ -206,6 +217,7 @@ struct Contacts {
         last_impact(m),
         resisting(m),
         driven(m),
+        carried(m),
         surface(m),
         group_rows(m),
         group_begin(m),
@@ -252,6 +264,7 @@ struct Contacts {
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
   Array<Resistance> resisting;    // ascending by row
   Array<Driven> driven;           // likewise
+  Array<Carried> carried;         // likewise
   Array<Vec3> surface;  // m/s, by row: in its plane, of B's surface relative to A's, beside the bodies' own; empty
                         // where no pair is driven
 

@@ -7,6 +7,7 @@
 #include "core/vec6.h"
 #include "dynamics/body_state.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact/turning_ground.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/table.h"
@@ -113,8 +114,8 @@ class Group {
         bodies_(between(world.mean_motion->bodies, &MeanMotion::Group::body, group)),
         points_(between(world.mean_motion->points, &MeanMotion::Group::point, group)) {}
 
-  /// @param dt  s, of the step
-  void find_motion(Real dt) {
+  /// @param dt, h  s, of the step, of the substep
+  void find_motion(Real dt, Real h) {
     Stacked c(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       c.of[i] = {-0.5 * gained_v(bodies_[i]), -0.5 * gained_omega(bodies_[i])};
@@ -122,7 +123,7 @@ class Group {
     const Real most = 2 * size_of(c);
     const bool is_worth_it = most > kNotice * world_.scene.dials[Dial::velocity_tolerance] && finite(most);
     if (held || group_.is_curved || !is_worth_it) return;
-    group_.is_moved = hold(dt, most, c) && finite(c.dot(c));
+    group_.is_moved = hold(dt, h, most, c) && finite(c.dot(c));
     group_.is_first = false;
     if (!group_.is_moved) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -170,7 +171,7 @@ class Group {
   /// Take out what would move a point that is shut, or drag one that sticks.
   /// @param most  m/s, that a body's velocity changed by
   /// @return      whether what contacts bear depends so little on where bodies are that they may go by a mean
-  bool hold(Real dt, Real most, Stacked& c) {
+  bool hold(Real dt, Real h, Real most, Stacked& c) {
     Projection projection(world_, bodies_);
     const Stacked asked = c;
     std::array<const Point*, kMostMeanPoints> shut;
@@ -180,6 +181,7 @@ class Group {
       const Arms r = Arms::now(world_, row, world_.contacts->geometry[p.row]);
       Vec3 u = relative_velocity(world_.state, row, r.a, r.b);
       if (!world_.contacts->surface.empty()) u += world_.contacts->surface[p.row];
+      if (const Carried* const t = carried_at(*world_.contacts, p.row)) u += lead_of(world_, *t, h).along(r.a - r.b, row.n);
       const Vec3 gained = -2 * (velocity(asked, p.b, r.b) - velocity(asked, p.a, r.a));
       const Real after = u.dot(row.n), opened = gained.dot(row.n);
       const Real closing = std::max(-std::min(after, after - opened), Real(0));
@@ -278,7 +280,7 @@ void find_mean_motion(const World& world, const StepTime& time) {
   MeanMotion* const m = world.mean_motion.get();
   if (!m || m->groups.empty()) return;
   in_parallel(world.jobs, m->groups.size() - 1, kMeanGroupsAPart,
-              [&](std::uint32_t g) { Group(world, g).find_motion(time.dt); });
+              [&](std::uint32_t g) { Group(world, g).find_motion(time.dt, time.h); });
 }
 
 MeanVelocities::MeanVelocities(const World& world, Velocities& to) : world_(world), to_(to) {

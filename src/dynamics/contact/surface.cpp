@@ -2,6 +2,7 @@
 #include "dynamics/contact/surface.h"
 
 #include "dynamics/contact/slide.h"
+#include "dynamics/contact/turning_ground.h"
 
 namespace carom::dynamics {
 namespace {
@@ -28,7 +29,15 @@ struct Moving {
 
 }  // namespace
 
-void find_surfaces(const World& world, const StepTime&) {
+Surface::Surface(const World& world, std::uint32_t collider, std::uint32_t body) : origin(Vec3::zero()) {
+  const SurfaceVelocity surface = allowed_surface(world.scene, collider);
+  linear = surface.linear, angular = surface.angular;
+  if (!surface.any()) return;
+  const Frame frame = Frame(world.state.q[body].matrix(), world.state.x[body]) * world.plan->local[collider];
+  linear = frame.r * surface.linear, angular = frame.r * surface.angular, origin = frame.p;
+}
+
+void find_surfaces(const World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   c.driven.clear(), c.surface.clear();
@@ -50,6 +59,7 @@ void find_surfaces(const World& world, const StepTime&) {
     driven += next - i;
   }
   count_participants(world, EffectId::surface_velocity, driven);
+  find_carried(world, time);
 }
 
 }  // namespace carom::dynamics

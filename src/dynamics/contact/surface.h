@@ -13,6 +13,17 @@
 
 namespace carom::dynamics {
 
+/// What a collider's surface does of itself, where it is by now; nothing where a host forbids that.
+struct Surface {
+  Vec3 linear, angular;  // m/s, rad/s, world
+  Vec3 origin;           // m, world
+
+  Surface(const World& world, std::uint32_t collider, std::uint32_t body);
+  bool any() const { return linear != Vec3::zero() || angular != Vec3::zero(); }
+  /// m/s, world   @param x  m, world
+  Vec3 at(const Vec3& x) const { return linear + angular.cross(x - origin); }
+};
+
 /// Stage group: driven pairs of this step and the velocities of their surfaces; nothing where no collider has one.
 void find_surfaces(const World& world, const StepTime& time);
 

@@ -82,6 +82,7 @@ void soft_step_end(const World& world, Poses& to, const StepTime&) {
 }  // namespace
 
 void start_sweeps(const World& world, Real h) {
+  lead_lanes(world, *world.wide, h);
   load_velocities(world, *world.wide);
   bend_joints(world, h);
   const JointKernels* const joints = world.wide_joints->kernels;

@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "dynamics/contact/held_arms.h"
+#include "dynamics/contact/turning_ground.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/fill_lanes.h"
@@ -78,6 +79,16 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
   return of;
 }
 
+/// That of four pairs, which are at rest if it is new.
+template <class Number>
+DriveLanesOf<Number>& drive_of(ContactLanes<Number>& rows, PairLanesOf<Number>& pair) {
+  if (!pair.driven) {
+    rows.drives.push_back({all<Number>(0), all<Number>(0), all<Number>(0)});
+    pair.driven = static_cast<std::uint32_t>(rows.drives.size());
+  }
+  return rows.drives[pair.driven - 1];
+}
+
 /// What surfaces do of themselves, of pairs that have any.
 template <class Number>
 void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
@@ -87,20 +98,29 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
     if (!c.solved_in_lanes(driven.row)) continue;
     const WideContacts::Manifold& m = wide.manifold_of(driven.row);
     PairLanesOf<Number>& pair = rows.pairs[m.pair];
-    if (!pair.driven) {
-      rows.drives.push_back({all<Number>(0), all<Number>(0), all<Number>(0)});
-      pair.driven = static_cast<std::uint32_t>(rows.drives.size());
-    }
     Vec3 velocity = Vec3::zero();  // where friction acts: it is linear over the points
     for (std::uint32_t k = 0; k < m.points; ++k)
       velocity += c.surface[m.row + k] - driven.spin.cross(get(rows.points[pair.first + k].d, m.lane));
     velocity /= static_cast<Real>(m.points);
     const Vec3 n = get(pair.n, m.lane), t = get(pair.t, m.lane);
-    DriveLanesOf<Number>& drive = rows.drives[pair.driven - 1];
+    DriveLanesOf<Number>& drive = drive_of(rows, pair);
     const int lane = static_cast<int>(m.lane);
     set(drive.t, lane, velocity.dot(t));
     set(drive.s, lane, velocity.dot(n.cross(t)));
     set(drive.w, lane, driven.spin.dot(n));
+  }
+}
+
+/// Places for what ground that turns adds in each substep, to what is there.
+template <class Number>
+void fill_carried(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
+  Contacts& c = *world.contacts;
+  for (Carried& carried : c.carried) {
+    if (!c.solved_in_lanes(carried.row)) continue;
+    const WideContacts::Manifold& m = wide.manifold_of(carried.row);
+    carried.pair = m.pair, carried.lane = m.lane;
+    const DriveLanesOf<Number>& drive = drive_of(rows, rows.pairs[m.pair]);
+    carried.t = drive.t[m.lane], carried.s = drive.s[m.lane];
   }
 }
 
@@ -171,6 +191,7 @@ bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, co
         over_part(run, begin, end, [&](const auto& part) { sweeps.lay_out(part, sources); });
       });
   fill_drives(world, wide, rows);
+  fill_carried(world, wide, rows);
   fill_locks(world, wide, rows);
   std::atomic<bool> bearable = true;
   in_any_order(world.jobs, everything(wide, rows, wide.velocity.data()), [&](const auto& part) {
@@ -230,6 +251,27 @@ void load_shifts(const World& world, WideContacts& wide) {
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     if (i == 0) return;
     wide.shift[i] = shift_since(s, wide.slot[i], {wide.start_q[i], wide.start_x[i]});
+  });
+}
+
+void lead_lanes(const World& world, WideContacts& wide, Real h) {
+  const Contacts& c = *world.contacts;
+  if (c.carried.empty()) return;
+  with_lanes(wide, [&](auto& lanes, const auto&) {
+    in_parallel(world.jobs, c.carried.size(), kLanes * kPairsAPart, [&](std::uint32_t i) {
+      const Carried& carried = c.carried[i];
+      if (!c.solved_in_lanes(carried.row)) return;
+      auto& pair = lanes.pairs[carried.pair];
+      auto& drive = lanes.drives[pair.driven - 1];
+      const auto lane = static_cast<int>(carried.lane);
+      const Lead both = lead_of(world, carried, h);
+      const Vec3 lead = both.at(get(pair.r_a, carried.lane) - get(pair.r_b, carried.lane));
+      const Vec3 n = get(pair.n, carried.lane), t = get(pair.t, carried.lane), s = n.cross(t);
+      set(drive.t, lane, carried.t + lead.dot(t));
+      set(drive.s, lane, carried.s + lead.dot(s));
+      const Vec3 friction = both.carried_on(Real(pair.p_t[lane]) * t + Real(pair.p_s[lane]) * s, n, h);
+      set(pair.p_t, lane, friction.dot(t)), set(pair.p_s, lane, friction.dot(s));
+    });
   });
 }
 

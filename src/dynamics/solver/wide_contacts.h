@@ -257,6 +257,8 @@ inline BodyShift shift_since(const State& s, std::uint32_t slot, const Pose& sta
 }
 /// What impacts of this substep did to poses and impulses.
 void heed_impacts(const World& world, WideContacts& wide);
+/// What ground that turns does in this substep, from poses and velocities of the state.   @param h  s, substep
+void lead_lanes(const World& world, WideContacts& wide, Real h);
 /// Moves bodies by their displacements.
 void displace(const World& world, Poses& to, const WideContacts& wide);
 /// Impulses, separations and velocities back into the rows.

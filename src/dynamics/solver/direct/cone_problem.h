@@ -40,6 +40,7 @@ struct ConeContact {
   Real want;     // m/s
   Vec3 start_p;  // N s, p as the substep began
   Vec3 curve;    // m/s, of `surface`: @see ConeGroup::bend_ways()
+  Vec3 apart;    // m, the arm of A less that of B, on ground that turns
   Vec3 next_p;   // N s, p as the next one begins
   Real k;        // 1/kg, mean velocity at the point per impulse there
   Real give;     // 1/kg, by which it yields while forces are undetermined: @see least_force.h
@@ -66,6 +67,7 @@ struct ConeBody {
   Mat3 inertia, inv_inertia;  // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
   std::uint8_t locks = 0;     // @see Scene::locks
   bool turns = false;         // it rotates
+  bool is_carried = false;    // scratch: @see ConeGroup::carry_on()
   Vec6 v;                     // m/s, rad/s
   Vec6 before;                // without any impulse of this substep
   Vec6 start, gained;         // with the impulses that the substep starts from; since the last substep, with them

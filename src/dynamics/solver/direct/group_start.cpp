@@ -3,6 +3,7 @@
 
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/held_arms.h"
+#include "dynamics/contact/turning_ground.h"
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
@@ -26,21 +27,55 @@ void ConeGroup::follow_bodies() {
 /// the law in the middle of the substep, where that of the point is by h/2 omega x (omega x l) another than at its
 /// beginning, where impulses act. Then they act on the mean of the velocities before and after, which is along the
 /// surface, and a body that goes round loses no energy by it. Not of what turns too far for that: its square would
-/// throw it.
+/// throw it. What both have in common on ground that turns is in the lead of the pair.
 void ConeGroup::bend_ways(Real h) {
+  const Carried* of = nullptr;
+  Lead lead{Vec3::zero(), Vec3::zero()};
+  const auto bend = [&](const Vec3& omega, const Vec3& arm) { return Vec3(h / 2 * omega.cross(omega.cross(arm))); };
   const auto bends = [&](std::uint32_t body, const Vec3& l) {
     if (body == kInvalid || !problem_.bodies[body].turns) return Vec3(Vec3::zero());
     const ConeBody& b = problem_.bodies[body];
-    const Vec3 omega = b.v.angular();
+    const Vec3 omega = b.v.angular(), arm = world_.plan->rotation[b.slot] * l;
     if (omega.squared_norm() * h * h > kBends * kBends) return Vec3(Vec3::zero());
-    return Vec3(h / 2 * omega.cross(omega.cross(world_.plan->rotation[b.slot] * l)));
+    return of ? Vec3(bend(omega, arm) - bend(lead.spin, arm)) : bend(omega, arm);
   };
   each([&](ConeContact& contact, std::uint32_t i) {
-    if (!c_.rows[i].rolls) return;
+    const Carried* const carried = carried_at(c_, i);
+    if (!c_.rows[i].rolls && !carried) return;
     contact.surface -= contact.curve;
-    contact.curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
+    contact.curve.set_zero();
+    if (carried && carried != of) lead = lead_of(world_, *carried, h);
+    of = carried;
+    if (c_.rows[i].rolls) contact.curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
+    if (carried) contact.curve += lead.along(contact.apart, contact.n);
     contact.surface += contact.curve;
   });
+}
+
+/// What loads give a body is reckoned from where the ground that it lies on leads it: on a disc that is round, and what
+/// holds it on its circle is a load as its weight is. Ground that a host moves leads all of its group.
+void ConeGroup::carry_on(Real h) {
+  if (c_.carried.empty()) return;
+  const Carried* ground = nullptr;
+  Vec3 v = Vec3::zero();  // m/s, of the ground's middle
+  each([&](const ConeContact& contact, std::uint32_t i) {
+    const Carried* const carried = carried_at(c_, i);
+    const Row& row = c_.rows[i];
+    if (!carried || ground || (contact.a != kInvalid && contact.b != kInvalid)) return;
+    ground = carried, v = s_.v[row.moves_a ? row.b : row.a];
+  });
+  each([&](const ConeContact& contact, std::uint32_t i) {
+    const Carried* const carried = carried_at(c_, i);
+    if (!carried) return;
+    const Quat turn = exp_map(h * lead_of(world_, ground ? *ground : *carried, h).spin);
+    for (const std::uint32_t body : {contact.a, contact.b}) {
+      if (body == kInvalid || problem_.bodies[body].is_carried) continue;
+      ConeBody& b = problem_.bodies[body];
+      b.is_carried = true;
+      b.v = {v + turn * Vec3(b.v.linear() - v), turn * b.v.angular()};
+    }
+  });
+  for (ConeBody& b : bodies_of(problem_)) b.is_carried = false;
 }
 
 /// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
@@ -50,6 +85,9 @@ Real ConeGroup::start(Real h) {
   was_held_ = problem_.stood;
   for (ConeBody& b : bodies_of(problem_)) {
     was_held_ &= b.v.linear() == Vec3::zero() && b.v.angular() == Vec3::zero();
+  }
+  carry_on(h);
+  for (ConeBody& b : bodies_of(problem_)) {
     b.gained = -b.v;
     load(b);
     const Real loaded2 = speed2(b, b.gained + b.v);
@@ -73,7 +111,8 @@ Real ConeGroup::start(Real h) {
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
     contact.friction = row.friction;
     contact.want = std::min(Real(0), closes_anyway - separation / h);
-    contact.p = contact.start_p = row.p;
+    const Carried* const carried = carried_at(c_, i);
+    contact.p = contact.start_p = carried ? lead_of(world_, *carried, h).carried_on(row.p, row.n, h) : row.p;
     add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
   });
   if (is_joined()) stiffen(world_, problem_, link_row_, h);

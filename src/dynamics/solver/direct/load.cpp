@@ -133,6 +133,7 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
       contact.k = places.response[k];
       contact.give = 0;
       contact.curve.set_zero();
+      contact.apart = r_a - r_b;
       contact.surface = is_given ? Vec3(given_b.at(r_b) - given_a.at(r_a)) : Vec3::zero();
       if (!c.surface.empty()) contact.surface += c.surface[pair.row + k];
     }
