@@ -58,12 +58,15 @@ Lead lead_of(const World& world, const Carried& pair, Real h) {
   const Row& row = world.contacts->rows[pair.row];
   const Vec3 apart = s.x[row.b] - s.x[row.a], &w_a = s.omega[row.a], &w_b = s.omega[row.b];
   const Shares share(world.scene, row);
-  Lead lead{Vec3::zero(), share.a * w_a + share.b * w_b};
+  Lead lead;
+  lead.to.set_zero();
+  lead.turn = lead.spin = share.a * w_a + share.b * w_b;
   if (share.a > 0) lead.to += share.a * way_of(w_a, apart, h);
   if (share.b > 0) lead.to += share.b * way_of(w_b, apart, h);
   if (!pair.has_belts) return lead;
   const Belts belts(world, row, world.contacts->geometry[pair.row]);
   lead.to -= pair.belt;
+  lead.turn += belts.a.angular + belts.b.angular;
   if (belts.a.any()) lead.to += exp_map(h * w_a) * bent(belts.a.angular, belts.a.at(s.x[row.b]), h);
   if (belts.b.any()) lead.to -= exp_map(h * w_b) * bent(belts.b.angular, belts.b.at(s.x[row.a]), h);
   return lead;

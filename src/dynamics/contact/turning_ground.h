@@ -30,6 +30,7 @@ inline constexpr ConstantRow kTurningGroundConstants[] = {kTurnsAlong};
 struct Lead {
   Vec3 to;    // m/s, world: of A's surface at B's centre, relative to B's at A's centre
   Vec3 spin;  // rad/s, world, of the ground
+  Vec3 turn;  // rad/s, world, of what goes along: belts take it round beside the ground
   /// m/s, what is added to a slip velocity.   @param apart  m, A's arm less B's, as the row has them
   Vec3 at(const Vec3& apart) const { return spin.cross(apart) - to; }
   /// Likewise, in the plane of a contact.
@@ -40,7 +41,7 @@ struct Lead {
   /// Of an impulse of the substep before: its friction goes round with the ground.   @param h  s
   Vec3 carried_on(const Vec3& p, const Vec3& n, Real h) const {
     const Vec3 normal = p.dot(n) * n;
-    return normal + exp_map(h * spin.dot(n) * n) * Vec3(p - normal);
+    return normal + exp_map(h * turn.dot(n) * n) * Vec3(p - normal);
   }
 };
 

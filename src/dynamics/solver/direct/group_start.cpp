@@ -30,7 +30,7 @@ void ConeGroup::follow_bodies() {
 /// throw it. What both have in common on ground that turns is in the lead of the pair.
 void ConeGroup::bend_ways(Real h) {
   const Carried* of = nullptr;
-  Lead lead{Vec3::zero(), Vec3::zero()};
+  Lead lead;
   const auto bend = [&](const Vec3& omega, const Vec3& arm) { return Vec3(h / 2 * omega.cross(omega.cross(arm))); };
   const auto bends = [&](std::uint32_t body, const Vec3& l) {
     if (body == kInvalid || !problem_.bodies[body].turns) return Vec3(Vec3::zero());
@@ -67,7 +67,7 @@ void ConeGroup::carry_on(Real h) {
   each([&](const ConeContact& contact, std::uint32_t i) {
     const Carried* const carried = carried_at(c_, i);
     if (!carried) return;
-    const Quat turn = exp_map(h * lead_of(world_, ground ? *ground : *carried, h).spin);
+    const Quat turn = exp_map(h * lead_of(world_, ground ? *ground : *carried, h).turn);
     for (const std::uint32_t body : {contact.a, contact.b}) {
       if (body == kInvalid || problem_.bodies[body].is_carried) continue;
       ConeBody& b = problem_.bodies[body];
