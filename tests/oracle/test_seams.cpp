@@ -44,8 +44,9 @@ struct Floor : TestWorld {
   Floor(Tiles kind, Real side, const Quat& tilt, const Quat& turn)
       : TestWorld(tilt * Vec3(0, -9.81, 0)), smooth(material(0, 0)) {
     const Real h = side / 2;
-    const Shape *const brick = keep(box(Vec3(h, 0.25, h))), *const hulled = keep(slab(h)), *const flat = keep(square(h)),
-                      *const field = keep(height_field(3, 3, h, h, [](std::uint32_t, std::uint32_t) { return 0.0; }));
+    const Shape *const brick = keep(box(Vec3(h, 0.25, h))), *const hulled = keep(slab(h));
+    const Shape *const flat = keep(square(h)),
+                *const field = keep(height_field(3, 3, h, h, [](std::uint32_t, std::uint32_t) { return 0.0; }));
     const Quat q = tilt * turn;
     const BodyType type = kind == Tiles::driven ? BodyType::kinematic : BodyType::fixed;
     const std::uint32_t whole = kind == Tiles::parts ? add(nullptr, Vec3::zero(), type, q) : 0;
@@ -56,7 +57,8 @@ struct Floor : TestWorld {
         if (kind == Tiles::hulls) tile = hulled;
         if (kind == Tiles::meshes || (kind == Tiles::beside && odd)) tile = flat;
         if (kind == Tiles::fields) tile = field;
-        Vec3 at(side * (i + (kind == Tiles::bond && k % 2 != 0 ? 0.5 : 0)), tile == brick ? -0.25 : 0, side * (k + 0.5));
+        const Real shift = kind == Tiles::bond && k % 2 != 0 ? 0.5 : 0;
+        Vec3 at(side * (i + shift), tile == brick ? -0.25 : 0, side * (k + 0.5));
         if (tile == field) at -= Vec3(h, 0, h);
         if (kind == Tiles::parts) {
           world.add_collider(whole, tile, Pose{Quat::identity(), at}, 1000, smooth);
@@ -89,7 +91,8 @@ void nothing_feels_a_seam(void**) {
         const std::uint32_t body = f.add(f.keep(mover(static_cast<Mover>(m))), up * Vec3(-0.913, kRadius, 0.0131),
                                          BodyType::dynamic, up, f.smooth);
         f.world.set_velocity(body, up * Vec3(ride.speed, 0, 0), Vec3::zero());
-        if (static_cast<Mover>(m) == Mover::stick) f.world.set_attribute(body, AttributeId::locks, {Real(kAngularLocks)});
+        if (static_cast<Mover>(m) == Mover::stick)
+          f.world.set_attribute(body, AttributeId::locks, {Real(kAngularLocks)});
         Real hop = 0, dip = 0;
         for (int i = 0; i * ride.step * ride.speed < 1.8; ++i) {
           f.world.step(ride.step);
@@ -114,7 +117,8 @@ void nor_does_a_body_of_parts(void**) {
     for (int i = -5; i <= 8; ++i)
       for (const Real z : {-0.3, 0.3}) t.add(rail, Vec3(0.42 * i, -0.05, z), BodyType::fixed, Quat::identity(), smooth);
     const std::uint32_t sled = t.add(nullptr, Vec3(-1.313, 0.05, 0));
-    for (const Real x : {-0.1, 0.1}) t.world.add_collider(sled, part, Pose{Quat::identity(), Vec3(x, 0, 0)}, 1000, smooth);
+    for (const Real x : {-0.1, 0.1})
+      t.world.add_collider(sled, part, Pose{Quat::identity(), Vec3(x, 0, 0)}, 1000, smooth);
     t.world.set_velocity(sled, Vec3(speed, 0, 0), Vec3::zero());
     Real off = 0;
     for (int i = 0; i * speed / 60 < 2.5; ++i) {
@@ -135,7 +139,8 @@ void what_stands_out_stops(void**) {
           Floor f(Tiles::boxes, 0.5, Quat::identity(), Quat::identity());
           const Real foot = from_below ? -0.4 : 0, half = (height - foot) / 2;
           // A seam of the tiles lies under its face.
-          f.add(f.keep(box(Vec3(0.25, half, 2))), Vec3(1.0, foot + half, 0), BodyType::fixed, Quat::identity(), f.smooth);
+          const Shape* const block = f.keep(box(Vec3(0.25, half, 2)));
+          f.add(block, Vec3(1.0, foot + half, 0), BodyType::fixed, Quat::identity(), f.smooth);
           const std::uint32_t body = f.add(f.keep(ball ? sphere(kRadius) : box(Vec3::constant(kRadius))),
                                            Vec3(0, kRadius, 0.0131), BodyType::dynamic, Quat::identity(), f.smooth);
           f.world.set_velocity(body, Vec3(speed, 0, 0), Vec3::zero());

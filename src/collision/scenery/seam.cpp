@@ -15,7 +15,8 @@ constexpr Real kSameNormal2 = 1e-12;  // rad^2: directions are one
 // A face that looks along the normal within this share of how far it leans to the neighbour's side is that of the
 // contact.
 constexpr Real kLean = 0.05;
-// Cosine: a contact that pushes more sideways than this, against what stands out nowhere, bars the way along the ground.
+// Cosine: a contact that pushes more sideways than this, against what stands out nowhere, bars the way along the
+// ground.
 constexpr Real kSideways = 0.7;
 // Of a body's size: how far below a surface of triangles a place is still covered by it.
 constexpr Real kBelow = 0.05;

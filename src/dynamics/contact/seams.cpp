@@ -54,8 +54,8 @@ class Seam {
     const std::uint32_t ground = i.ground_is_a ? pair.a : pair.b, body = i.ground_is_a ? pair.b : pair.a;
     const GroundTouch touch = touch_of(c, pair, pairs_[i.record].manifold.point[k], i.ground_is_a);
     const SeamTerms terms = seam_terms(world_.scene.dials, *c.shape[body], *c.shape[ground]);
-    // A neighbour may cover the place though its own contact is none to go by: where an edge of the body lies just above
-    // a seam, both tiles' normals lean.
+    // A neighbour may cover the place though its own contact is none to go by: where an edge of the body lies just
+    // above a seam, both tiles' normals lean.
     bool is_level = false, is_covered = false;
     for (const GroundContact* j = first_; j < last_; ++j) {
       const Pair other = pairs_.place(j->record).pair;
