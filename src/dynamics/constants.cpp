@@ -38,8 +38,8 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kTouchingMotionConstants, kLoneRollerConstants,
-                 kPatchFrictionConstants, kTurningGroundConstants, kSweepConstants, kFarTurnConstants, kDepthConstants, kAutoConstants,
-                 kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants, kRattleConstants, kAccuracyConstants,
+                 kPatchFrictionConstants, kTurningGroundConstants, kSweepConstants, kFarTurnConstants, kDepthConstants,
+                 kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants, kRattleConstants, kAccuracyConstants,
                  accuracy::kGrowthConstants, kFloatConstants, kGiveBackConstants);
 
 }  // namespace
