@@ -48,7 +48,7 @@ void keep_begun(const World& world, Passes& p) {
     p.joint_begun[k] = p.joint_ended[k] = kept_of(world, p.all_active[k]);
   p.rows = c.rows, p.geometry = c.geometry;
   p.contact_pairs = c.contact_pairs, p.bouncing = c.bouncing, p.driven = c.driven,
-  p.carried = c.carried;
+  p.turning_pairs = c.turning_pairs;
   p.resisting = p.resisting_ended = c.resisting;
   p.revision = world.scene.revision, p.collider_revision = world.scene.collider_revision, p.alarm = world.scene.alarm;
   p.quarantined = s.quarantined_count, p.faults = world.fault_views.size();

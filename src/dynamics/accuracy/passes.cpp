@@ -40,7 +40,7 @@ Passes::Passes(Memory* m)
       resisting(m),
       resisting_ended(m),
       driven(m),
-      carried(m),
+      turning_pairs(m),
       group_views(m),
       those(m),
       scratch(m),
@@ -87,7 +87,7 @@ bool runs_pair(const Passes& p, bool moves_a, std::uint32_t a, std::uint32_t b) 
 void set_contacts(const World& world, const Passes& p, Real scale) {
   Contacts& c = *world.contacts;
   c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear(), c.resisting.clear(), c.driven.clear(),
-      c.carried.clear();
+      c.turning_pairs.clear();
   for (const ContactPair& m : p.contact_pairs) {
     if (!runs_pair(p, m.moves_a, m.a, m.b)) continue;
     c.contact_pairs.push_back(m);
@@ -110,8 +110,8 @@ void set_contacts(const World& world, const Passes& p, Real scale) {
   }
   for (const Driven& d : p.driven)
     if (is_in(d.row)) c.driven.push_back(d);
-  for (const Carried& t : p.carried)
-    if (is_in(t.row)) c.carried.push_back(t);
+  for (const TurningPair& t : p.turning_pairs)
+    if (is_in(t.row)) c.turning_pairs.push_back(t);
   number_carried(c);
 }
 
@@ -228,7 +228,7 @@ void put_back_lists(const World& world, Passes& p) {
 void put_back_contacts(const World& world, Passes& p, const StepTime& time) {
   Contacts& c = *world.contacts;
   c.contact_pairs = p.contact_pairs, c.bouncing = p.bouncing, c.resisting = p.resisting_ended, c.driven = p.driven,
-  c.carried = p.carried;
+  c.turning_pairs = p.turning_pairs;
   number_carried(c);
   world.wide_joints->active = p.all_active;
   if (p.packed_active != p.all_active) world.wide_joints->is_packed = false, p.packed_active.clear();

@@ -64,7 +64,7 @@ struct Passes {
   Array<std::uint32_t> bouncing;
   Array<Resistance> resisting, resisting_ended;  // as the step began; of the runs that were accepted
   Array<Driven> driven;
-  Array<Carried> carried;
+  Array<TurningPair> turning_pairs;
   GroupViews group_views;  // of runs that were accepted
 
   Participants those, scratch;

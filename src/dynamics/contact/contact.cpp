@@ -49,7 +49,7 @@ void prepare_rows(const World& world, Velocities& to, Real h) {
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
   refresh_inertias(world);
   for (const std::uint32_t i : c.bodies) c.half_end[i] = c.half_begin[i];  // filled anew below
-  for (const Carried& t : c.carried) {
+  for (const TurningPair& t : c.turning_pairs) {
     const Lead lead = lead_of(world, t, h);
     for (std::uint32_t i = t.row; i < t.row + t.points; ++i) c.rows[i].p = lead.carried_on(c.rows[i].p, c.rows[i].n, h);
   }
@@ -74,7 +74,7 @@ void prepare_rows(const World& world, Velocities& to, Real h) {
     row.u = relative_velocity(s, row, m.r_a, m.r_b);
   }
   for (std::size_t i = 0; i < c.surface.size(); ++i) c.rows[i].u += c.surface[i];
-  for (const Carried& t : c.carried) {
+  for (const TurningPair& t : c.turning_pairs) {
     const Lead lead = lead_of(world, t, h);
     for (std::uint32_t i = t.row; i < t.row + t.points; ++i)
       c.rows[i].u += lead.along(c.mass[i].r_a - c.mass[i].r_b, c.rows[i].n);

@@ -72,7 +72,7 @@ struct RowGeometry {
   std::uint32_t pair;       // index in the pair table
   std::uint32_t point;      // index in its manifold
   std::uint32_t impact;     // in Contacts::impacts; rows that bounce only
-  std::uint32_t carried;    // 1 + its place in Contacts::carried; 0: none
+  std::uint32_t turning_pairs;    // 1 + its place in Contacts::turning_pairs; 0: none
 };
 
 /// One end of a row, listed with the body it hangs on: all that is needed to tell the row that the body's velocity
@@ -182,7 +182,7 @@ struct GroundContact {
 };
 
 /// A pair whose ground turns, @see turning_ground.h
-struct Carried {
+struct TurningPair {
   std::uint32_t row, points;  // its first row; how many
   bool has_belts = false;     // a surface moves of itself
   Vec3 belt = Vec3::zero();   // m/s, A's less B's, at the other's centre of mass, as rows have it
@@ -217,7 +217,7 @@ struct Contacts {
         last_impact(m),
         resisting(m),
         driven(m),
-        carried(m),
+        turning_pairs(m),
         surface(m),
         group_rows(m),
         group_begin(m),
@@ -264,7 +264,7 @@ struct Contacts {
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
   Array<Resistance> resisting;    // ascending by row
   Array<Driven> driven;           // likewise
-  Array<Carried> carried;         // likewise
+  Array<TurningPair> turning_pairs;         // likewise
   Array<Vec3> surface;  // m/s, by row: in its plane, of B's surface relative to A's, beside the bodies' own; empty
                         // where no pair is driven
 

@@ -181,7 +181,7 @@ class Group {
       const Arms r = Arms::now(world_, row, world_.contacts->geometry[p.row]);
       Vec3 u = relative_velocity(world_.state, row, r.a, r.b);
       if (!world_.contacts->surface.empty()) u += world_.contacts->surface[p.row];
-      if (const Carried* const t = carried_at(*world_.contacts, p.row))
+      if (const TurningPair* const t = turning_pair_at(*world_.contacts, p.row))
         u += lead_of(world_, *t, h).along(r.a - r.b, row.n);
       const Vec3 gained = -2 * (velocity(asked, p.b, r.b) - velocity(asked, p.a, r.a));
       const Real after = u.dot(row.n), opened = gained.dot(row.n);

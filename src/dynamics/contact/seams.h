@@ -15,7 +15,7 @@ namespace carom::dynamics {
 void leave_out_ghosts(const World& world, PairTable& pairs, const StepTime& time);
 
 /// Which colliders stand still against each other: equal of two that may. Of driven ones moves_alike() knows;
-/// kNoGround: a ground with nobody.
+/// kNoGround: a ground with no body.
 std::uint32_t ground_of(const World& world, std::uint32_t collider);
 inline constexpr std::uint32_t kStillGround = kInvalid, kDrivenGround = kInvalid - 1, kNoGround = kInvalid - 2;
 

@@ -53,7 +53,7 @@ bool turns(const World& world, const Row& row, Real dt) {
 
 }  // namespace
 
-Lead lead_of(const World& world, const Carried& pair, Real h) {
+Lead lead_of(const World& world, const TurningPair& pair, Real h) {
   const State& s = world.state;
   const Row& row = world.contacts->rows[pair.row];
   const Vec3 apart = s.x[row.b] - s.x[row.a], &w_a = s.omega[row.a], &w_b = s.omega[row.b];
@@ -73,21 +73,21 @@ Lead lead_of(const World& world, const Carried& pair, Real h) {
 }
 
 void number_carried(Contacts& c) {
-  for (std::uint32_t i = 0; i < c.carried.size(); ++i)
-    for (std::uint32_t k = 0; k < c.carried[i].points; ++k) c.geometry[c.carried[i].row + k].carried = i + 1;
+  for (std::uint32_t i = 0; i < c.turning_pairs.size(); ++i)
+    for (std::uint32_t k = 0; k < c.turning_pairs[i].points; ++k) c.geometry[c.turning_pairs[i].row + k].turning_pairs = i + 1;
 }
 
 void find_carried(const World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
-  c.carried.clear();
+  c.turning_pairs.clear();
   for (const ContactPair& m : c.contact_pairs) {
     const Row& row = c.rows[m.row];
-    for (std::uint32_t k = 0; k < m.count; ++k) c.geometry[m.row + k].carried = 0;
+    for (std::uint32_t k = 0; k < m.count; ++k) c.geometry[m.row + k].turning_pairs = 0;
     if (!(row.friction > 0)) continue;
     const bool has_belts = !c.surface.empty() && Belts(world, row, c.geometry[m.row]).any();
     if (!turns(world, row, time.dt) && !(has_belts && Belts(world, row, c.geometry[m.row]).turn())) continue;
-    Carried& t = c.carried.emplace_back(Carried{m.row, m.count});
+    TurningPair& t = c.turning_pairs.emplace_back(TurningPair{m.row, m.count});
     t.has_belts = has_belts;
     if (has_belts) {
       const Belts belts(world, row, c.geometry[m.row]);

@@ -22,7 +22,7 @@ namespace carom::dynamics {
 
 inline constexpr Constant<Real> kTurnsAlong{
     "turns_along", 1e-5, "rad",
-    "in a step, by which both of two bodies that impulses move are to turn for one to be carried round by the other",
+    "in a step, by which both of two bodies that impulses move are to turn for one to be taken round by the other",
     "larger: what stands on a slow disc of its own bearings drifts; smaller: time, in heaps that settle"};
 inline constexpr ConstantRow kTurningGroundConstants[] = {kTurnsAlong};
 
@@ -48,11 +48,11 @@ struct Lead {
 /// Stage group, after find_surfaces(): pairs whose ground turns, and which of them slide.
 void find_carried(const World& world, const StepTime& time);
 /// From poses and velocities of the present.   @param h  s, substep; less than 0: of the one before
-Lead lead_of(const World& world, const Carried& pair, Real h);
+Lead lead_of(const World& world, const TurningPair& pair, Real h);
 /// The record of a row's pair; null: its ground does not turn.
-inline const Carried* carried_at(const Contacts& c, std::uint32_t row) {
-  const std::uint32_t i = c.carried.empty() ? 0 : c.geometry[row].carried;
-  return i > 0 ? &c.carried[i - 1] : nullptr;
+inline const TurningPair* turning_pair_at(const Contacts& c, std::uint32_t row) {
+  const std::uint32_t i = c.turning_pairs.empty() ? 0 : c.geometry[row].turning_pairs;
+  return i > 0 ? &c.turning_pairs[i - 1] : nullptr;
 }
 /// Let rows of a pair know where its record is.
 void number_carried(Contacts& c);

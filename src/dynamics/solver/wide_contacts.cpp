@@ -115,12 +115,12 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
 template <class Number>
 void fill_carried(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
   Contacts& c = *world.contacts;
-  for (Carried& carried : c.carried) {
-    if (!c.solved_in_lanes(carried.row)) continue;
-    const WideContacts::Manifold& m = wide.manifold_of(carried.row);
-    carried.pair = m.pair, carried.lane = m.lane;
+  for (TurningPair& turning_pairs : c.turning_pairs) {
+    if (!c.solved_in_lanes(turning_pairs.row)) continue;
+    const WideContacts::Manifold& m = wide.manifold_of(turning_pairs.row);
+    turning_pairs.pair = m.pair, turning_pairs.lane = m.lane;
     const DriveLanesOf<Number>& drive = drive_of(rows, rows.pairs[m.pair]);
-    carried.t = drive.t[m.lane], carried.s = drive.s[m.lane];
+    turning_pairs.t = drive.t[m.lane], turning_pairs.s = drive.s[m.lane];
   }
 }
 
@@ -256,19 +256,19 @@ void load_shifts(const World& world, WideContacts& wide) {
 
 void lead_lanes(const World& world, WideContacts& wide, Real h) {
   const Contacts& c = *world.contacts;
-  if (c.carried.empty()) return;
+  if (c.turning_pairs.empty()) return;
   with_lanes(wide, [&](auto& lanes, const auto&) {
-    in_parallel(world.jobs, c.carried.size(), kLanes * kPairsAPart, [&](std::uint32_t i) {
-      const Carried& carried = c.carried[i];
-      if (!c.solved_in_lanes(carried.row)) return;
-      auto& pair = lanes.pairs[carried.pair];
+    in_parallel(world.jobs, c.turning_pairs.size(), kLanes * kPairsAPart, [&](std::uint32_t i) {
+      const TurningPair& turning_pairs = c.turning_pairs[i];
+      if (!c.solved_in_lanes(turning_pairs.row)) return;
+      auto& pair = lanes.pairs[turning_pairs.pair];
       auto& drive = lanes.drives[pair.driven - 1];
-      const auto lane = static_cast<int>(carried.lane);
-      const Lead both = lead_of(world, carried, h);
-      const Vec3 lead = both.at(get(pair.r_a, carried.lane) - get(pair.r_b, carried.lane));
-      const Vec3 n = get(pair.n, carried.lane), t = get(pair.t, carried.lane), s = n.cross(t);
-      set(drive.t, lane, carried.t + lead.dot(t));
-      set(drive.s, lane, carried.s + lead.dot(s));
+      const auto lane = static_cast<int>(turning_pairs.lane);
+      const Lead both = lead_of(world, turning_pairs, h);
+      const Vec3 lead = both.at(get(pair.r_a, turning_pairs.lane) - get(pair.r_b, turning_pairs.lane));
+      const Vec3 n = get(pair.n, turning_pairs.lane), t = get(pair.t, turning_pairs.lane), s = n.cross(t);
+      set(drive.t, lane, turning_pairs.t + lead.dot(t));
+      set(drive.s, lane, turning_pairs.s + lead.dot(s));
       const Vec3 friction = both.carried_on(Real(pair.p_t[lane]) * t + Real(pair.p_s[lane]) * s, n, h);
       set(pair.p_t, lane, friction.dot(t)), set(pair.p_s, lane, friction.dot(s));
     });

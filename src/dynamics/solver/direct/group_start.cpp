@@ -29,7 +29,7 @@ void ConeGroup::follow_bodies() {
 /// surface, and a body that goes round loses no energy by it. Not of what turns too far for that: its square would
 /// throw it. What both have in common on ground that turns is in the lead of the pair.
 void ConeGroup::bend_ways(Real h) {
-  const Carried* of = nullptr;
+  const TurningPair* of = nullptr;
   Lead lead;
   const auto bend = [&](const Vec3& omega, const Vec3& arm) { return Vec3(h / 2 * omega.cross(omega.cross(arm))); };
   const auto bends = [&](std::uint32_t body, const Vec3& l) {
@@ -40,14 +40,14 @@ void ConeGroup::bend_ways(Real h) {
     return of ? Vec3(bend(omega, arm) - bend(lead.spin, arm)) : bend(omega, arm);
   };
   each([&](ConeContact& contact, std::uint32_t i) {
-    const Carried* const carried = carried_at(c_, i);
-    if (!c_.rows[i].rolls && !carried) return;
+    const TurningPair* const turning_pairs = turning_pair_at(c_, i);
+    if (!c_.rows[i].rolls && !turning_pairs) return;
     contact.surface -= contact.curve;
     contact.curve.set_zero();
-    if (carried && carried != of) lead = lead_of(world_, *carried, h);
-    of = carried;
+    if (turning_pairs && turning_pairs != of) lead = lead_of(world_, *turning_pairs, h);
+    of = turning_pairs;
     if (c_.rows[i].rolls) contact.curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
-    if (carried) contact.curve += lead.along(contact.apart, contact.n);
+    if (turning_pairs) contact.curve += lead.along(contact.apart, contact.n);
     contact.surface += contact.curve;
   });
 }
@@ -55,19 +55,19 @@ void ConeGroup::bend_ways(Real h) {
 /// What loads give a body is reckoned from where the ground that it lies on leads it: on a disc that is round, and what
 /// holds it on its circle is a load as its weight is. Ground that a host moves leads all of its group.
 void ConeGroup::carry_on(Real h) {
-  if (c_.carried.empty()) return;
-  const Carried* ground = nullptr;
+  if (c_.turning_pairs.empty()) return;
+  const TurningPair* ground = nullptr;
   Vec3 v = Vec3::zero();  // m/s, of the ground's middle
   each([&](const ConeContact& contact, std::uint32_t i) {
-    const Carried* const carried = carried_at(c_, i);
+    const TurningPair* const turning_pairs = turning_pair_at(c_, i);
     const Row& row = c_.rows[i];
-    if (!carried || ground || (contact.a != kInvalid && contact.b != kInvalid)) return;
-    ground = carried, v = s_.v[row.moves_a ? row.b : row.a];
+    if (!turning_pairs || ground || (contact.a != kInvalid && contact.b != kInvalid)) return;
+    ground = turning_pairs, v = s_.v[row.moves_a ? row.b : row.a];
   });
   each([&](const ConeContact& contact, std::uint32_t i) {
-    const Carried* const carried = carried_at(c_, i);
-    if (!carried) return;
-    const Quat turn = exp_map(h * lead_of(world_, ground ? *ground : *carried, h).turn);
+    const TurningPair* const turning_pairs = turning_pair_at(c_, i);
+    if (!turning_pairs) return;
+    const Quat turn = exp_map(h * lead_of(world_, ground ? *ground : *turning_pairs, h).turn);
     for (const std::uint32_t body : {contact.a, contact.b}) {
       if (body == kInvalid || problem_.bodies[body].is_carried) continue;
       ConeBody& b = problem_.bodies[body];
@@ -111,8 +111,8 @@ Real ConeGroup::start(Real h) {
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
     contact.friction = row.friction;
     contact.want = std::min(Real(0), closes_anyway - separation / h);
-    const Carried* const carried = carried_at(c_, i);
-    contact.p = contact.start_p = carried ? lead_of(world_, *carried, h).carried_on(row.p, row.n, h) : row.p;
+    const TurningPair* const turning_pairs = turning_pair_at(c_, i);
+    contact.p = contact.start_p = turning_pairs ? lead_of(world_, *turning_pairs, h).carried_on(row.p, row.n, h) : row.p;
     add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
   });
   if (is_joined()) stiffen(world_, problem_, link_row_, h);
