@@ -6,8 +6,6 @@
 #include "core/wide_angle.h"
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
-#include "dynamics/joint/wide_joints.h"
-#include "dynamics/solver/fill_lanes.h"
 
 namespace carom::dynamics {
 namespace {
@@ -19,7 +17,6 @@ constexpr Real kPushedBeyond = 0.1;
 constexpr Real kTold = 1e-5;          // rad: a swing that is less than that off whole turns has no direction of its own
 constexpr Real kNoDirection = 1e-12;  // sine of an angle between axes below which a swing has no direction
 /// rad: what turns by less in a substep is nearest to where it was, whatever its velocity.
-constexpr Real kNearby = 1;
 
 Real beyond(Real x, Real lower, Real upper) { return std::max({lower - x, x - upper, Real(0)}); }
 
@@ -86,26 +83,6 @@ Vec3 spin_apart(const World& world, const Joint& joint) {
 Vec3 ahead_of(const JointEnds& ends, SwingPlane plane, const Vec3& at, const Vec3& w, Real t) {
   if (!(t * t * w.squared_norm() > kNearby * kNearby)) return Vec3::zero();
   return t * rates_of_angles(apart(ends), plane, at, ends.a.q.conjugate() * w);
-}
-
-void aim(const World& world, const Joint& of, WideJoints& w, JointLanes& joint, std::uint32_t lane, Real h) {
-  const int k = static_cast<int>(lane);
-  AxesLanes* const axes = joint.axed ? &w.axes[joint.axed - 1] : nullptr;
-  const Vec3 at(joint.twist[lane], axes ? axes->swing_y[lane] : 0, axes ? axes->swing_z[lane] : 0);
-  const Vec3 ahead = ahead_of(ends_of(world, of.def), plane_of(world, of), at, spin_apart(world, of), h);
-  set(joint.twist_ahead, k, ahead.x());
-  if (axes) set(axes->ahead_y, k, ahead.y()), set(axes->ahead_z, k, ahead.z());
-}
-
-/// Of wheels, each relative to the world.
-void aim_gear(const World& world, const Joint& of, GearLanes& gear, std::uint32_t lane, Real h) {
-  const auto turns = [&](std::uint32_t body, const Pose& frame) {
-    if (body == kInvalid) return Real(0);
-    const Real turn = h * world.state.omega[body].dot(world.state.q[body] * (frame.q * Vec3::unit_x()));
-    return std::fabs(turn) > kNearby ? turn : Real(0);
-  };
-  set(gear.ahead_a, static_cast<int>(lane), turns(of.def.body_a, of.def.frame_a));
-  set(gear.ahead_b, static_cast<int>(lane), turns(of.def.body_b, of.def.frame_b));
 }
 
 }  // namespace
@@ -224,17 +201,8 @@ void recount(const World& world, Joint& joint) {
                             bounds_of(world, joint), plane, Vec3::constant(kWholeTurn / 2));
 }
 
-void aim_joints(const World& world, Real h) {
-  WideJoints& w = *world.wide_joints;
-  if (!w.any()) return;
-  in_parallel(world.jobs, w.joints.size(), kJointsAPart, [&](std::uint32_t i) {
-    JointLanes& joint = w.joints[i];
-    if (!joint.layout.counts && !joint.geared) return;
-    for (std::uint32_t lane = 0; lane < joint.occupied; ++lane) {
-      const Joint& of = world.joints.joint[w.active[w.occupant[kLanes * i + lane]]];
-      joint.geared ? aim_gear(world, of, w.gears[joint.geared - 1], lane, h) : aim(world, of, w, joint, lane, h);
-    }
-  });
+Vec3 turns_ahead(const World& world, const Joint& joint, const Vec3& at, Real t) {
+  return ahead_of(ends_of(world, joint.def), plane_of(world, joint), at, spin_apart(world, joint), t);
 }
 
 }  // namespace carom::dynamics

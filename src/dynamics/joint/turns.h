@@ -63,8 +63,9 @@ void recount(const World& world, Joint& joint);
 Vec3 told_angles(const World& world, const Joint& joint);
 inline constexpr Real kMostCounted = 1e15;  // rad: beyond, whole turns are less than rounding
 
-/// Where joints are led in a substep of h, from what a solver made of velocities: which of many turns a pose will stand
-/// for. Before the move.
-void aim_joints(const World& world, Real h);
+/// By how much the angles of a joint change in a time, by the velocities there are, where that is too much to be seen by
+/// poses; else 0. rad   @param at  the angles, as counted
+Vec3 turns_ahead(const World& world, const Joint& joint, const Vec3& at, Real t);
+inline constexpr Real kNearby = 1;  // rad: what turns less in a substep is seen by its poses
 
 }  // namespace carom::dynamics

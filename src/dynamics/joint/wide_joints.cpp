@@ -409,4 +409,41 @@ void end_joints(const World& world, Breaking to, Events& events, const StepTime&
   if (!world.plan->in_pass) break_overloaded(world, to, events);
 }
 
+namespace {
+
+void aim(const World& world, const Joint& of, WideJoints& w, JointLanes& joint, std::uint32_t lane, Real h) {
+  const int k = static_cast<int>(lane);
+  AxesLanes* const axes = joint.axed ? &w.axes[joint.axed - 1] : nullptr;
+  const Vec3 at(joint.twist[lane], axes ? axes->swing_y[lane] : 0, axes ? axes->swing_z[lane] : 0);
+  const Vec3 ahead = turns_ahead(world, of, at, h);
+  set(joint.twist_ahead, k, ahead.x());
+  if (axes) set(axes->ahead_y, k, ahead.y()), set(axes->ahead_z, k, ahead.z());
+}
+
+/// Of wheels, each relative to the world.
+void aim_gear(const World& world, const Joint& of, GearLanes& gear, std::uint32_t lane, Real h) {
+  const auto turns = [&](std::uint32_t body, const Pose& frame) {
+    if (body == kInvalid) return Real(0);
+    const Real turn = h * world.state.omega[body].dot(world.state.q[body] * (frame.q * Vec3::unit_x()));
+    return std::fabs(turn) > kNearby ? turn : Real(0);
+  };
+  set(gear.ahead_a, static_cast<int>(lane), turns(of.def.body_a, of.def.frame_a));
+  set(gear.ahead_b, static_cast<int>(lane), turns(of.def.body_b, of.def.frame_b));
+}
+
+}  // namespace
+
+void aim_joints(const World& world, Real h) {
+  WideJoints& w = *world.wide_joints;
+  if (!w.any()) return;
+  in_parallel(world.jobs, w.joints.size(), kJointsAPart, [&](std::uint32_t i) {
+    JointLanes& joint = w.joints[i];
+    if (!joint.layout.counts && !joint.geared) return;
+    for (std::uint32_t lane = 0; lane < joint.occupied; ++lane) {
+      const Joint& of = world.joints.joint[w.active[w.occupant[kLanes * i + lane]]];
+      joint.geared ? aim_gear(world, of, w.gears[joint.geared - 1], lane, h) : aim(world, of, w, joint, lane, h);
+    }
+  });
+}
+
 }  // namespace carom::dynamics

@@ -238,4 +238,8 @@ void break_overloaded(const World& world, Breaking to, Events& events);
 /// It stays, and holds nothing any more.
 void break_joint(Breaking to, std::uint32_t joint);
 
+/// Where joints are led in a substep of h, from what a solver made of velocities: which of many turns a pose will stand
+/// for. Before the move.
+void aim_joints(const World& world, Real h);
+
 }  // namespace carom::dynamics
