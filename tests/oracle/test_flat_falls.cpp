@@ -63,7 +63,8 @@ static void plates_and_rods_with_other_materials(void**) {
     for (const Real restitution : {0.9, 1.0})
       for (const Vec3& half : {Vec3(0.4, 0.02, 0.4), Vec3(0.05, 0.6, 0.05), Vec3(0.7, 0.1, 0.2)}) {
         Fall f;
-        f.half = half, f.floor = 0.15, f.friction = friction, f.restitution = restitution, f.height = 1.5, f.seconds = 2;
+        f.half = half, f.floor = 0.15, f.friction = friction, f.restitution = restitution;
+        f.height = 1.5, f.seconds = 2;
         run(f, kSymmetric);
       }
 }
@@ -73,8 +74,8 @@ static void a_hair_aside(void**) {
   for (const Real floor : {0.03, 0.1, 0.4}) {
     Fall f;
     f.floor = floor, f.aside = 1e-9;
-    // A point's impulse off the middle by 1e-9 m turns the box by m v 1e-9 / I = 6e-8 rad/s an impact. Ten impacts, each
-    // of which may double what it meets, stay below a thousand times that.
+    // A point's impulse off the middle by 1e-9 m turns the box by m v 1e-9 / I = 6e-8 rad/s an impact. Ten impacts,
+    // each of which may double what it meets, stay below a thousand times that.
     const Real top = run(f, 1e-4);
     assert_true(top < 3 + 1e-6 && top > 3 - 2e-3);
   }

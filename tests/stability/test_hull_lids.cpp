@@ -2,9 +2,8 @@
 // lets its body rock to the next one, and no leaning normal pushes it aside.
 //
 // Noise of 1e-7 of the size is that of files in single precision, 1e-4 that of coarse scans. The bound of 0.1 mm is a
-// tenth of `position_tolerance`; a body of 1 m that walked was off by millimetres within seconds. Lids that lie on three
-// points may tip once from one three to another: the noise over the width turns a body of 1 m by as much, so within the
-// first second it may move by some noise, later not at all.
+// tenth of `position_tolerance`; a body of 1 m that walked was off by millimetres within seconds. Lids that lie on
+// three points may tip once from one three to another, within the first second.
 #include <vector>
 
 #include "carom_test.h"
@@ -114,7 +113,7 @@ static void crates_and_drums_stand(void**) {
 }
 
 /// Stacks take up to three seconds: a crate that is balanced over the middle of its bottom tips by a tenth of a
-/// milliradian, as slowly as the solver's tolerance of velocities lets it. At noise of 1e-5 one of fifty moves for longer.
+/// milliradian, as slowly as the solver's tolerance of velocities lets it. At noise of 1e-5 one of fifty moves longer.
 static void they_stand_on_each_other(void**) {
   for (const Real noise : {1e-7, 1e-6}) {
     assert_stays(noisy_hull(crate(3), noise, 7), Ground::plane, 3);
