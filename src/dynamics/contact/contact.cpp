@@ -51,7 +51,7 @@ void prepare_rows(const World& world, Velocities& to, Real h) {
   for (const std::uint32_t i : c.bodies) c.half_end[i] = c.half_begin[i];  // filled anew below
   for (const TurningPair& t : c.turning_pairs) {
     const Lead lead = lead_of(world, t, h);
-    for (std::uint32_t i = t.row; i < t.row + t.points; ++i) c.rows[i].p = lead.carried_on(c.rows[i].p, c.rows[i].n, h);
+    for (std::uint32_t i = t.row; i < t.row + t.points; ++i) c.rows[i].p = lead.taken_on(c.rows[i].p, c.rows[i].n, h);
   }
   for (std::uint32_t i = 0; i < c.rows.size(); ++i) {
     Row& row = c.rows[i];

@@ -39,7 +39,7 @@ struct Lead {
     return all - all.dot(n) * n;
   }
   /// Of an impulse of the substep before: its friction goes round with the ground.   @param h  s
-  Vec3 carried_on(const Vec3& p, const Vec3& n, Real h) const {
+  Vec3 taken_on(const Vec3& p, const Vec3& n, Real h) const {
     const Vec3 normal = p.dot(n) * n;
     return normal + exp_map(h * turn.dot(n) * n) * Vec3(p - normal);
   }

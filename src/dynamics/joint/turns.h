@@ -43,7 +43,7 @@ inline bool counts_turns(JointKind kind) {
   return kind == JointKind::ball || kind == JointKind::hinge || kind == JointKind::six_axis;
 }
 
-/// The angles of a joint, as counted. Between steps a host may have moved its bodies, by which way nobody knows. So that
+/// The angles of a joint, as counted. Between steps a host may have moved its bodies, by a way that is not known. So that
 /// counts the shorter way; where this ends far beyond limits and another angle of the same pose lies within, it is that.
 Vec3 counted_angles(const World& world, const Joint& joint, const JointEnds& ends);
 

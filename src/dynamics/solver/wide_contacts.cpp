@@ -113,7 +113,7 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
 
 /// Places for what ground that turns adds in each substep, to what is there.
 template <class Number>
-void fill_carried(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
+void fill_turning_pairs(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
   Contacts& c = *world.contacts;
   for (TurningPair& turning_pairs : c.turning_pairs) {
     if (!c.solved_in_lanes(turning_pairs.row)) continue;
@@ -191,7 +191,7 @@ bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, co
         over_part(run, begin, end, [&](const auto& part) { sweeps.lay_out(part, sources); });
       });
   fill_drives(world, wide, rows);
-  fill_carried(world, wide, rows);
+  fill_turning_pairs(world, wide, rows);
   fill_locks(world, wide, rows);
   std::atomic<bool> bearable = true;
   in_any_order(world.jobs, everything(wide, rows, wide.velocity.data()), [&](const auto& part) {
@@ -269,7 +269,7 @@ void lead_lanes(const World& world, WideContacts& wide, Real h) {
       const Vec3 n = get(pair.n, turning_pairs.lane), t = get(pair.t, turning_pairs.lane), s = n.cross(t);
       set(drive.t, lane, turning_pairs.t + lead.dot(t));
       set(drive.s, lane, turning_pairs.s + lead.dot(s));
-      const Vec3 friction = both.carried_on(Real(pair.p_t[lane]) * t + Real(pair.p_s[lane]) * s, n, h);
+      const Vec3 friction = both.taken_on(Real(pair.p_t[lane]) * t + Real(pair.p_s[lane]) * s, n, h);
       set(pair.p_t, lane, friction.dot(t)), set(pair.p_s, lane, friction.dot(s));
     });
   });

@@ -37,7 +37,7 @@ class ConeGroup {
   Real start(Real h);
   void follow_bodies();
   void bend_ways(Real h);
-  void carry_on(Real h);
+  void take_along(Real h);
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
   void find_from_nothing(Real goal, std::uint32_t most_steps);

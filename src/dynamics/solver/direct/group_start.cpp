@@ -54,7 +54,7 @@ void ConeGroup::bend_ways(Real h) {
 
 /// What loads give a body is reckoned from where the ground that it lies on leads it: on a disc that is round, and what
 /// holds it on its circle is a load as its weight is. Ground that a host moves leads all of its group.
-void ConeGroup::carry_on(Real h) {
+void ConeGroup::take_along(Real h) {
   if (c_.turning_pairs.empty()) return;
   const TurningPair* ground = nullptr;
   Vec3 v = Vec3::zero();  // m/s, of the ground's middle
@@ -69,13 +69,13 @@ void ConeGroup::carry_on(Real h) {
     if (!turning_pairs) return;
     const Quat turn = exp_map(h * lead_of(world_, ground ? *ground : *turning_pairs, h).turn);
     for (const std::uint32_t body : {contact.a, contact.b}) {
-      if (body == kInvalid || problem_.bodies[body].is_carried) continue;
+      if (body == kInvalid || problem_.bodies[body].is_taken_along) continue;
       ConeBody& b = problem_.bodies[body];
-      b.is_carried = true;
+      b.is_taken_along = true;
       b.v = {v + turn * Vec3(b.v.linear() - v), turn * b.v.angular()};
     }
   });
-  for (ConeBody& b : bodies_of(problem_)) b.is_carried = false;
+  for (ConeBody& b : bodies_of(problem_)) b.is_taken_along = false;
 }
 
 /// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
@@ -86,7 +86,7 @@ Real ConeGroup::start(Real h) {
   for (ConeBody& b : bodies_of(problem_)) {
     was_held_ &= b.v.linear() == Vec3::zero() && b.v.angular() == Vec3::zero();
   }
-  carry_on(h);
+  take_along(h);
   for (ConeBody& b : bodies_of(problem_)) {
     b.gained = -b.v;
     load(b);
@@ -112,7 +112,7 @@ Real ConeGroup::start(Real h) {
     contact.friction = row.friction;
     contact.want = std::min(Real(0), closes_anyway - separation / h);
     const TurningPair* const turning_pairs = turning_pair_at(c_, i);
-    contact.p = contact.start_p = turning_pairs ? lead_of(world_, *turning_pairs, h).carried_on(row.p, row.n, h) : row.p;
+    contact.p = contact.start_p = turning_pairs ? lead_of(world_, *turning_pairs, h).taken_on(row.p, row.n, h) : row.p;
     add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
   });
   if (is_joined()) stiffen(world_, problem_, link_row_, h);
