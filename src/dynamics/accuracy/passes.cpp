@@ -112,7 +112,7 @@ void set_contacts(const World& world, const Passes& p, Real scale) {
     if (is_in(d.row)) c.driven.push_back(d);
   for (const TurningPair& t : p.turning_pairs)
     if (is_in(t.row)) c.turning_pairs.push_back(t);
-  number_carried(c);
+  number_turning_pairs(c);
 }
 
 /// Of the pass that ended, into the lists of all: impulses for substeps of the plan's length.
@@ -229,7 +229,7 @@ void put_back_contacts(const World& world, Passes& p, const StepTime& time) {
   Contacts& c = *world.contacts;
   c.contact_pairs = p.contact_pairs, c.bouncing = p.bouncing, c.resisting = p.resisting_ended, c.driven = p.driven,
   c.turning_pairs = p.turning_pairs;
-  number_carried(c);
+  number_turning_pairs(c);
   world.wide_joints->active = p.all_active;
   if (p.packed_active != p.all_active) world.wide_joints->is_packed = false, p.packed_active.clear();
   link_joints(world, time);

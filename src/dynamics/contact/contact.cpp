@@ -48,7 +48,7 @@ void prepare_rows(const World& world, Velocities& to, Real h) {
   const State& s = world.state;
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;
   refresh_inertias(world);
-  for (const std::uint32_t i : c.bodies) c.half_end[i] = c.half_begin[i];  // filled anew below
+  for (const std::uint32_t i : c.bodies) c.half_of[i].end = c.half_of[i].begin;  // filled anew below
   for (const TurningPair& t : c.turning_pairs) {
     const Lead lead = lead_of(world, t, h);
     for (std::uint32_t i = t.row; i < t.row + t.points; ++i) c.rows[i].p = lead.taken_on(c.rows[i].p, c.rows[i].n, h);
@@ -63,8 +63,8 @@ void prepare_rows(const World& world, Velocities& to, Real h) {
     m.k_inv = m.k.inverse();
     row.k_n = row.n.dot(m.k * row.n);
     row.target = g.separation > 0 ? -g.separation / h : 0;
-    if (row.moves_a) c.half[c.half_end[row.a]++] = {m.r_a, i, -1};
-    if (row.moves_b) c.half[c.half_end[row.b]++] = {m.r_b, i, 1};
+    if (row.moves_a) c.half[c.half_of[row.a].end++] = {m.r_a, i, -1};
+    if (row.moves_b) c.half[c.half_of[row.b].end++] = {m.r_b, i, 1};
     row.set_impulse(row.p);
     if (row.p != Vec3::zero()) start_row(world, to, row, m);
   }

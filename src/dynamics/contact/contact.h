@@ -191,6 +191,15 @@ struct TurningPair {
   Real t = 0, s = 0;  // m/s, along the tangents: what its drive is without the lead
 };
 
+struct HalfPart {
+  std::uint32_t begin, end;  // in Contacts::half
+};
+
+/// Of a pose.
+struct Displacement {
+  Vec3 shift, turn;  // m; rad, world
+};
+
 struct Contacts {
   explicit Contacts(Memory* m)
       : rows(m),
@@ -203,11 +212,9 @@ struct Contacts {
         group_links(m),
         group_link_begin(m),
         half(m),
-        half_begin(m),
-        half_end(m),
+        half_of(m),
         inv_inertia_w(m),
-        shift(m),
-        turn(m),
+        displaced(m),
         bodies(m),
         is_bound(m),
         bouncing(m),
@@ -250,9 +257,9 @@ struct Contacts {
 
   // by body slot
   Array<HalfContact> half;                    // grouped by body; of who searches
-  Array<std::uint32_t> half_begin, half_end;  // by body that rows move: its part of half
+  Array<HalfPart> half_of;                    // by body that rows move: its part of half
   Array<Mat3> inv_inertia_w;                  // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
-  Array<Vec3> shift, turn;                    // m, rad: corrections of the pose not yet applied
+  Array<Displacement> displaced;              // corrections of the pose not yet applied
 
   Array<std::uint32_t> bodies;    // slots that have rows or joints and are moved by them, ascending
   Array<std::uint8_t> is_bound;   // by slot: it is one of them
@@ -264,7 +271,7 @@ struct Contacts {
   Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
   Array<Resistance> resisting;    // ascending by row
   Array<Driven> driven;           // likewise
-  Array<TurningPair> turning_pairs;         // likewise
+  Array<TurningPair> turning_pairs;  // likewise
   Array<Vec3> surface;  // m/s, by row: in its plane, of B's surface relative to A's, beside the bodies' own; empty
                         // where no pair is driven
 

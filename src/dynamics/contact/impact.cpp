@@ -94,11 +94,11 @@ class Impacts {
   }
 
   void list_by_body() {
-    for (const std::uint32_t i : c_.bodies) c_.half_end[i] = c_.half_begin[i];
+    for (const std::uint32_t i : c_.bodies) c_.half_of[i].end = c_.half_of[i].begin;
     for (const Impact& at : c_.impacts) {
       const Row& row = c_.rows[at.row];
-      if (row.moves_a) c_.half[c_.half_end[row.a]++].row = at.row;
-      if (row.moves_b) c_.half[c_.half_end[row.b]++].row = at.row;
+      if (row.moves_a) c_.half[c_.half_of[row.a].end++].row = at.row;
+      if (row.moves_b) c_.half[c_.half_of[row.b].end++].row = at.row;
     }
   }
 
@@ -108,7 +108,8 @@ class Impacts {
   Real gap(const Impact& at) const {
     const Row& row = c_.rows[at.row];
     const Vec3 moved =
-        (c_.shift[row.b] + c_.turn[row.b].cross(at.r.b)) - (c_.shift[row.a] + c_.turn[row.a].cross(at.r.a));
+        (c_.displaced[row.b].shift + c_.displaced[row.b].turn.cross(at.r.b)) -
+        (c_.displaced[row.a].shift + c_.displaced[row.a].turn.cross(at.r.a));
     return at.gap + moved.dot(row.n);
   }
   Real closing(const Impact& at) const { return (lag_ * at.accel - velocity(at)).dot(c_.rows[at.row].n); }
@@ -142,7 +143,7 @@ class Impacts {
     const Row& row = c_.rows[first.row];
     for (const std::uint32_t body : {row.a, row.b}) {
       if (body == row.a ? !row.moves_a : !row.moves_b) continue;
-      for (std::uint32_t k = c_.half_begin[body]; k < c_.half_end[body]; ++k) {
+      for (std::uint32_t k = c_.half_of[body].begin; k < c_.half_of[body].end; ++k) {
         const std::uint32_t i = c_.half[k].row;
         search_.set(i, key(c_.impacts[c_.geometry[i].impact]));
       }
@@ -196,8 +197,8 @@ class Impacts {
     const Vec3 dv = hit.v - s.v[body], domega = hit.omega - s.omega[body];
     s.v[body] = hit.v, s.omega[body] = hit.omega;
     c_.last_impact[body] = moment;
-    c_.shift[body] -= moment * dv;
-    c_.turn[body] -= moment * domega;
+    c_.displaced[body].shift -= moment * dv;
+    c_.displaced[body].turn -= moment * domega;
     Plan& plan = *world_.plan;
     const Real rest = time_.h - moment;
     const bool by_method = turns_by_method(plan, body);
@@ -210,10 +211,10 @@ class Impacts {
   /// Bodies stand where the motion that they have now would have begun.
   void move_back() {
     for (const ImpactSpin& spin : c_.spins)  // a turn that does not fit a body's shape would change its energy
-      if (turns_too_far(world_, spin.slot, c_.turn[spin.slot])) c_.turn[spin.slot].set_zero();
+      if (turns_too_far(world_, spin.slot, c_.displaced[spin.slot].turn)) c_.displaced[spin.slot].turn.set_zero();
     for (const std::uint32_t i : c_.bodies) {
-      correct_pose(poses_, i, c_.shift[i], c_.turn[i]);
-      c_.shift[i].set_zero(), c_.turn[i].set_zero();
+      correct_pose(poses_, i, c_.displaced[i].shift, c_.displaced[i].turn);
+      c_.displaced[i].shift.set_zero(), c_.displaced[i].turn.set_zero();
     }
     refresh_rotations(world_);
     refresh_separations(world_);

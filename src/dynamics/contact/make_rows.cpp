@@ -298,16 +298,16 @@ void list_bodies(const World& world) {
 void reserve_search(const World& world) {
   Contacts& c = *world.contacts;
   const std::size_t slots = world.scene.bodies.slots(), n = c.rows.size();
-  c.half_begin.resize(slots), c.half_end.resize(slots);
-  for (const std::uint32_t i : c.bodies) c.half_end[i] = 0;
+  c.half_of.resize(slots);
+  for (const std::uint32_t i : c.bodies) c.half_of[i].end = 0;
   for (const ContactPair& m : c.contact_pairs) {
-    if (m.moves_a) c.half_end[m.a] += m.count;
-    if (m.moves_b) c.half_end[m.b] += m.count;
+    if (m.moves_a) c.half_of[m.a].end += m.count;
+    if (m.moves_b) c.half_of[m.b].end += m.count;
   }
   std::uint32_t begin = 0;
   for (const std::uint32_t i : c.bodies) {
-    c.half_begin[i] = begin;
-    c.half_end[i] = begin += c.half_end[i];
+    c.half_of[i].begin = begin;
+    c.half_of[i].end = begin += c.half_of[i].end;
   }
   c.half.resize(begin);
   c.keys.resize(n), c.place.resize(n), c.ranked.reserve(n);
@@ -333,7 +333,7 @@ void list_moved_bodies(const World& world, Impulses& impulses, const StepTime&) 
   if (!c.bouncing.empty()) reserve_search(world), reserve_spins(world);
   c.inv_inertia_w.resize(slots);
   c.last_impact.resize(slots);
-  c.shift.resize(slots, Vec3::zero()), c.turn.resize(slots, Vec3::zero());
+  c.displaced.resize(slots, {Vec3::zero(), Vec3::zero()});
   if (n > impulses.old.capacity()) impulses.old.reserve(with_slack(n));
   c.blocks.assign((n + kRowsAPart - 1) / kRowsAPart, {});
 }

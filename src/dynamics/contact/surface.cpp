@@ -59,7 +59,7 @@ void find_surfaces(const World& world, const StepTime& time) {
     driven += next - i;
   }
   count_participants(world, EffectId::surface_velocity, driven);
-  find_carried(world, time);
+  find_turning_pairs(world, time);
 }
 
 }  // namespace carom::dynamics

@@ -72,12 +72,12 @@ Lead lead_of(const World& world, const TurningPair& pair, Real h) {
   return lead;
 }
 
-void number_carried(Contacts& c) {
+void number_turning_pairs(Contacts& c) {
   for (std::uint32_t i = 0; i < c.turning_pairs.size(); ++i)
     for (std::uint32_t k = 0; k < c.turning_pairs[i].points; ++k) c.geometry[c.turning_pairs[i].row + k].turning_pairs = i + 1;
 }
 
-void find_carried(const World& world, const StepTime& time) {
+void find_turning_pairs(const World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
   c.turning_pairs.clear();
@@ -100,7 +100,7 @@ void find_carried(const World& world, const StepTime& time) {
       slip[k] = c.surface.empty() ? lag : Vec3(lag + c.surface[m.row + k]);
     find_slide(world, m.row, m.count, slip.data());
   }
-  number_carried(c);
+  number_turning_pairs(c);
 }
 
 }  // namespace carom::dynamics

@@ -46,7 +46,7 @@ struct Lead {
 };
 
 /// Stage group, after find_surfaces(): pairs whose ground turns, and which of them slide.
-void find_carried(const World& world, const StepTime& time);
+void find_turning_pairs(const World& world, const StepTime& time);
 /// From poses and velocities of the present.   @param h  s, substep; less than 0: of the one before
 Lead lead_of(const World& world, const TurningPair& pair, Real h);
 /// The record of a row's pair; null: its ground does not turn.
@@ -55,6 +55,6 @@ inline const TurningPair* turning_pair_at(const Contacts& c, std::uint32_t row) 
   return i > 0 ? &c.turning_pairs[i - 1] : nullptr;
 }
 /// Let rows of a pair know where its record is.
-void number_carried(Contacts& c);
+void number_turning_pairs(Contacts& c);
 
 }  // namespace carom::dynamics

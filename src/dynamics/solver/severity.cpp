@@ -76,7 +76,7 @@ class VelocityPass {
   }
 
   std::span<const HalfContact> halves(std::uint32_t body) const {
-    return {c_.half.data() + c_.half_begin[body], c_.half_end[body] - c_.half_begin[body]};
+    return {c_.half.data() + c_.half_of[body].begin, c_.half_of[body].end - c_.half_of[body].begin};
   }
 
   const World& world_;
@@ -122,9 +122,9 @@ class PositionPass {
   void spread(std::uint32_t body, const Vec3& p, const Vec3& r) {
     const Vec3 dx = world_.scene.inv_mass[body] * p;
     const Vec3 dt = rotates(world_.scene, body) ? Vec3(c_.inv_inertia_w[body] * r.cross(p)) : Vec3(Vec3::zero());
-    c_.shift[body] += dx;
-    c_.turn[body] += dt;
-    for (std::uint32_t k = c_.half_begin[body]; k < c_.half_end[body]; ++k) {
+    c_.displaced[body].shift += dx;
+    c_.displaced[body].turn += dt;
+    for (std::uint32_t k = c_.half_of[body].begin; k < c_.half_of[body].end; ++k) {
       const HalfContact& half = c_.half[k];
       RowGeometry& g = c_.geometry[half.row];
       g.separation += half.sign * (dx + dt.cross(half.r)).dot(c_.rows[half.row].n);
@@ -183,8 +183,8 @@ void severity_positions(const World& world, Solver::Relaxes to, const StepTime&)
   report.position_moves +=
       over_groups<PositionPass>(world, dials[Dial::position_tolerance], dials.whole(Dial::position_iterations));
   for (const std::uint32_t i : c.bodies) {
-    correct_pose(to, i, c.shift[i], c.turn[i]);
-    c.shift[i].set_zero(), c.turn[i].set_zero();
+    correct_pose(to, i, c.displaced[i].shift, c.displaced[i].turn);
+    c.displaced[i].shift.set_zero(), c.displaced[i].turn.set_zero();
   }
   refresh_rotations(world);
   refresh_separations(world);
