@@ -225,8 +225,8 @@ GroupMemory remember(const World& world, SolverMemory& of, const Seen& seen, boo
 GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, bool joined,
                        Real most_ratio) {
   const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFewStill;
-  const bool may_go_on = unlike && view.bodies <= kMostUnlike;
-  if (memory.cools_down && joined && !may_go_on) return GroupReason::too_much;
+  const bool may_go_on = unlike && !joined && view.bodies <= kMostUnlike;
+  if (memory.cools_down && joined) return GroupReason::too_much;
   const bool few = joined && view.bodies <= kFewJoined;
   if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
   const bool rolls = motion.rolls && !motion.turns_far && view.bodies <= kFewRolling;

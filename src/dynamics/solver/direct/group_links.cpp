@@ -5,6 +5,7 @@
 
 #include "dynamics/force/force.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/solver/fill_lanes.h"
 
 namespace carom::dynamics {
@@ -143,7 +144,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     if (at_row.is_drive)
       ask(c, w.drives[at_row.row], at_row, phase, h);
     else if (phase == LinkPhase::part)
-      lock(c, std::clamp(-get(row.error, lane), -kJointPush * h, kJointPush * h));
+      lock(c, std::clamp(-get(row.error, lane), -kJointPush * h, kJointPush * h)), c.give = kGiveOfContacts * c.k;
     else
       lock(c, bends ? -get(row.curve, lane) : 0), c.bends = bends;
   }

@@ -6,7 +6,6 @@
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
-#include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/solver/direct/load.h"
 
 namespace carom::dynamics {
@@ -54,17 +53,6 @@ Real ConeGroup::displacement_share(Real asked, Real h) const {
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
 
-/// From nothing on, with locks that yield: where a chain is pulled straight, an exact displacement is one of metres.
-void ConeGroup::let_locks_yield() {
-  for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
-  for (ConeContact& c : problem_.contacts) c.p.set_zero(), c.u.set_zero(), c.give = kGiveOfContacts * c.k;
-  for (ConeLink& c : problem_.links) {
-    if (c.is_lock()) c.give = kGiveOfContacts * c.k;
-    c.p = 0;
-  }
-  measure_links(problem_);
-}
-
 void ConeGroup::part(Poses& to, Real h) {
   if (rest_.lasts || rest_.is_too_large) return;
   Real tolerance = world_.scene.dials[Dial::position_tolerance];
@@ -86,19 +74,11 @@ void ConeGroup::part(Poses& to, Real h) {
   const Real most_asked = asked();
   if (is_joined()) {
     const Real goal = is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap;
-    const bool yields = !problem_.contacts.empty();  // joints that contradict each other are led back without
-    if (yields) let_locks_yield();
     solution_ = solve_cones(problem_, goal, allowed_steps_after_move());
-    if (!yields && displacement_share(most_asked, h) < 1) {
-      account_work();
-      let_locks_yield();
-      solution_ = solve_cones(problem_, goal, allowed_steps_after_move());
-    }
   } else {
     solution_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
   }
   account_work();
-  for (ConeContact& c : problem_.contacts) c.give = 0;
   const Real share = displacement_share(most_asked, h);
   for (const ConeBody& b : bodies_of(problem_)) {
     const Vec3 turn = share * b.v.angular();
