@@ -20,7 +20,7 @@ struct Bounds {
   Real hz = 60;
   Real seconds = 3;
   Real settles = 0.5;  // s
-  std::uint64_t moves = 300;  // Newton steps in the position passes of a step
+  std::uint64_t moves = 200;  // Newton steps in the position passes of a step
 };
 
 Real kinetic(const TestWorld& t) { return t.world.report.linear_energy + t.world.report.angular_energy; }

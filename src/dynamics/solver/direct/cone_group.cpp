@@ -90,7 +90,7 @@ std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
 /// Of a displacement, or of velocities along joints after the move.
 std::uint32_t ConeGroup::allowed_steps_after_move() const {
   if (!rest_.is_bounded) return kMostSteps;
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlwaysAfterMove + rest_.work / work_, kMostSteps));
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + rest_.work / work_, kMostSteps));
 }
 
 void ConeGroup::account_work() {

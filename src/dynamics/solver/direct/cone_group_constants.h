@@ -49,10 +49,6 @@ inline constexpr Constant<std::uint32_t> kAlways{
     "direct_always", 2, "steps of Newton",
     "of a group and substep, however little work is left: a group over its budget still comes nearer to its solution",
     "fewer: groups over their budget keep the impulses they started from; more: direct_work bounds less"};
-inline constexpr Constant<std::uint32_t> kAlwaysAfterMove{
-    "direct_always_after_move", 8, "steps of Newton",
-    "of a displacement, however little work is left: limits and contacts are found one after the other",
-    "fewer: a heavy load tears the bridge it lies on; more: direct_work bounds less"};
 inline constexpr Constant<std::uint32_t> kMostSteps{
     "direct_most_steps", 200, "steps of Newton", "of a group and substep: impacts of many bodies take that many",
     "fewer: impacts through many bodies end unsolved; more: a problem that has no solution stalls the step for longer"};
@@ -104,7 +100,6 @@ inline constexpr Constant<Real> kBends{
 inline constexpr ConstantRow kConeGroupConstants[] = {
     kFineShare,    kConeShare,   kRest,           kJerks,         kLongestTurn, kJointPush,        kGap,
     kGapShare,     kAlways,      kMostSteps,      kWorkOfContact, kWorkOfPoint, kLeastWork,        kExpectedOfMoving,
-    kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne,       kBends,       kFewInManySubsteps,
-    kAlwaysAfterMove};
+    kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne,       kBends,       kFewInManySubsteps};
 
 }  // namespace carom::dynamics

@@ -17,6 +17,7 @@ bool ConeGroup::is_parted_roughly(Real by) const {
 
 bool ConeGroup::is_nearer() const {
   constexpr Real kNearer = 0.5;
+  if (rest_.is_bounded && rest_.work == 0) return false;
   const Real gap = worst_error(world_, problem_, link_row_);
   return gap > kGap && (!is_parted_roughly(gap) || gap < kNearer * rest_.gap);
 }
