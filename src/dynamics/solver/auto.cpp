@@ -124,15 +124,6 @@ void look_at_joints(const World& world, std::size_t group, GroupView& view) {
   view.mass_ratio = std::max(view.mass_ratio, most / least);
 }
 
-/// Bodies that joints hold, with no load that is known.
-void mark_joined(Contacts& c, std::size_t group, Seen& seen) {
-  for (std::uint32_t k = c.group_link_begin[group]; k < c.group_link_begin[group + 1]; ++k) {
-    const Link& link = c.links[c.group_links[k]];
-    if (link.moves_a) seen.mark(c.load[link.a], link.a, Contacts::kLight);
-    if (link.moves_b) seen.mark(c.load[link.b], link.b, Contacts::kLight);
-  }
-}
-
 struct GroupMotion {
   bool is_under_impact = false, still = true, rolls = false, turns_far = false;
 };
@@ -225,13 +216,11 @@ GroupMemory remember(const World& world, SolverMemory& of, const Seen& seen, boo
 GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, bool joined,
                        Real most_ratio) {
   const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFewStill;
-  const bool may_go_on = unlike && !joined && view.bodies <= kMostUnlike;
-  if (memory.cools_down && joined) return GroupReason::too_much;
   const bool few = joined && view.bodies <= kFewJoined;
   if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
   const bool rolls = motion.rolls && !motion.turns_far && view.bodies <= kFewRolling;
   if (!unlike && !memory.bears && !still && !rolls) return GroupReason::ordinary;
-  if (memory.cools_down && !may_go_on) return GroupReason::too_much;
+  if (memory.cools_down && (!unlike || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (rolls) return GroupReason::rolls;
   if (!memory.bears) return GroupReason::still;
@@ -261,7 +250,7 @@ std::uint32_t first_body(const Contacts& c, std::size_t group) {
 
 /// What is to be known of a group, the choice among it. Writes what bodies of the group remember.
 GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real w2, Real h) {
-  Contacts& c = *world.contacts;
+  const Contacts& c = *world.contacts;
   const Real most_ratio = world.scene.dials[Dial::direct_ratio];
   GroupView view;
   view.body = first_body(c, group);
@@ -271,15 +260,13 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
     return view;
   }
   look_at_joints(world, group, view);
-  Seen seen;
   if (view.points == 0) {
-    mark_joined(c, group, seen);
-    view.reason = remember(world, of, seen, false).cools_down ? GroupReason::too_much
-                  : view.mass_ratio > most_ratio              ? GroupReason::mass_ratio
-                  : view.bodies <= kFewJoined                 ? GroupReason::joined
-                                                              : GroupReason::ordinary;
+    view.reason = view.mass_ratio > most_ratio ? GroupReason::mass_ratio
+                  : view.bodies <= kFewJoined  ? GroupReason::joined
+                                               : GroupReason::ordinary;
     return view;
   }
+  Seen seen;
   const Real weight = weight_if_new(world, group, h, seen);
   const GroupMotion motion = look_at(world, group, w2, h, weight, view, seen);
   const GroupMemory memory = remember(world, of, seen, weight > 0);

@@ -39,9 +39,6 @@ bool starts_from_nothing(const ConeProblem& problem) {
          std::ranges::all_of(problem.links, [](const ConeLink& c) { return c.start_p == 0; });
 }
 
-/// Of steps of Newton: one at least, so that another way to a solution is tried at all.
-std::uint32_t left_of(std::uint32_t most, std::uint32_t taken) { return std::max(most, taken + 1) - taken; }
-
 /// m/s, well above what rounding leaves of a residual.
 Real rounding(const ConeProblem& problem) {
   Real most = 0;
@@ -83,14 +80,8 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
 /// Of Newton's method.   @param work  block products, beyond those of kAlways
 std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
   if (!rest_.is_bounded) return kMostSteps;
-  if (starts_from_nothing(problem_)) work = std::max(work, std::min<std::uint64_t>(rest_.work, kFromNothing * work_));
+  if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, kFromNothing * work_);
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
-}
-
-/// Of a displacement, or of velocities along joints after the move.
-std::uint32_t ConeGroup::allowed_steps_after_move() const {
-  if (!rest_.is_bounded) return kMostSteps;
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + rest_.work / work_, kMostSteps));
 }
 
 void ConeGroup::account_work() {
@@ -159,14 +150,14 @@ void ConeGroup::find(Real goal, std::uint32_t most_steps) {
 void ConeGroup::find_from_nothing(Real goal, std::uint32_t most_steps) {
   const std::uint32_t taken = solution_.factorisations;
   drop_impulses(problem_);
-  solution_ = solve_with_least_force(problem_, goal, left_of(most_steps, taken));
+  solution_ = solve_with_least_force(problem_, goal, std::max(most_steps, taken + kAlways) - taken);
   solution_.factorisations += taken;
 }
 
 /// From the solution on: what is off by a little gives a little.
 void ConeGroup::find_closer(Real goal, std::uint32_t most_steps) {
   const ConeSolution was = solution_;
-  solution_ = solve_cones(problem_, goal, left_of(most_steps, was.factorisations));
+  solution_ = solve_cones(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
   solution_.factorisations += was.factorisations, solution_.rounds += was.rounds;
   solution_.is_wedged = was.is_wedged;
 }
@@ -177,7 +168,7 @@ void ConeGroup::refuse_throw(Real goal, std::uint32_t most_steps) {
     give = std::min(10 * give, kGiveOfSweeps.value);
     const std::uint32_t taken = solution_.factorisations;
     drop_impulses(problem_);
-    solution_ = solve_yielding(problem_, give, goal, left_of(most_steps, taken));
+    solution_ = solve_yielding(problem_, give, goal, std::max(most_steps, taken + kAlways) - taken);
     solution_.factorisations += taken, solution_.is_wedged = true;
   }
 }
@@ -185,10 +176,6 @@ void ConeGroup::refuse_throw(Real goal, std::uint32_t most_steps) {
 void ConeGroup::refuse_gain(Real goal, std::uint32_t most_steps) {
   const auto gives = [&] { return gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]); };
   if (solution_.factorisations == 0 || !gives()) return;
-  if (drop_bends(problem_)) {
-    find_closer(goal, most_steps);
-    if (!gives()) return;
-  }
   if (goal > tolerance()) find_closer(tolerance(), most_steps);
   if (!gives()) return;
   find_from_nothing(std::min(goal, tolerance()), most_steps);
@@ -260,7 +247,7 @@ std::uint64_t ConeGroup::own_work(std::uint64_t most) const {
 
 /// It moves, and one step of Newton's method is more than there is for the step of the world.
 bool ConeGroup::takes_all_of(std::uint64_t work) const {
-  return rest_.is_bounded && !rest_.at_once && work_ > work;
+  return rest_.is_bounded && !rest_.at_once && !is_joined() && work_ > work;
 }
 
 /// Where it gave up its impulses say little: from nothing on. Else two a substep, as soft contacts take; those solve it
@@ -285,12 +272,12 @@ bool ConeGroup::is_far_off() const {
 }
 
 /// Block products that this substep may take. With joints, where a solve that is cut short tears them: what there is
-/// for the step but for half of what each substep to come would have, and a quarter of its own for positions.
+/// for the step but for half of what each substep to come would have.
 std::uint64_t ConeGroup::work_of_substep(std::uint32_t substeps) const {
   if (rest_.at_once) return rest_.work;
   const std::uint64_t share = rest_.share / substeps;
   if (!is_joined()) return share;
-  const std::uint64_t kept = (substeps - std::min(substeps, rest_.substeps + 1)) * share / 2 + share / 4;
+  const std::uint64_t kept = (substeps - std::min(substeps, rest_.substeps + 1)) * share / 2;
   return std::max(rest_.work, kept) - kept;
 }
 
@@ -318,9 +305,7 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
     for (ConeLink& link : problem_.links) link.next_p = link.p;
     keep_links(world_, problem_, link_row_);
     start(h);
-    const std::uint32_t taken = solution_.factorisations;
-    find(goal, left_of(most_steps, taken));
-    solution_.factorisations += taken;
+    find(goal, most_steps);
   }
   refuse_throw(goal, most_steps);
   refuse_gain(goal, most_steps);

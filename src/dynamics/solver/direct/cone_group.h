@@ -30,7 +30,6 @@ class ConeGroup {
     for (std::size_t i = 0; i < problem_.contacts.size(); ++i) f(problem_.contacts[i], row_[i]);
   }
   std::uint32_t allowed_steps(std::uint64_t work) const;
-  std::uint32_t allowed_steps_after_move() const;
   void account_work();
   void accumulate_repeats();
   bool repeat(Velocities& to, Real tolerance);

@@ -17,7 +17,6 @@ bool ConeGroup::is_parted_roughly(Real by) const {
 
 bool ConeGroup::is_nearer() const {
   constexpr Real kNearer = 0.5;
-  if (rest_.is_bounded && rest_.work == 0) return false;
   const Real gap = worst_error(world_, problem_, link_row_);
   return gap > kGap && (!is_parted_roughly(gap) || gap < kNearer * rest_.gap);
 }
@@ -74,12 +73,11 @@ void ConeGroup::part(Poses& to, Real h) {
   measure_links(problem_);
   const Real most_asked = asked();
   if (is_joined()) {
-    const Real goal = is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap;
-    solution_ = solve_cones(problem_, goal, allowed_steps_after_move());
+    solution_ = solve_cones(problem_, is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap, kMostSteps);
   } else {
     solution_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
+    account_work();
   }
-  account_work();
   const Real share = displacement_share(most_asked, h);
   for (const ConeBody& b : bodies_of(problem_)) {
     const Vec3 turn = share * b.v.angular();
@@ -98,7 +96,7 @@ void ConeGroup::settle(Velocities& to, Real h) {
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);
   measure_links(problem_);
-  const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance, allowed_steps_after_move());
+  const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
   solution_.factorisations += solution.factorisations;
   accumulate_links(world_, problem_, link_row_);
   for (const ConeBody& b : bodies_of(problem_)) store(to, b);
