@@ -220,7 +220,7 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
   const bool rolls = motion.rolls && !motion.turns_far && view.bodies <= kFewRolling;
   if (!unlike && !memory.bears && !still && !rolls) return GroupReason::ordinary;
-  if (memory.cools_down && (!unlike || view.bodies > kMostUnlike)) return GroupReason::too_much;
+  if (memory.cools_down && (!unlike || joined || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (rolls) return GroupReason::rolls;
   if (!memory.bears) return GroupReason::still;

@@ -176,6 +176,10 @@ void ConeGroup::refuse_throw(Real goal, std::uint32_t most_steps) {
 void ConeGroup::refuse_gain(Real goal, std::uint32_t most_steps) {
   const auto gives = [&] { return gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]); };
   if (solution_.factorisations == 0 || !gives()) return;
+  if (drop_bends(problem_)) {
+    find_closer(goal, most_steps);
+    if (!gives()) return;
+  }
   if (goal > tolerance()) find_closer(tolerance(), most_steps);
   if (!gives()) return;
   find_from_nothing(std::min(goal, tolerance()), most_steps);

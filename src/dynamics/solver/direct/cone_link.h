@@ -31,6 +31,7 @@ struct ConeLink {
   // of a solve, of a round: as of a contact
   Real best, p0, u0, du;
   bool is_held = false;  // in the factor
+  bool bends = false;    // a lock whose target is the bend of its arm over the substep
 
   /// Its impulse is whatever holds it: linear.
   bool is_lock() const { return k > 0 && low == high && give == 0 && most == kInfinity; }

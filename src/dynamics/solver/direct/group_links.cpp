@@ -106,6 +106,9 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
 void load_links(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, LinkPhase phase, Real h) {
   const WideJoints& w = *world.wide_joints;
   const BodyVelocity* const velocity = world.wide->velocity.data();
+  // A lock asks for the bend of its arm where nothing else bears it. In contact that target gives energy: a taut chain
+  // under loads feeds itself.
+  const bool bends = phase == LinkPhase::move && problem.contacts.empty();
   for (std::size_t i = 0; i < problem.links.size(); ++i) {
     ConeLink& c = problem.links[i];
     const DirectGroups::LinkRow& at_row = rows[i];
@@ -135,13 +138,14 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
       return b.inv_mass * d.squared_norm() + turn.dot(b.inv_inertia * turn);
     };
     c.k = response(c.a, c.d_a, c.w_a) + response(c.b, c.d_b, c.w_b);
+    c.bends = false;
     c.p = c.start_p = phase == LinkPhase::move ? get(row.p, lane) : 0;
     if (at_row.is_drive)
       ask(c, w.drives[at_row.row], at_row, phase, h);
     else if (phase == LinkPhase::part)
       lock(c, std::clamp(-get(row.error, lane), -kJointPush * h, kJointPush * h));
     else
-      lock(c, phase == LinkPhase::move ? -get(row.curve, lane) : 0);
+      lock(c, bends ? -get(row.curve, lane) : 0), c.bends = bends;
   }
 }
 

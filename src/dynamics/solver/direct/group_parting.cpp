@@ -6,6 +6,7 @@
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
+#include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/solver/direct/load.h"
 
 namespace carom::dynamics {
@@ -53,6 +54,16 @@ Real ConeGroup::displacement_share(Real asked, Real h) const {
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
 
+/// From nothing on, with locks that yield: where a chain is pulled straight, an exact displacement is one of metres.
+void ConeGroup::let_locks_yield() {
+  for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
+  for (ConeLink& c : problem_.links) {
+    if (c.is_lock()) c.give = kGiveOfContacts * c.k;
+    c.p = 0;
+  }
+  measure_links(problem_);
+}
+
 void ConeGroup::part(Poses& to, Real h) {
   if (rest_.lasts || rest_.is_too_large) return;
   Real tolerance = world_.scene.dials[Dial::position_tolerance];
@@ -73,7 +84,12 @@ void ConeGroup::part(Poses& to, Real h) {
   measure_links(problem_);
   const Real most_asked = asked();
   if (is_joined()) {
-    solution_ = solve_cones(problem_, is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap, kMostSteps);
+    const Real goal = is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap;
+    solution_ = solve_cones(problem_, goal, kMostSteps);
+    if (problem_.contacts.empty() && displacement_share(most_asked, h) < 1) {
+      let_locks_yield();
+      solution_ = solve_cones(problem_, goal, kMostSteps);
+    }
   } else {
     solution_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
     account_work();

@@ -1,8 +1,10 @@
 #include "dynamics/solver/direct/least_force.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "dynamics/joint/energy_bound.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/least_force_constants.h"
 
 namespace carom::dynamics {
@@ -79,9 +81,10 @@ void visit(ConeProblem& problem, ConeLink& c) {
   c.p = next;
 }
 
-/// J, at most: what its target asks a lock for, what a drive does.
+/// J, at most, that a drive gives. Joints give none.
 Real given_by_drive(const ConeProblem& problem, const ConeLink& c) {
-  if (c.is_lock()) return std::fabs(c.p * c.low);
+  if (c.bends) return 0;
+  if (c.is_lock()) return std::fabs(c.p * c.low);  // a motor without bound
   const Real before = c.surface + relative<&ConeBody::before>(problem.bodies, c);
   return std::max(Real(0), c.p * (before + c.u) / 2);
 }
@@ -164,26 +167,38 @@ Real share_that_helps(const ConeProblem& problem) {
 }
 
 // Bodies gain G.(v + v')/2 by a momentum G, of which surfaces give -p.surface. Contacts and joints are
-// taken together: what a joint pulls into a contact would else have its energy from there. What a lock may give is what
-// its target asks for; what a drive gives is its business.
+// taken together: what a joint pulls into a contact would else have its energy from there. What a drive gives is its
+// business. What bends give by a turn t of an arm in a substep is t^2/4 of the energy, and comes back after the move.
 bool gives_energy(ConeProblem& problem, Real residual) {
   find_momentum(problem);
-  Real gained = 0, rounding = 0;
+  Real gained = 0, before = 0, after = 0;
   for (const ConeBody& b : bodies_of(problem)) {
     const Vec6 mean = 0.5 * (b.before + b.v);
     gained += b.gradient.dot(mean);
-    rounding += b.before.dot(momentum_of(b, b.before)) + b.v.dot(momentum_of(b, b.v));
+    before += b.before.dot(momentum_of(b, b.before)) / 2;
+    after += b.v.dot(momentum_of(b, b.v)) / 2;
   }
-  Real allowed = 1e3 * kEpsilon * rounding;
+  Real inexact = 0, driven = 0;  // J
   for (const ConeContact& c : problem.contacts) {
     gained += c.p.dot(c.surface);
-    allowed += c.p.norm() * residual;
+    inexact += c.p.norm() * residual;
   }
+  bool bends = false;
   for (const ConeLink& c : problem.links) {
     gained += c.p * c.surface;
-    allowed += std::fabs(c.p) * residual + given_by_drive(problem, c);
+    inexact += std::fabs(c.p) * residual, driven += given_by_drive(problem, c);
+    bends |= c.bends;
   }
-  return gained > allowed;
+  const Real turns = bends ? kBends * kBends / 2 : 0;
+  // Loads without bound, as of a taut chain, would let any residual give any energy.
+  return gained > driven + std::min(inexact, before) + (turns + 2e3 * kEpsilon) * (before + after);
+}
+
+bool drop_bends(ConeProblem& problem) {
+  bool any = false;
+  for (ConeLink& c : problem.links)
+    if (std::exchange(c.bends, false)) c.low = c.high = 0, any = true;
+  return any;
 }
 
 void drop_impulses(ConeProblem& problem) {

@@ -37,6 +37,9 @@ Real share_that_helps(const ConeProblem& problem);
 /// @param residual  m/s
 bool gives_energy(ConeProblem& problem, Real residual);
 
+/// Locks no longer ask for the bend of their arms.   @return whether any did
+bool drop_bends(ConeProblem& problem);
+
 /// As if nothing touched and nothing were joined.
 void drop_impulses(ConeProblem& problem);
 
