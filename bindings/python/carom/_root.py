@@ -49,6 +49,11 @@ class Owner:
         alive.clear()
 
 
+def count_of(n: int, what: str) -> str:
+    """3 bodies, 1 body"""
+    return f"{n} {what if n == 1 else what[:-1] + 'ies' if what.endswith('y') else what + 's'}"
+
+
 class Root:
     """A closed root raises Closed; one that is used on another thread just now is not closed but raises Busy."""
 

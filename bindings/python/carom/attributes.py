@@ -2,11 +2,11 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Iterator, MutableMapping, Sequence
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, MutableMapping, Sequence
 
 from . import raw
 from ._root import check
-from ._values import Record
+from ._values import Record, number
 
 if TYPE_CHECKING:
     from .body import Body
@@ -62,9 +62,10 @@ class Attributes(MutableMapping[str, "float | Sequence[float]"]):
 
     def __setitem__(self, name: str, value: float | Sequence[float]) -> None:
         info = self._info(name)
-        numbers = [value] if isinstance(value, (int, float)) else list(value)
+        numbers: list[Any] = [value] if isinstance(value, (str, bytes)) or not isinstance(value, Iterable) else list(value)
         if len(numbers) != info.numbers:
             raise ValueError(f"{name} has {info.numbers} numbers ({info.unit}), not {len(numbers)}")
+        numbers = [number(x, f"{name}[{i}]" if len(numbers) > 1 else name) for i, x in enumerate(numbers)]
         self._body._call(raw.carom_body_set_attribute, info.attribute, (ctypes.c_double * 4)(*numbers))
 
     def __delitem__(self, name: str) -> None:

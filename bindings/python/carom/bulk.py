@@ -6,7 +6,7 @@ import ctypes
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Literal, TypedDict, TypeVar, overload
 
 from . import raw
-from ._values import enum, handles_out, need_numpy, numpy
+from ._values import enum, floats, handle_of, handles_out, listed, need_numpy, numpy, vector
 
 if TYPE_CHECKING:
     import numpy as np
@@ -45,7 +45,7 @@ _WIDTH = {raw.CAROM_FIELD_POSITION: 3, raw.CAROM_FIELD_ORIENTATION: 4, raw.CAROM
 
 def width_of(field: int) -> int:
     if field not in _WIDTH:
-        raise ValueError(f"no field {field}")
+        raise ValueError(f"field is {field}, which is none; it is one of 'position', 'velocity', ...: see Bulk")
     return _WIDTH[field]
 
 
@@ -54,39 +54,36 @@ def handles_of(bodies: Iterable[Body | int] | NDArray[np.uint64]) -> tuple[Any, 
     if numpy is not None and isinstance(bodies, numpy.ndarray):
         packed = numpy.ascontiguousarray(bodies, dtype=numpy.uint64)
         return packed.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64)), packed.size, packed
-    handles: list[Any] = [getattr(body, "handle", body) for body in bodies]
+    handles = [handle_of(body, f"bodies[{i}]", "carom_body", False)
+               for i, body in enumerate(listed(bodies, "bodies", "bodies or their handles, as [body]"))]
     packed = (ctypes.c_uint64 * len(handles))(*handles)
     return packed, len(packed), packed
 
 
-def floats(values: Any) -> NDArray[Any]:
-    """An array of float64 or float32 as it is; of integers, or lists of rows, one of float64."""
-    np = need_numpy("this")
-    array: NDArray[Any] = np.asarray(values, dtype=None if isinstance(values, np.ndarray) and values.dtype.kind == "f" else np.float64)
-    return array
-
-
-def place(data: Any, width: int, rows: int | None, writable: bool) -> tuple[int, int, int, int, Any]:
+def place(data: Any, width: int, rows: int | None, name: str, writable: bool = False) -> tuple[int, int, int, int, Any]:
     """Where rows of `width` scalars lie in a numpy array or buffer of float or double, whatever its stride from row to row.
     @return (address, rows, CAROM_SCALAR_*, stride, keep alive)"""
     if numpy is not None and isinstance(data, numpy.ndarray):
         shaped = data.reshape(-1, 1) if data.ndim == 1 and width == 1 else data
         if shaped.ndim != 2 or shaped.shape[1] != width or shaped.dtype not in (numpy.float64, numpy.float32):
-            raise ValueError(f"takes an array of float64 or float32 of shape (n, {width}), got {data.dtype} {data.shape}")
+            raise ValueError(f"{name} takes an array of float64 or float32 of shape (n, {width}), got {data.dtype} {data.shape}")
         if shaped.shape[0] > 1 and (shaped.strides[1] != shaped.itemsize or shaped.strides[0] < width * shaped.itemsize):
-            raise ValueError("each row must lie in one piece, one after the other")
+            raise ValueError(f"each row of {name} must lie in one piece, one after the other")
         if shaped.shape[0] == 1 and not shaped.flags.c_contiguous:
-            raise ValueError("the row must lie in one piece")
+            raise ValueError(f"the row of {name} must lie in one piece")
         if writable and not shaped.flags.writeable:
-            raise ValueError("out is read only")
+            raise ValueError(f"{name} is read only")
         scalar = raw.CAROM_SCALAR_F64 if shaped.itemsize == 8 else raw.CAROM_SCALAR_F32
         found: tuple[int, int, int, int, Any] = shaped.ctypes.data, shaped.shape[0], scalar, shaped.strides[0] if shaped.shape[0] > 1 else 0, shaped
     else:
-        view = memoryview(data)
+        try:
+            view = memoryview(data)
+        except TypeError:
+            raise TypeError(f"{name} takes an array or a buffer of doubles or floats, got a {type(data).__name__}") from None
         if view.format not in ("d", "f") or not view.c_contiguous or view.nbytes % (width * view.itemsize):
-            raise ValueError(f"takes a packed buffer of doubles or floats, {width} for each body")
+            raise ValueError(f"{name} takes a packed buffer of doubles or floats, {width} for each body")
         if writable and view.readonly:
-            raise ValueError("out is read only")
+            raise ValueError(f"{name} is read only")
         if view.readonly:
             held = (ctypes.c_char * view.nbytes).from_buffer_copy(view)
         elif view.nbytes == 0:
@@ -96,7 +93,7 @@ def place(data: Any, width: int, rows: int | None, writable: bool) -> tuple[int,
         scalar = raw.CAROM_SCALAR_F64 if view.format == "d" else raw.CAROM_SCALAR_F32
         found = ctypes.addressof(held), view.nbytes // (width * view.itemsize), scalar, 0, held
     if rows is not None and found[1] != rows:
-        raise ValueError(f"takes {rows} rows, one for each body, got {found[1]}")
+        raise ValueError(f"{name} takes {rows} rows, one for each body, got {found[1]}")
     return found
 
 
@@ -135,26 +132,26 @@ class Bulk:
         @param bodies  which: Body objects, handles, or a numpy array of handles; None: all, as body_handles() has them
         @param out     where to: numpy array (n, width) of float64 or float32, rows at any stride; or a packed buffer
         @return        out; without it a new numpy array (array.array of doubles where there is no numpy)"""
-        number = enum("FIELD", field)
+        number = enum("FIELD", field, "field")
         width = width_of(number)
         handles, n, alive = (None, self.body_count(), None) if bodies is None else handles_of(bodies)
         if out is None:
             out = numpy.empty((n, width), dtype) if numpy is not None else array.array("d", bytes(8 * n * width))
-        address, _, scalar, stride, held = place(out, width, n, True)
+        address, _, scalar, stride, held = place(out, width, n, "out", writable=True)
         self._call(raw.carom_world_read, number, scalar, handles, n, address, stride)
         return out
 
     def write(self, field: FieldWord | int, values: Any, bodies: Iterable[Body | int] | NDArray[np.uint64] | None = None) -> None:
         """The reverse; all values are checked before the first is written. @param values  rows: array, buffer, or lists"""
-        number = enum("FIELD", field)
+        number = enum("FIELD", field, "field")
         width = width_of(number)
         handles, n, alive = (None, self.body_count(), None) if bodies is None else handles_of(bodies)
         if isinstance(values, (list, tuple)):
-            flat = [x for row in values for x in (row if width > 1 else (row,))]
-            values = array.array("d", flat)
+            rows = [vector(row if width > 1 else (row,), width, f"values[{i}]") for i, row in enumerate(values)]
+            values = array.array("d", [x for row in rows for x in row])
         elif numpy is not None and isinstance(values, numpy.ndarray):
-            values = floats(values)
-        address, _, scalar, stride, held = place(values, width, n, False)
+            values = floats(values, "values")
+        address, _, scalar, stride, held = place(values, width, n, "values")
         self._call(raw.carom_world_write, number, scalar, handles, n, address, stride)
 
     @overload
@@ -190,6 +187,6 @@ class Bulk:
     def create_bodies(self, positions: Rows, shape: Shape | None = None, **about: Unpack[BodyArguments]) -> NDArray[np.uint64]:
         """Many bodies alike but for where they are. @param positions  rows of 3, m   @return numpy array of their handles"""
         np = need_numpy("create_bodies()")
-        rows = np.asarray(positions, dtype=np.float64).reshape(-1, 3)
+        rows = floats(positions, "positions").reshape(-1, 3)
         handles: NDArray[Any] = np.array([self.body(shape, position=row, **about).handle for row in rows], dtype=np.uint64)
         return handles

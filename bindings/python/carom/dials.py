@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Iterator, MutableMapping
 
 from . import raw
 from ._root import check
-from ._values import Record
+from ._values import Record, number
 
 if TYPE_CHECKING:
     from .world import World
@@ -63,11 +63,11 @@ class Dials(MutableMapping[str, "float | str"]):
 
     def __setitem__(self, name: str, value: float | str) -> None:
         info = self._info(name)
-        if isinstance(value, str):
+        if isinstance(value, str) and info.choices:
             if value not in info.choices:
-                raise ValueError(f"{name} is one of {', '.join(info.choices) or 'numbers'}, not {value!r}")
+                raise ValueError(f"{name} is one of {', '.join(info.choices)}, not {value!r}")
             value = info.choices.index(value)
-        self._world._call(raw.carom_world_set_dial, info.dial, float(value))
+        self._world._call(raw.carom_world_set_dial, info.dial, number(value, name))
 
     def __delitem__(self, name: str) -> None:
         """Back to what a new world has."""

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Sequence
 
 from . import raw
-from ._root import Root, check
-from ._values import bits, describe, doubles, vec3
+from ._root import Root, check, count_of
+from ._values import bits, describe, doubles, handle_of, listed, number, vec3, vector, whole
 from .errors import AlreadyExists, NotFound
 from .host import Allocator, Jobs, put_allocator, put_jobs
 from .pair import PairQuestions
@@ -49,6 +49,7 @@ class Engine(Root, PairQuestions):
 
     def __init__(self, threads: int = 1, log: Callable[[int, str], None] | None = None, *, allocator: Allocator | None = None,
                  jobs: Jobs | None = None):
+        threads = whole(threads, "threads", 0, 256, usual=1)
         if jobs is not None and threads > 1:
             raise ValueError("either threads of the engine's own or jobs of the host's, not both")
         desc = describe(raw.carom_engine_desc, {})
@@ -64,11 +65,18 @@ class Engine(Root, PairQuestions):
         super().__init__(pointer.value, raw.carom_engine_destroy, *alive)
         self._worlds: weakref.WeakSet[World] = weakref.WeakSet()
         self._plugins: dict[str, int] = {}
+        self._threads = None if jobs is not None else max(threads, 1)
         if threads > 1 or jobs is not None:
             who = describe(raw.carom_jobs_desc, {"threads": threads if jobs is None else 0})
             if jobs is not None:
                 self._owner.alive += put_jobs(who, jobs)
             self._call(raw.carom_engine_set_jobs, ctypes.byref(who))
+
+    def __repr__(self) -> str:
+        if self._closed:
+            return "<carom.Engine, closed>"
+        who = "jobs of the host's" if self._threads is None else count_of(self._threads, "thread")
+        return f"<carom.Engine: {count_of(sum(not world.closed for world in self._worlds), 'world')}, {who}>"
 
     def close(self) -> None:
         if not self._closed:
@@ -112,51 +120,55 @@ class Engine(Root, PairQuestions):
 
     def shape(self, plugin: str | int, params: Iterable[float]) -> Shape:
         """A shape of a plugin, by its id ("carom.sphere") or handle, with the parameters that the plugin documents."""
-        values = tuple(params)
+        values = listed(params, "params", "numbers")
         handle = ctypes.c_uint64()
-        self._call(raw.carom_shape_create, self.plugin(plugin) if isinstance(plugin, str) else plugin,
-                   (ctypes.c_double * len(values))(*values), len(values), ctypes.byref(handle))
+        of = self.plugin(plugin) if isinstance(plugin, str) else handle_of(plugin, "plugin", "carom_plugin", or_none=False)
+        self._call(raw.carom_shape_create, of, vector(values, len(values), "params"), len(values), ctypes.byref(handle))
         return Shape(self, handle.value)
 
     def sphere(self, radius: float) -> Shape:
-        return self.shape("carom.sphere", (radius,))
+        return self.shape("carom.sphere", (number(radius, "radius"),))
 
     def box(self, x: float, y: float, z: float) -> Shape:
         """@param x, y, z  m, half extents"""
-        return self.shape("carom.box", (x, y, z))
+        return self.shape("carom.box", (number(x, "x"), number(y, "y"), number(z, "z")))
 
     def capsule(self, radius: float, half_height: float) -> Shape:
         """Axis y. @param half_height  m, of the segment between the two balls' centres"""
-        return self.shape("carom.capsule", (radius, half_height))
+        return self.shape("carom.capsule", (number(radius, "radius"), number(half_height, "half_height")))
 
     def cylinder(self, radius: float, half_height: float) -> Shape:
         """Axis y."""
-        return self.shape("carom.cylinder", (radius, half_height))
+        return self.shape("carom.cylinder", (number(radius, "radius"), number(half_height, "half_height")))
 
     def cone(self, radius: float, half_height: float) -> Shape:
         """Axis y, apex up."""
-        return self.shape("carom.cone", (radius, half_height))
+        return self.shape("carom.cone", (number(radius, "radius"), number(half_height, "half_height")))
 
     def ellipsoid(self, x: float, y: float, z: float) -> Shape:
         """@param x, y, z  m, radii"""
-        return self.shape("carom.ellipsoid", (x, y, z))
+        return self.shape("carom.ellipsoid", (number(x, "x"), number(y, "y"), number(z, "z")))
 
     def hull(self, points: Iterable[Vector]) -> Shape:
         """The convex hull of points, m."""
-        return self.shape("carom.hull", (x for point in points for x in point))
+        rows = [vec3(point, f"points[{i}]") for i, point in enumerate(listed(points, "points", "rows of 3 numbers"))]
+        return self.shape("carom.hull", (x for row in rows for x in row))
 
     def half_space(self, normal: Vector = (0, 1, 0), offset: float = 0) -> Shape:
         """All x with normal . x <= offset: ground without end, for static bodies."""
         handle = ctypes.c_uint64()
-        self._call(raw.carom_shape_create_half_space, vec3(normal, "normal"), offset, ctypes.byref(handle))
+        self._call(raw.carom_shape_create_half_space, vec3(normal, "normal"), number(offset, "offset"), ctypes.byref(handle))
         return Shape(self, handle.value)
 
     def mesh(self, vertices: Rows, triangles: Iterable[Sequence[int]] | Rows, two_sided: bool = False) -> Shape:
         """A surface of triangles, for static and kinematic bodies. @param vertices  rows of 3, m
         @param triangles  rows of 3 indices, counter-clockwise seen from outside"""
-        corners = [int(i) for row in triangles for i in row]
+        faces = [listed(row, f"triangles[{i}]", "3 indices") for i, row in enumerate(listed(triangles, "triangles", "rows of 3 indices"))]
+        if any(len(row) != 3 for row in faces):
+            raise ValueError(f"triangles takes rows of 3 indices, got one of {next(len(row) for row in faces if len(row) != 3)}")
+        corners = [whole(corner, f"triangles[{i}]") for i, row in enumerate(faces) for corner in row]
         address, count, alive = doubles(vertices, 3, "vertices")
-        desc = describe(raw.carom_mesh_desc, {"flags": bits("SCENERY", "two_sided") if two_sided else 0})
+        desc = describe(raw.carom_mesh_desc, {"flags": bits("SCENERY", "two_sided", "two_sided") if two_sided else 0})
         desc.vertices, desc.vertex_count = ctypes.cast(address, ctypes.POINTER(ctypes.c_double)), count
         desc.triangles, desc.triangle_count = (ctypes.c_uint32 * len(corners))(*corners), len(corners) // 3
         handle = ctypes.c_uint64()
@@ -166,7 +178,8 @@ class Engine(Root, PairQuestions):
 
     def height_field(self, heights: Rows, spacing: Vector = (1, 1)) -> Shape:
         """Ground from a grid. @param heights  [rows along z][columns along x] m, NaN for a hole   @param spacing  m, along x, z"""
-        rows = [tuple(float(h) for h in row) for row in heights]
+        rows = [tuple(number(h, f"heights[{i}]") for h in listed(row, f"heights[{i}]", "numbers"))
+                for i, row in enumerate(listed(heights, "heights", "rows of numbers"))]
         columns = len(rows[0]) if rows else 0
         address, count, alive = doubles(rows, columns, "heights")
         desc = describe(raw.carom_height_field_desc, {"columns": columns, "rows": count, "spacing": spacing})

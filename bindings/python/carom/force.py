@@ -5,7 +5,7 @@ import ctypes
 from typing import TYPE_CHECKING, Any
 
 from . import raw
-from ._values import describe, enum, record, set_field
+from ._values import describe, enum, number, record, set_field
 from .body import Thing
 from .records import ForceFieldRecord, SpringRecord
 
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 class ForceField(Thing):
     __slots__ = ()
     _destroy = staticmethod(raw.carom_force_field_destroy)
+
+    def _about(self) -> str:
+        return self.desc.kind
 
     def _get_desc(self) -> raw.carom_force_field_desc:
         desc = raw.carom_force_field_desc(struct_size=ctypes.sizeof(raw.carom_force_field_desc))
@@ -36,13 +39,17 @@ class ForceField(Thing):
         for key, value in about.items():
             set_field(desc, key, value)
         if kind is not None:
-            desc.kind = enum("FORCE_FIELD", kind)
+            desc.kind = enum("FORCE_FIELD", kind, "kind")
         self._call(raw.carom_force_field_update, ctypes.byref(desc))
 
 
 class Spring(Thing):
     __slots__ = ()
     _destroy = staticmethod(raw.carom_spring_destroy)
+
+    def _about(self) -> str:
+        length, force = self.state
+        return f"{length:.6g} m long, {force:.6g} N"
 
     @property
     def desc(self) -> SpringRecord:
@@ -51,7 +58,7 @@ class Spring(Thing):
         return record(SpringRecord, desc, self.world._wrap)
 
     def update(self, rest: float, stiffness: float, damping: float) -> None:
-        self._call(raw.carom_spring_update, rest, stiffness, damping)
+        self._call(raw.carom_spring_update, number(rest, "rest"), number(stiffness, "stiffness"), number(damping, "damping"))
 
     @property
     def state(self) -> tuple[float, float]:

@@ -5,6 +5,8 @@ import traceback
 from concurrent.futures import Executor, wait
 from typing import Any, Callable, Protocol
 
+from ._values import whole
+
 Job = Callable[[int, int], None]  # the parts begin up to end of a loop
 Jobs = Callable[[Job, int], None]
 
@@ -24,6 +26,8 @@ def share(executor: Executor, parts: int) -> Jobs:
     """Loops of a step in so many parts, one of them on the thread that steps and the others in the executor's threads: an engine's
     jobs. A hand-over takes a thread pool of Python some ten microseconds, tens of times a step: worth it where steps take ten
     milliseconds. Engine(threads=) has threads of its own, which take one."""
+
+    parts = whole(parts, "parts", 1)
 
     def run(job: Job, count: int) -> None:
         size = -(-count // parts)

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any, Callable, Mapping, TypeVar
 
 from . import raw
-from ._values import Record, describe, enum, handle_of, record, set_field, word
+from ._values import Record, describe, enum, handle_of, record, set_field, vec3, word
 from .body import Thing
 from .records import (JointAxisRecord, JointLimitRecord, JointMotorRecord, JointOrientationDriveRecord, JointRecord, JointSpringRecord,
                       JointStateRecord, JointTransmissionRecord)
@@ -30,10 +30,10 @@ MODES, DRIVES, GAINS = ("free", "locked", "limited"), ("none", "position", "velo
 
 def turn_x_to(axis: Vector) -> tuple[float, ...]:
     """The shortest turn (x, y, z, w) that brings the x axis to `axis`, any length."""
-    x, y, z = axis
+    x, y, z = vec3(axis, "axis")
     length = math.sqrt(x * x + y * y + z * z)
     if not length:
-        raise ValueError("an axis has a length")
+        raise ValueError("axis is (0, 0, 0), which has no direction; type axis=(0, 0, 1) for one along z")
     x, y, z = x / length, y / length, z / length
     if x < -1 + 1e-12:
         return 0.0, 0.0, 1.0, 0.0
@@ -55,14 +55,15 @@ def make_joint(world: World, kind: JointWord | int, a: Body | None, b: Body | No
         about.update(position_a=(0, 0, 0) if position is None else position, orientation_a=orientation)
     if about.get("length") is not None:
         fields |= raw.CAROM_JOINT_FIELD_LENGTH
-    about.update(kind=enum("JOINT", kind), fields=fields, body_a=handle_of(a), body_b=handle_of(b))
+    about.update(kind=enum("JOINT", kind, "kind"), fields=fields, body_a=handle_of(a, "a", "carom_body"),
+                 body_b=handle_of(b, "b", "carom_body"))
     return world._create(Joint, raw.carom_joint_create, ctypes.byref(describe(raw.carom_joint_desc, about)))
 
 
 def _with_numbers(about: Mapping[str, Any]) -> dict[str, Any]:
     """Words for modes, drives and gains as their numbers."""
     prefixes = {"mode": "AXIS_MODE", "drive": "DRIVE"}
-    return {name: enum("GAINS" if name.endswith("gains") else prefixes[name], value)
+    return {name: enum("GAINS" if name.endswith("gains") else prefixes[name], value, name)
             if name in prefixes or name.endswith("gains") else value for name, value in about.items()}
 
 
@@ -71,6 +72,10 @@ class Joint(Thing):
 
     __slots__ = ()
     _destroy = staticmethod(raw.carom_joint_destroy)
+
+    def _about(self) -> str:
+        desc = self.desc
+        return f"{desc.kind} of {desc.body_a!r} and {desc.body_b!r}"
 
     @property
     def desc(self) -> JointRecord:
@@ -104,7 +109,7 @@ class Joint(Thing):
         "limited", lower=, upper= (m or rad); drive="position", "velocity" or "effort", with target=, speed=, effort=, max_force=,
         drive_stiffness=, drive_damping=; rest=, spring_stiffness=, spring_damping=; stop_stiffness=, stop_damping=; and in what
         those are, stop_gains=, drive_gains=, spring_gains="frequency", "force" or "acceleration"."""
-        number, struct = enum("AXIS", axis), raw.carom_joint_axis
+        number, struct = enum("AXIS", axis, "axis"), raw.carom_joint_axis
         if about:
             self._call(raw.carom_joint_set_axis, number, ctypes.byref(describe(struct, _with_numbers(about))))
         now = struct(struct_size=ctypes.sizeof(struct))
@@ -124,7 +129,7 @@ class Joint(Thing):
 
     def _part(self, kind: type[R], struct: Any, get: Callable[..., int], set: Callable[..., int], coordinate: str | int,
               about: Mapping[str, Any]) -> R:
-        number = enum("COORDINATE", coordinate)
+        number = enum("COORDINATE", coordinate, "coordinate")
         desc = struct(struct_size=ctypes.sizeof(struct))
         self._call(get, number, ctypes.byref(desc))
         if about:

@@ -6,8 +6,8 @@ import math
 from typing import TYPE_CHECKING, Any, Callable, Mapping
 
 from . import raw
-from ._values import ask, describe, need_numpy, record, vec3, vector, word
-from .query import OUTCOMES
+from ._values import ask, describe, direction as way_of, need_numpy, number, record, shape_of, vec3, vector, word
+from .query import OUTCOMES, rows_of
 from .records import CastRecord, DistanceRecord, OverlapRecord
 from .shape import Shape
 
@@ -49,21 +49,21 @@ class PairQuestions:
         @param how  fields of carom_distance_desc: tolerance=1e-9, pair_routines=1"""
         desc = describe(raw.carom_distance_desc, how)
         result = raw.carom_distance(struct_size=ctypes.sizeof(raw.carom_distance))
-        self._call(raw.carom_shape_distance, a.handle, *_pose(position_a, orientation_a, "_a"), b.handle,
+        self._call(raw.carom_shape_distance, shape_of(a, "a"), *_pose(position_a, orientation_a, "_a"), shape_of(b, "b"),
                    *_pose(position_b, orientation_b, "_b"), ctypes.byref(desc), ctypes.byref(result))
         return record(DistanceRecord, result)
 
     def ray_cast(self, shape: Shape, origin: Vector, direction: Vector, max: float = math.inf, position: Vector = (0, 0, 0),
                  orientation: Vector = IDENTITY, **how: Unpack[CastKeywords]) -> CastRecord:
         """Where origin + t direction, 0 <= t <= max, meets a shape. @return outcome ("hit", "miss", ...), time, point_b, normal"""
-        return self._cast(raw.carom_ray_cast, how, shape.handle, *_pose(position, orientation, ""), vec3(origin, "origin"),
-                          vec3(direction, "direction"), max)
+        return self._cast(raw.carom_ray_cast, how, shape_of(shape, "shape"), *_pose(position, orientation, ""),
+                          vec3(origin, "origin"), way_of(direction, "direction"), number(max, "max"))
 
     def shape_cast(self, a: Shape, b: Shape, motion: Vector, position_a: Vector = (0, 0, 0), position_b: Vector = (0, 0, 0), orientation_a: Vector = IDENTITY,
                    orientation_b: Vector = IDENTITY, **how: Unpack[CastKeywords]) -> CastRecord:
         """When A, moved by `motion` (m) without turning, touches B: a fraction of the motion. @return as ray_cast()"""
-        return self._cast(raw.carom_shape_cast, how, a.handle, *_pose(position_a, orientation_a, "_a"), vec3(motion, "motion"),
-                          b.handle, *_pose(position_b, orientation_b, "_b"))
+        return self._cast(raw.carom_shape_cast, how, shape_of(a, "a"), *_pose(position_a, orientation_a, "_a"), vec3(motion, "motion"),
+                          shape_of(b, "b"), *_pose(position_b, orientation_b, "_b"))
 
     def time_of_impact(self, a: Shape, b: Shape, duration: float, motion_a: MotionKeywords | None = None,
                        motion_b: MotionKeywords | None = None, **how: Unpack[CastKeywords]) -> CastRecord:
@@ -71,23 +71,24 @@ class PairQuestions:
         @param motion_a, motion_b  fields of carom_motion, None: it rests at the origin: position, orientation, center,
                                    linear_velocity (m/s), angular_velocity (rad/s)
         @return as ray_cast()"""
-        return self._cast(raw.carom_shape_time_of_impact, how, a.handle, ctypes.byref(describe(raw.carom_motion, motion_a or {})),
-                          b.handle, ctypes.byref(describe(raw.carom_motion, motion_b or {})), duration)
+        return self._cast(raw.carom_shape_time_of_impact, how, shape_of(a, "a"),
+                          ctypes.byref(describe(raw.carom_motion, motion_a or {})), shape_of(b, "b"),
+                          ctypes.byref(describe(raw.carom_motion, motion_b or {})), number(duration, "duration"))
 
     def overlap(self, a: Shape, b: Shape, position_a: Vector = (0, 0, 0), position_b: Vector = (0, 0, 0), orientation_a: Vector = IDENTITY,
                 orientation_b: Vector = IDENTITY, **how: Unpack[CastKeywords]) -> OverlapRecord:
         """Whether two shapes overlap, with a proof. @return outcome ("apart", "overlapping", "touching"), normal or point"""
         desc = ask(raw.carom_cast_desc, how)
         result = raw.carom_overlap(struct_size=ctypes.sizeof(raw.carom_overlap))
-        self._call(raw.carom_shape_overlap, a.handle, *_pose(position_a, orientation_a, "_a"), b.handle,
+        self._call(raw.carom_shape_overlap, shape_of(a, "a"), *_pose(position_a, orientation_a, "_a"), shape_of(b, "b"),
                    *_pose(position_b, orientation_b, "_b"), ctypes.byref(desc), ctypes.byref(result))
         return record(OverlapRecord, result, outcome=word("OVERLAP", result.outcome, OVERLAPS))
 
     def support(self, shape: Shape, directions: Rows) -> NDArray[np.float64]:
         """Farthest points of a shape along directions, numpy arrays of rows of 3."""
         np = need_numpy("support()")
-        along = np.ascontiguousarray(directions, dtype=np.float64).reshape(-1, 3)
+        along = rows_of(directions, 3, "directions")
         points: NDArray[Any] = np.empty_like(along)
         real = ctypes.POINTER(ctypes.c_double)
-        self._call(raw.carom_shape_support, shape.handle, along.ctypes.data_as(real), len(along), points.ctypes.data_as(real))
+        self._call(raw.carom_shape_support, shape_of(shape, "shape"), along.ctypes.data_as(real), len(along), points.ctypes.data_as(real))
         return points

@@ -6,7 +6,8 @@ import math
 from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 from . import raw
-from ._values import Record, ask, copy_out, enum, need_numpy, numpy, record, vec3, vector, word
+from ._values import Record, ask, copy_out, enum, floats, handle_of, listed, need_numpy, number, numpy, record, shape_of, vec3, vector, word
+from ._values import direction as way_of
 from .records import WorldHitRecord
 
 if TYPE_CHECKING:
@@ -50,6 +51,22 @@ class Hits(Record):
     statuses: NDArray[np.uint32]
 
 
+def rows_of(values: Any, width: int, name: str) -> Any:
+    """Numbers as a packed numpy array (n, width)."""
+    array = floats(values, name)
+    if array.shape != (width,) and (array.ndim != 2 or array.shape[1] != width) and array.size:
+        raise ValueError(f"{name} takes rows of {width} numbers, got shape {array.shape}")
+    return numpy.ascontiguousarray(array, dtype=numpy.float64).reshape(-1, width)
+
+
+def spread(array: NDArray[Any], shape: tuple[int, ...], name: str) -> Any:
+    """As many rows as there are questions, packed, where one stands for all."""
+    if array.shape not in (shape, shape[1:], (1, *shape[1:])):
+        what = f"{shape[0]} rows of {shape[1]} numbers" if len(shape) > 1 else f"{shape[0]} numbers"
+        raise ValueError(f"{name} takes {what}, or one for all, got shape {array.shape}")
+    return numpy.ascontiguousarray(numpy.broadcast_to(array, shape), dtype=numpy.float64)
+
+
 class Questions:
     """`how`: fields of carom_query_desc, as category=, mask=, ignore=body, tolerance=, target=, flags=.
     ignore_touched=True: what a ray or shape touches or overlaps at its start is passed over."""
@@ -67,7 +84,7 @@ class Questions:
         """What origin + t direction, 0 <= t <= max, meets first.
         @return None, or: body, collider, point, normal, time (t), bracket [lower, upper], outcome"""
         found, desc = raw.carom_world_hit(), ask(raw.carom_query_desc, how)
-        self._call(raw.carom_world_cast_ray, vec3(origin, "origin"), vec3(direction, "direction"), max, ctypes.byref(desc),
+        self._call(raw.carom_world_cast_ray, vec3(origin, "origin"), way_of(direction, "direction"), number(max, "max"), ctypes.byref(desc),
                    ctypes.byref(found), ctypes.sizeof(found))
         return self._hit(found)
 
@@ -75,10 +92,13 @@ class Questions:
     def _rays(origins: Any, directions: Any, max: Any) -> tuple[raw.carom_rays, Any, int]:
         """carom_rays of numpy arrays. Keep what is returned until after the call."""
         np = need_numpy("rays()")
-        origins = np.ascontiguousarray(origins, dtype=np.float64).reshape(-1, 3)
-        directions = np.ascontiguousarray(np.broadcast_to(np.asarray(directions, dtype=np.float64), origins.shape))
+        origins = rows_of(origins, 3, "origins")
         n = len(origins)
-        ends = np.ascontiguousarray(np.broadcast_to(np.asarray(math.inf if max is None else max, dtype=np.float64), (n,)))
+        directions = spread(floats(directions, "directions"), (n, 3), "directions")
+        still = ~directions.any(axis=1)
+        if still.any():
+            directions = np.where(still[:, None], np.nan, directions)  # a ray without a direction: outcome 4, bad_ray
+        ends = spread(floats(math.inf if max is None else max, "max"), (n,), "max")
         rays = raw.carom_rays(struct_size=ctypes.sizeof(raw.carom_rays), scalar=raw.CAROM_SCALAR_F64, count=n,
                               origins=origins.ctypes.data, directions=directions.ctypes.data, max=ends.ctypes.data)
         return rays, (origins, directions, ends), n
@@ -86,7 +106,7 @@ class Questions:
     def rays(self, origins: Rows, directions: Rows | Vector, max: float | Sequence[float] | NDArray[Any] | None = None,
              want: WantWord = "first", **how: Unpack[QueryKeywords]) -> RayHits:
         """Many at once, numpy arrays (n, 3). @param max  one number or (n,), default infinite
-        @return arrays: outcomes (0 a miss), colliders (handles), times, normals, points"""
+        @return arrays: outcomes (0 a miss, 4 a bad ray: no number, or no direction), colliders (handles), times, normals, points"""
         np = need_numpy("rays()")
         rays, alive, n = self._rays(origins, directions, max)
         outcomes, colliders = np.zeros(n, np.uint32), np.zeros(n, np.uint64)
@@ -97,7 +117,7 @@ class Questions:
             colliders=colliders.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64)),
             times=times.ctypes.data, normals=normals.ctypes.data, points=points.ctypes.data)
         desc = ask(raw.carom_query_desc, how)
-        self._call(raw.carom_world_cast_rays, ctypes.byref(rays), enum("WANT", want), ctypes.byref(desc), ctypes.byref(hits))
+        self._call(raw.carom_world_cast_rays, ctypes.byref(rays), enum("WANT", want, "want"), ctypes.byref(desc), ctypes.byref(hits))
         return RayHits(outcomes=outcomes, colliders=colliders, times=times, normals=normals, points=points)
 
     def rays_all(self, origins: Rows, directions: Rows | Vector, max: float | Sequence[float] | NDArray[Any] | None = None,
@@ -112,7 +132,7 @@ class Questions:
     def _one_shape(shape: Shape | None, position: Vector, orientation: Vector,
                    motion: Vector | None) -> tuple[raw.carom_query_shapes, Any]:
         """carom_query_shapes of one; `shape` None is a point. Keep what is returned until after the call."""
-        handle = ctypes.c_uint64(0 if shape is None else shape.handle)
+        handle = ctypes.c_uint64(handle_of(shape, "shape", "carom_shape"))
         at, turned = vec3(position, "position"), vector(orientation, 4, "orientation")
         way = None if motion is None else vec3(motion, "motion")
         asking = raw.carom_query_shapes(
@@ -125,22 +145,19 @@ class Questions:
     def _shapes(shapes: Any, positions: Any, orientations: Any, motions: Any) -> tuple[raw.carom_query_shapes, Any, int]:
         """carom_query_shapes of many. @param shapes  one for all, one each, or None: points. Keep what is returned."""
         np = need_numpy("many shapes")
-        rows = [np.atleast_2d(np.asarray(a, dtype=np.float64)) for a in (positions, motions) if a is not None]
+        if shapes is not None and not hasattr(shapes, "handle"):
+            shapes = listed(shapes, "shapes", "a Shape, or one for each")
+        rows = [np.atleast_2d(floats(a, name)) for a, name in ((positions, "positions"), (motions, "motions")) if a is not None]
         n = max([len(a) for a in rows] + [1 if shapes is None or hasattr(shapes, "handle") else len(shapes)])
 
-        def spread(values: Any, width: int, name: str) -> Any:
-            if values is None:
-                return None
-            array = np.atleast_2d(np.asarray(values, dtype=np.float64))
-            if array.shape not in ((n, width), (1, width)):
-                raise ValueError(f"{name} takes {n} rows of {width} numbers, or one for all, got shape {array.shape}")
-            return np.ascontiguousarray(np.broadcast_to(array, (n, width)))
+        def each_of(values: Any, width: int, name: str) -> Any:
+            return None if values is None else spread(floats(values, name), (n, width), name)
 
-        at, turned, way = spread(positions, 3, "positions"), spread(orientations, 4, "orientations"), spread(motions, 3, "motions")
+        at, turned, way = each_of(positions, 3, "positions"), each_of(orientations, 4, "orientations"), each_of(motions, 3, "motions")
         if shapes is not None and not hasattr(shapes, "handle") and len(shapes) not in (1, n):
             raise ValueError(f"shapes takes {n}, or one for all, got {len(shapes)}")
         each = None if shapes is None else np.ascontiguousarray(np.broadcast_to(
-            np.asarray([s.handle for s in ([shapes] if hasattr(shapes, "handle") else shapes)], dtype=np.uint64), (n,)))
+            np.asarray([shape_of(s, "shapes") for s in ([shapes] if hasattr(shapes, "handle") else shapes)], dtype=np.uint64), (n,)))
 
         def address(array: Any) -> int | None:
             return None if array is None else int(array.ctypes.data)
@@ -173,14 +190,14 @@ class Questions:
                 lower, upper, separations, normals, points, points_own"""
         asking, alive, n = self._shapes(shapes, positions, orientations, motions)
         desc = ask(raw.carom_query_desc, how)
-        return self._each(raw.carom_world_cast_shapes, asking, n, enum("WANT", want), ctypes.byref(desc))
+        return self._each(raw.carom_world_cast_shapes, asking, n, enum("WANT", want, "want"), ctypes.byref(desc))
 
     def nearests(self, positions: Rows | Vector, shapes: Shape | Sequence[Shape] | None = None, reach: float = math.inf,
                  orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
         """The collider nearest to each of many points or shapes. @return arrays as of casts()"""
         asking, alive, n = self._shapes(shapes, positions, orientations, None)
         desc = ask(raw.carom_query_desc, how)
-        return self._each(raw.carom_world_find_nearest, asking, n, reach, ctypes.byref(desc))
+        return self._each(raw.carom_world_find_nearest, asking, n, number(reach, "reach"), ctypes.byref(desc))
 
     def casts_all(self, shapes: Shape | Sequence[Shape], positions: Rows | Vector, motions: Rows | Vector,
                   orientations: Rows | Vector | None = None, **how: Unpack[QueryKeywords]) -> Hits:
@@ -212,7 +229,7 @@ class Questions:
         """The collider nearest to a point or a shape. @return None, or as ray() with separation, m"""
         asking, alive = self._one_shape(shape, position, orientation, None)
         found, desc = raw.carom_world_hit(), ask(raw.carom_query_desc, how)
-        self._call(raw.carom_world_find_nearest, ctypes.byref(asking), reach, ctypes.byref(desc), ctypes.byref(found),
+        self._call(raw.carom_world_find_nearest, ctypes.byref(asking), number(reach, "reach"), ctypes.byref(desc), ctypes.byref(found),
                    ctypes.sizeof(found))
         return self._hit(found)
 

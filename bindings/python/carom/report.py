@@ -5,7 +5,7 @@ import ctypes
 from typing import TYPE_CHECKING, Any, Callable, TypeVar
 
 from . import raw
-from ._values import Record, bits, copy_out, describe, enum, need_numpy, record, word
+from ._values import Record, bits, copy_out, describe, enum, flag, need_numpy, number, record, whole, word
 from .records import (AccuracyRecord, ContactEventRecord, ContactRecord, DrawLineRecord, FaultEventRecord, FaultRecord,
                       GroupRecord, GrowthRecord, IslandFlags, IslandRecord, JointEventRecord, LedgerEntryRecord,
                       LedgerStateRecord, PlanLineRecord, ResidualsRecord, SensorEventRecord, SleepEventRecord,
@@ -27,15 +27,6 @@ MODES = ("as_needed", "forbid", "force")
 def effects() -> dict[str, int]:
     """Names of all effects: "gravity", "friction", ..."""
     return {raw.carom_effect_name(i).decode(): i for i in range(raw.CAROM_EFFECT_COUNT)}
-
-
-def _effect(name: str | int) -> int:
-    if not isinstance(name, str):
-        return name
-    known = effects()
-    if name not in known:
-        raise ValueError(f"{name!r} is not one of {', '.join(known)}")
-    return known[name]
 
 
 class Reports:
@@ -81,7 +72,7 @@ class Reports:
     def collect_events(self, *kinds: EventsWord, hit_speed: float = 1.0) -> None:
         """From the next step on. @param kinds  of "contact", "sensor", "sleep", "joint", "fault"; none: nothing
         @param hit_speed  m/s: contacts that approach faster are hits"""
-        self._call(raw.carom_world_collect_events, bits("EVENTS", kinds), hit_speed)
+        self._call(raw.carom_world_collect_events, bits("EVENTS", kinds, "kinds"), number(hit_speed, "hit_speed"))
 
     def contact_events(self) -> list[ContactEventRecord]:
         """kind: "begin", "end", "hit" """
@@ -108,7 +99,11 @@ class Reports:
     # ---- accuracy in, steps out ----
 
     def set_accuracy(self, **about: Unpack[AccuracyKeywords]) -> None:
-        """Set an error tolerance, from the next step on: place (m/s), turn (rad/s), substeps (the bound of work)."""
+        """Set an error tolerance, from the next step on: place (m/s), turn (rad/s), substeps (the bound of work).
+        One of place and turn is said; the other is 1e-3 by default, and 0 stands for none."""
+        if about.get("place") is None and about.get("turn") is None:
+            raise TypeError("set_accuracy() takes place=, in m/s, or turn=, in rad/s, or both; type set_accuracy(place=1e-4, turn=1e-4). "
+                            "clear_accuracy() takes the tolerance back")
         self._call(raw.carom_world_set_accuracy, ctypes.byref(describe(raw.carom_accuracy, about)))
 
     def clear_accuracy(self) -> None:
@@ -135,7 +130,7 @@ class Reports:
         `sensitive` tells chaos: errors grow e-fold, `rate` a second. Choose steps for several e-foldings of what is looked for."""
         growth = raw.carom_growth()
         growth.struct_size = ctypes.sizeof(growth)
-        self._call(raw.carom_world_measure_growth, dt, steps, ctypes.byref(growth))
+        self._call(raw.carom_world_measure_growth, number(dt, "dt"), whole(steps, "steps"), ctypes.byref(growth))
         return record(GrowthRecord, growth, self._wrap, sensitive=bool(growth.sensitive))
 
     # ---- which effects run, for whom, why ----
@@ -148,13 +143,13 @@ class Reports:
 
     def set_effect(self, effect: EffectWord | int, mode: ModeWord | int = "as_needed") -> None:
         """@param mode  "as_needed", "forbid", "force" """
-        self._call(raw.carom_world_set_effect, _effect(effect), enum("MODE", mode))
+        self._call(raw.carom_world_set_effect, enum("EFFECT", effect, "effect"), enum("MODE", mode, "mode"))
 
     # ---- where energy and momentum come from and go to ----
 
     def keep_ledger(self, on: bool = True) -> None:
         """From now on, anew if one is kept."""
-        self._call(raw.carom_world_enable_ledger, int(on))
+        self._call(raw.carom_world_enable_ledger, flag(on, "on"))
 
     def ledger(self) -> dict[str, LedgerEntryRecord]:
         """{cause: record of kinetic, potential (J), linear (N s), angular (N m s), total_...}"""
@@ -188,15 +183,16 @@ class Reports:
 
     def set_budget(self, seconds: float | None, fewest: int = 1, most: int = 8) -> None:
         """Steps of about so many seconds, by `fewest` to `most` substeps: runs then depend on the machine's speed. None: off."""
-        self._call(raw.carom_world_set_budget, seconds or 0.0, fewest, most)
+        self._call(raw.carom_world_set_budget, 0.0 if seconds is None else number(seconds, "seconds"),
+                   whole(fewest, "fewest"), whole(most, "most"))
 
     def draw(self, *what: DrawWord, **how: Unpack[DrawKeywords]) -> list[DrawLineRecord]:
         """Coloured lines: from_, to (m), colour 0xRRGGBBAA, kind, body.
         @param what  of "shapes", "scenery", "bounds", "contacts", "joints", "bodies"   @param how  colouring="island", scale="""
         fields: dict[str, Any] = {**how}
         if what:
-            fields["what"] = bits("DRAW", what)
+            fields["what"] = bits("DRAW", what, "what")
         if "colouring" in how:
-            fields["colouring"] = enum("DRAW_BY", how["colouring"])
+            fields["colouring"] = enum("DRAW_BY", how["colouring"], "colouring")
         desc = describe(raw.carom_draw_desc, fields)
         return self._records(DrawLineRecord, raw.carom_world_draw, raw.carom_draw_line, ctypes.byref(desc))

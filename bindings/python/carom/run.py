@@ -5,6 +5,7 @@ import sys
 import time
 from typing import Callable, TextIO
 
+from ._values import number
 from .world import World
 
 
@@ -16,8 +17,9 @@ def run(world: World, seconds: float, dt: float = 1 / 60, progress: bool | None 
     @param file      where the line goes, default sys.stderr
     @return steps done
     """
+    seconds, dt = number(seconds, "seconds"), number(dt, "dt")
     if not seconds >= 0 or not dt > 0:
-        raise ValueError("run() takes seconds >= 0 and dt > 0")
+        raise ValueError(f"run() takes seconds of at least 0 and dt above 0, got seconds={seconds:g}, dt={dt:g}")
     file = sys.stderr if file is None else file
     shown = file.isatty() if progress is None else progress
     whole = int(seconds / dt + 1e-9)

@@ -5,6 +5,7 @@ import ctypes
 from typing import TYPE_CHECKING
 
 from . import raw
+from .errors import CaromError, Closed
 from ._values import record
 from .records import ShapeInfoRecord
 
@@ -27,7 +28,14 @@ class Shape:
         return hash(self.handle)
 
     def __repr__(self) -> str:
-        return f"<carom.Shape {self.handle:#x}>"
+        what = f"carom.Shape {self.handle:#x}"
+        try:
+            info = self.info
+        except Closed:
+            return f"<{what}, of a closed engine>"
+        except CaromError:
+            return f"<{what}, destroyed>"
+        return f"<{what}: {'a half-space' if info.is_half_space else 'scenery' if info.is_scenery else f'{info.volume:.6g} m^3'}>"
 
     @property
     def info(self) -> ShapeInfoRecord:

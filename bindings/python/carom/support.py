@@ -12,7 +12,7 @@ import traceback
 from typing import TYPE_CHECKING, Any, Callable, Sequence, TypeVar
 
 from . import raw
-from ._values import enum
+from ._values import enum, listed, number, whole
 from .errors import CaromError
 from .shape import Shape
 
@@ -57,6 +57,15 @@ class SupportPlugin:
                  tail_group: int = 0, tail_min: int = 0):
         self.engine, self.id = engine, id
         self._caught: list[BaseException | None] = []
+        version, tail_group, tail_min = whole(version, "version"), whole(tail_group, "tail_group"), whole(tail_min, "tail_min")
+        indices = [whole(index, f"args[{i}]") for i, index in enumerate(listed(args, "args", "indices of parameters"))]
+        core = raw.CAROM_NO_PARAM if core_radius is None else whole(core_radius, "core_radius")
+        what = "rows of name, unit, min, max"
+        rows = [listed(row, f"params[{i}]", "name, unit, min, max") for i, row in enumerate(listed(params, "params", what))]
+        if any(len(row) != 4 for row in rows):
+            raise ValueError(f"params takes {what}, got {params!r}")
+        params = [(str(n), str(u), number(low, f"min of params[{i}]"), number(high, f"max of params[{i}]"))
+                  for i, (n, u, low, high) in enumerate(rows)]
         table = (raw.carom_param * len(params))(*[raw.carom_param(n.encode(), u.encode(), low, high) for n, u, low, high in params])
         callback = _guarded(support, self._caught)
         plugin = raw.carom_shape_plugin(
@@ -65,11 +74,13 @@ class SupportPlugin:
             param_count=len(params), params=table, support=callback, param_tail_group=tail_group, param_tail_min=tail_min)
         geometry = None
         if form is not None or core_radius is not None:
-            indices = (ctypes.c_uint32 * 4)(*(list(args) + [raw.CAROM_NO_PARAM] * (4 - len(args))))
-            kind = enum("FORM", form or "none")
+            if len(indices) > 4:
+                raise ValueError(f"args takes up to 4 indices of parameters, got {len(indices)}")
+            arg = (ctypes.c_uint32 * 4)(*indices, *[raw.CAROM_NO_PARAM] * (4 - len(indices)))
+            kind = enum("FORM", form or "none", "form")
             geometry = raw.carom_geometry(
-                struct_size=ctypes.sizeof(raw.carom_geometry), form=kind, form_arg=indices, mass_form=kind, mass_arg=indices,
-                core_radius_param=raw.CAROM_NO_PARAM if core_radius is None else core_radius)
+                struct_size=ctypes.sizeof(raw.carom_geometry), form=kind, form_arg=arg, mass_form=kind, mass_arg=arg,
+                core_radius_param=core)
             plugin.geometry = ctypes.pointer(geometry)
         engine._owner.alive += [table, callback, plugin, geometry]  # as long as the engine
         handle = ctypes.c_uint64()

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from . import raw
+from ._values import enum, number
 from .world import World
 
 
@@ -28,7 +29,7 @@ class Setting:
     def apply(self, world: World) -> None:
         """Set preset and dials on a world; stepping `steps_per_frame` times a frame is the caller's."""
         if self.preset is not None:
-            world._call(raw.carom_world_set_preset, _preset(self.preset))
+            world._call(raw.carom_world_set_preset, enum("PRESET", self.preset, "preset"))
         for name, value in self.dials.items():
             world.dials[name] = value if isinstance(world.dials[name], str) else float(value)
 
@@ -45,13 +46,6 @@ class Tuned:
     floor: float          # errors below it are not told apart
 
 
-def _preset(name: str) -> int:
-    for preset in range(raw.CAROM_PRESET_COUNT):
-        if raw.carom_preset_name(preset).decode() == name:
-            return preset
-    raise ValueError(f"no preset {name!r}")
-
-
 def tune(world: World, budget_ms: float = 2, *, seconds: float | None = None, frame_rate: float = 60, error: str | None = None,
          within: float = 20, tool: str | None = None) -> Tuned:
     """Run copies of the world at some tens of settings, compare them with a fine run of their own, and tell which are worth it.
@@ -66,14 +60,16 @@ def tune(world: World, budget_ms: float = 2, *, seconds: float | None = None, fr
     @param tool        the command; None: $CAROM_TOOL, else `carom` beside the library's folder or on the path
     @raise FileNotFoundError  no such command   @raise RuntimeError  what the command said
     """
+    budget_ms, frame_rate, within = number(budget_ms, "budget_ms"), number(frame_rate, "frame_rate"), number(within, "within")
+    seconds = None if seconds is None else number(seconds, "seconds")
     command = _find_tool(tool)
     with tempfile.TemporaryDirectory() as folder:
         state, answer = Path(folder, "world.carom"), Path(folder, "answer.json")
         state.write_bytes(world.save(whole=True))
-        line = [command, "tune", str(state), "--budget", repr(float(budget_ms)), "--frame", repr(float(frame_rate)), "--within",
-                repr(float(within)), "--json", str(answer), "--quiet"]
+        line = [command, "tune", str(state), "--budget", repr(budget_ms), "--frame", repr(frame_rate), "--within",
+                repr(within), "--json", str(answer), "--quiet"]
         if seconds is not None:
-            line += ["--seconds", repr(float(seconds))]
+            line += ["--seconds", repr(seconds)]
         if error is not None:
             line += ["--error", error]
         done = subprocess.run(line, capture_output=True, text=True)

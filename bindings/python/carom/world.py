@@ -5,11 +5,12 @@ import ctypes
 from typing import TYPE_CHECKING, Any, Callable, Mapping, TypeVar
 
 from . import raw
-from ._root import Root
-from ._values import describe, enum, handle_of, handles_out, vec3
-from .body import Body, Collider, Material, Thing
+from ._root import Root, count_of
+from ._values import describe, enum, flag, handle_of, handles_out, number, vec3
+from .body import Body, Collider, Material, Thing, collider_desc
 from .bulk import Bulk
 from .dials import Dials
+from .errors import Busy, Closed, Reentrant
 from .force import ForceField, Spring, Water
 from .joint import Joint, make_joint
 from .particles import Particles
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
     from ._values import Vector
     from .engine import Engine
-    from .records import BodyTypeWord, ForceFieldKeywords, ForceFieldWord, JointKeywords, JointWord, MixWord, ParticlesKeywords
+    from .records import BodyTypeWord, ForceFieldKeywords, ForceFieldWord, JointKeywords, JointWord, MixWord, ParticlesKeywords, PresetWord
 
 T = TypeVar("T", bound=Thing)
 
@@ -70,11 +71,22 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
         self._call(function, *arguments, ctypes.byref(handle))
         return kind(self, handle.value)
 
+    def __repr__(self) -> str:
+        try:
+            joints = ctypes.c_uint64()
+            self._call(raw.carom_world_get_joints, None, 0, ctypes.byref(joints))
+            return (f"<carom.World: {count_of(self.body_count(), 'body')}, {count_of(joints.value, 'joint')}, "
+                    f"at {self.report.time:.6g} s>")
+        except Closed:
+            return "<carom.World, closed>"
+        except (Busy, Reentrant):
+            return "<carom.World, in a call>"
+
     # ---- time ----
 
     def step(self, dt: float = 1 / 60) -> None:
         """Advance by dt, s, in [1e-9, 1]."""
-        self._call(raw.carom_world_step, dt)
+        self._call(raw.carom_world_step, number(dt, "dt"))
 
     @property
     def hash(self) -> int:
@@ -82,6 +94,10 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
         value = ctypes.c_uint64()
         self._call(raw.carom_world_hash, ctypes.byref(value))
         return value.value
+
+    def set_preset(self, preset: PresetWord | int) -> None:
+        """Dials together, from the next step on: "fast", "balanced", "accurate", "reference"."""
+        self._call(raw.carom_world_set_preset, enum("PRESET", preset, "preset"))
 
     @property
     def gravity(self) -> tuple[float, ...]:
@@ -100,14 +116,20 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
                  restitution_mix: MixWord | int | None = None, rolling: float = 0, spinning: float = 0) -> Material:
         """@param friction  default 0.5   @param restitution  default 0   @param rolling, spinning  m, resistance
         @param friction_mix, restitution_mix  "geometric_mean", "maximum", "minimum", "average", "multiply" """
-        def mix(value: str | int | None) -> int | None:
-            return None if value is None else enum("MIX", value)
+        def mix(value: str | int | None, name: str) -> int | None:
+            return None if value is None else enum("MIX", value, name)
 
         desc = describe(raw.carom_material_desc, {"friction": friction, "restitution": restitution,
-                                                  "friction_mix": mix(friction_mix), "restitution_mix": mix(restitution_mix)})
+                                                  "friction_mix": mix(friction_mix, "friction_mix"),
+                                                  "restitution_mix": mix(restitution_mix, "restitution_mix")})
+        resistance = number(rolling, "rolling"), number(spinning, "spinning")
         material = self._create(Material, raw.carom_material_create, ctypes.byref(desc))
-        if rolling or spinning:
-            material.resistance = rolling, spinning
+        if any(resistance):
+            try:
+                material.resistance = resistance
+            except BaseException:
+                material.destroy()
+                raise
         return material
 
     def body(self, shape: Shape | None = None, position: Vector | None = None, orientation: Vector | None = None,
@@ -123,13 +145,16 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
         fields = ((raw.CAROM_BODY_FIELD_MASS if mass is not None else 0) | (raw.CAROM_BODY_FIELD_CENTER if center is not None else 0)
                   | (raw.CAROM_BODY_FIELD_INERTIA if inertia is not None else 0) | (raw.CAROM_BODY_STAYS_AWAKE if stays_awake else 0))
         desc = describe(raw.carom_body_desc, {
-            "fields": fields, "type": enum("BODY", type), "position": position, "orientation": orientation,
+            "fields": fields, "type": enum("BODY", type, "type"), "position": position, "orientation": orientation,
             "linear_velocity": linear_velocity, "angular_velocity": angular_velocity, "mass": mass, "center": center,
             "inertia": inertia, "linear_damping": linear_damping, "angular_damping": angular_damping, "user": user})
+        first = None if shape is None else collider_desc(shape, None, None, density, material)
+        if shape is None and (density is not None or material is not None):
+            raise TypeError(f"{'material' if density is None else 'density'} is that of a shape: give shape=, or say it to body.collider()")
         body = self._create(Body, raw.carom_body_create, ctypes.byref(desc))
-        if shape is not None:
+        if first is not None:
             try:
-                body.collider(shape, material=material, density=density)
+                self._create(Collider, raw.carom_collider_create, body.handle, ctypes.byref(first))
             except BaseException:
                 body.destroy()
                 raise
@@ -137,6 +162,7 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
 
     def ground(self, normal: Vector = (0, 1, 0), offset: float = 0, material: Material | None = None) -> Body:
         """A static half-space."""
+        handle_of(material, "material", "carom_material")
         return self.body(self.engine.half_space(normal, offset), type="static", material=material)
 
     def joint(self, kind: JointWord | int, a: Body | None = None, b: Body | None = None, position: Vector | None = None,
@@ -146,15 +172,16 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
 
     def force_field(self, kind: ForceFieldWord | int = "uniform", **about: Unpack[ForceFieldKeywords]) -> ForceField:
         """@param kind  "uniform", "radial", "vortex"   @param about  fields of carom_force_field_desc: vector, strength, ..."""
-        desc = describe(raw.carom_force_field_desc, {"kind": enum("FORCE_FIELD", kind), **about})
+        desc = describe(raw.carom_force_field_desc, {"kind": enum("FORCE_FIELD", kind, "kind"), **about})
         return self._create(ForceField, raw.carom_force_field_create, ctypes.byref(desc))
 
     def spring(self, a: Body | None, b: Body | None, rest: float, stiffness: float, damping: float | None = None,
                anchor_a: Vector | None = None, anchor_b: Vector | None = None, only_pulls: bool = False, user: int | None = None) -> Spring:
         """A spring as a force. @param rest  m   @param stiffness  N/m   @param damping  N s/m   @param anchor_a, anchor_b  m"""
         desc = describe(raw.carom_spring_desc, {
-            "body_a": handle_of(a), "body_b": handle_of(b), "rest": rest, "stiffness": stiffness, "damping": damping,
-            "anchor_a": anchor_a, "anchor_b": anchor_b, "only_pulls": int(only_pulls), "user": user})
+            "body_a": handle_of(a, "a", "carom_body"), "body_b": handle_of(b, "b", "carom_body"), "rest": number(rest, "rest"),
+            "stiffness": number(stiffness, "stiffness"), "damping": damping,
+            "anchor_a": anchor_a, "anchor_b": anchor_b, "only_pulls": flag(only_pulls, "only_pulls"), "user": user})
         return self._create(Spring, raw.carom_spring_create, ctypes.byref(desc))
 
     def particles(self, **about: Unpack[ParticlesKeywords]) -> Particles:

@@ -18,6 +18,12 @@ with carom.Engine(threads=2) as engine, engine.world(substeps=8, solver="direct"
     ball.locks = {"linear_z", "angular_x"}
     ball.attributes["drag"] = (0.1, 0.02)
     assert_type(ball.mass, float)
+    ball.mass, ball.damping, ball.type, ball.user = 2, (0.1, 0), "kinematic", 7
+    ball.pose = (0, 4, 0), (0, 0, 0, 1)
+    ball.set_mass(2, center=np.zeros(3))
+    for piece in ball.colliders:
+        assert_type(piece.material, "carom.Material | None")
+        piece.density, piece.material, piece.pose = 500, None, piece.pose
     assert_type(ball.desc.type, str)
     assert_type(ball.collider(engine.box(1, 1, 1)), carom.Collider)
 
@@ -32,7 +38,8 @@ with carom.Engine(threads=2) as engine, engine.world(substeps=8, solver="direct"
     carom.run(world, seconds=1)
     assert_type(world.read("position"), NDArray[np.float64])
     assert_type(world.read("pose", dtype="float32"), NDArray[np.float32])
-    assert_type(world.positions(out=np.empty((2, 3), np.float32)), NDArray[np.float32])
+    rows: NDArray[np.float32] = np.empty((2, 3), np.float32)
+    assert_type(world.positions(out=rows), NDArray[np.float32])
     assert_type(world.body_handles(), NDArray[np.uint64])
     assert_type(world.create_bodies(np.zeros((4, 3)), engine.sphere(1), density=500), NDArray[np.uint64])
     assert_type(world.contacts(), list[ContactRecord])

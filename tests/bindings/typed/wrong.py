@@ -9,7 +9,7 @@ with carom.Engine() as engine, engine.world() as world:
     world.body(engine)  # mistake: an engine is no shape
     world.joint("hinge", ball).limit("twist", low=0)  # mistake: it is called lower
     engine.world(substep=8)  # mistake: no such dial
-    ball.mass = 2.0  # mistake: mass can't be set
+    ball.center = (0, 1, 0)  # mistake: the centre follows from the mass; set_mass() takes one
     print(world.contacts()[0].seperation)  # mistake: misspelt
     print(world.ray((0, 9, 0), (0, -1, 0)).point)  # mistake: it may have met nothing
     print(world.read("position") + "m")  # mistake: an array plus text
