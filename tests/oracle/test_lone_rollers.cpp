@@ -177,7 +177,60 @@ static void swaying_keeps_its_energy(void**) {
   assert_true(off < 1e-4 * before);
 }
 
+/// m: how far what rolls on a lift gets from where it would be on one that rests, seen from the lift.
+static Real off_on_a_lift(Shape shape, const Quat& turn, Real high, const Vec3& roll, const Vec3& spin,
+                          const Vec3& lift, Real dt) {
+  struct Scene : TestWorld {
+    std::uint32_t below, body;
+  };
+  Scene scenes[2];
+  for (int k = 0; k < 2; ++k) {
+    Scene& t = scenes[k];
+    const std::uint32_t rough = t.material(0.5, 0);
+    const Vec3 v = k * lift;
+    t.below = t.add(t.keep(box(Vec3(4, 0.1, 4))), Vec3(0, -0.1, 0), BodyType::kinematic, Quat::identity(), rough);
+    t.body = t.add(t.keep(shape), Vec3(0, high, 0), BodyType::dynamic, turn, rough);
+    t.world.set_velocity(t.below, v, Vec3::zero());
+    t.world.set_velocity(t.body, v + roll, spin);
+  }
+  Real worst = 0;
+  for (int i = 0; i < static_cast<int>(1 / dt); ++i) {
+    Vec3 at[2];
+    for (int k = 0; k < 2; ++k) {
+      scenes[k].world.step(dt);
+      at[k] = scenes[k].world.state.x[scenes[k].body] - scenes[k].world.state.x[scenes[k].below];
+    }
+    worst = std::max(worst, (at[1] - at[0]).norm());
+  }
+  std::printf("  on a lift: off by %.2e m\n", worst);
+  return worst;
+}
+/// Steps look alike from what moves evenly. What slips at first may go to another solver, and what is fast is swept.
+constexpr Real kAlike = 1e-7;  // m, a ten-thousandth of position_tolerance
+static void a_lift_changes_nothing(void**) {
+  const Quat lying = turn_between(Vec3(0, 1, 0), Vec3(0, 0, 1));
+  for (const Vec3& lift : {Vec3(0, 0.05, 0), Vec3(0, 2, 0), Vec3(0.3, -0.5, 0.2)}) {
+    assert_true(off_on_a_lift(sphere(0.1), lying, 0.1, Vec3(0.2, 0, 0), Vec3(0, 0, -2), lift, 1.0 / 60) < kAlike);
+    assert_true(off_on_a_lift(capsule(0.1, 0.2), lying, 0.1, Vec3(0.2, 0, 0), Vec3(0, 0, -2), lift, 1.0 / 60) < kAlike);
+    assert_true(off_on_a_lift(cylinder(0.1, 0.05), lying, 0.1, Vec3(0.2, 0, 0), Vec3(0, 0, -2), lift, 1.0 / 60) <
+                kAlike);
+  }
+}
+
 // ---- held out: not looked at before the rest passed ----
+
+static void held_out_lifts(void**) {
+  const Quat lying = turn_between(Vec3(0, 1, 0), Vec3(0, 0, 1));
+  const Vec3 none = Vec3::zero();
+  for (const Real dt : {1.0 / 30, 1.0 / 240}) {
+    assert_true(off_on_a_lift(sphere(0.008), lying, 0.008, none, none, Vec3(0, 0.25, 0), dt) < kAlike);
+    assert_true(off_on_a_lift(sphere(0.3), lying, 0.3, Vec3(-1, 0, 0.4), none, Vec3(1, 7, 0), dt) < kAlike);
+    assert_true(off_on_a_lift(capsule(0.02, 0.03), lying, 0.02, Vec3(0.1, 0, 0), Vec3(0, 0, -5), Vec3(0, 0.6, -0.4),
+                              dt) < kAlike);
+    assert_true(off_on_a_lift(cylinder(0.2, 0.4), lying, 0.2, Vec3(0.5, 0, 0), Vec3(0, 0, -2.5), Vec3(0, -0.1, 0.4),
+                              dt) < kAlike);
+  }
+}
 
 static void held_out_steady_motions(void**) {
   assert_true(wheel(0.05, 0.001, 0.9, -4).run(3, 180).place < 1e-4);
@@ -196,7 +249,8 @@ int main() {
       cmocka_unit_test(a_wheel_goes_round),       cmocka_unit_test(a_ball_goes_round_on_a_turntable),
       cmocka_unit_test(on_ice_a_wheel_falls),     cmocka_unit_test(a_wall_stops_a_wheel),
       cmocka_unit_test(swaying_keeps_its_energy), cmocka_unit_test(held_out_steady_motions),
-      cmocka_unit_test(held_out_turntables),
+      cmocka_unit_test(held_out_turntables),      cmocka_unit_test(a_lift_changes_nothing),
+      cmocka_unit_test(held_out_lifts),
   };
   return cmocka_run_group_tests_name("oracle/lone_rollers", tests, nullptr, nullptr);
 }

@@ -100,7 +100,7 @@ bool gains_energy(const TouchingBody& of, const TouchingMotion& motion, const To
 
 /// m: how far ends are to be from their surfaces: as they were, or as the solver left them if that is nearer.
 /// @return false: it turns back, is through a surface that it came off, or the solver's pose touches elsewhere
-bool find_gaps(const World& world, const TouchingBody& of, const TouchingMotion& motion,
+bool find_gaps(const World& world, const TouchingBody& of, Real dt, const TouchingMotion& motion,
                const TouchingMotion::At& begun, const TouchingMotion::At& ended, Real gaps[TouchingMotion::kMostEnds]) {
   const State& s = world.state;
   Vec3 r_begun[TouchingMotion::kMostEnds], r_solved[TouchingMotion::kMostEnds];
@@ -112,14 +112,14 @@ bool find_gaps(const World& world, const TouchingBody& of, const TouchingMotion&
     if (turns_back(touch, begun.omega, ended.omega)) return false;
     if (motion.grip(k) == Grip::opened) {
       Real gap = 0, before = 0;
-      if (!motion.clearance(begun, k, before) || !motion.clearance(ended, k, gap) ||
+      if (!motion.clearance(begun, k, 0, before) || !motion.clearance(ended, k, dt, gap) ||
           !(gap >= std::min(Real(0), before)))
         return false;
       continue;
     }
     for (int i = 2 * k; i < 2 * k + (touch.is_line() ? 2 : 1); ++i) {
-      const Real before = motion.gap(begun.x, r_begun[i], k);
-      const Real solved = is_solved ? motion.gap(s.x[of.body], r_solved[i], k) : before;
+      const Real before = motion.gap(begun.x, r_begun[i], k, 0);
+      const Real solved = is_solved ? motion.gap(s.x[of.body], r_solved[i], k, dt) : before;
       gaps[i] = std::fabs(before) < std::fabs(solved) ? before : solved;
     }
   }
@@ -144,7 +144,7 @@ bool roll(const World& world, const TouchingBody& of, Real dt, TouchingMotion& m
   Real gaps[TouchingMotion::kMostEnds] = {};
   return advance(motion, at, dt, std::max(1, static_cast<int>(wanted)), settled) &&
          !(asked.surfaces_rest && gains_energy(of, motion, begun, at)) &&
-         find_gaps(world, of, motion, begun, at, gaps) && motion.correct(at, gaps);
+         find_gaps(world, of, dt, motion, begun, at, gaps) && motion.correct(at, dt, gaps);
 }
 
 /// Whether the solver met it: what came off in the step before is near, and moves away.
@@ -333,8 +333,9 @@ void find_lone_rollers(const World& world, const StepTime& time) {
     for (int k = 0; k < of.count; ++k) {
       const FlatTouch& touch = of.touches[k];
       touches = touches || !touch.is_open;
+      const Vec3 past = of.v - touch.surface_v - touch.surface_spin.cross(of.x - touch.surface_x);
       if ((touch.is_line() && (touch.rolling > 0 || touch.spinning > 0)) ||
-          !is_flat(world, touch.surface, touch.n, touch.on_plane, time.dt * (of.v.norm() + of.omega.norm() * size)))
+          !is_flat(world, touch.surface, touch.n, touch.on_plane, time.dt * (past.norm() + of.omega.norm() * size)))
         return true;
     }
     return !touches;

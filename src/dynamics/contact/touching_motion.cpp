@@ -107,10 +107,10 @@ bool TouchingMotion::ends(const Quat& q, Vec3 r[kMostEnds]) const {
   return true;
 }
 
-bool TouchingMotion::clearance(const At& at, int touch, Real& to) const {
+bool TouchingMotion::clearance(const At& at, int touch, Real t, Real& to) const {
   Vec3 r;
   if (!support(at.q.matrix(), -1 * of_.touches[touch].n, r)) return false;
-  to = gap(at.x, r, touch);
+  to = gap(at.x, r, touch, t);
   return true;
 }
 
@@ -365,7 +365,7 @@ bool TouchingMotion::advance_to_opening(At& at, Real& h, int opened) {
   return true;
 }
 
-bool TouchingMotion::correct(At& at, const Real want[kMostEnds]) const {
+bool TouchingMotion::correct(At& at, Real t, const Real want[kMostEnds]) const {
   constexpr Real kMostTurn = 0.01;  // rad
   Vec3 r[kMostEnds];
   if (!ends(at.q, r)) return false;
@@ -374,7 +374,7 @@ bool TouchingMotion::correct(At& at, const Real want[kMostEnds]) const {
   for (int i = 0; i < kMostEnds; ++i) {
     if (!is_active(i)) continue;
     const Vec3& n = of_.touches[i / 2].n;
-    by[rows.count] = want[i] - gap(at.x, r[i], i / 2);
+    by[rows.count] = want[i] - gap(at.x, r[i], i / 2, t);
     rows.at[rows.count++] = {i, Along::normal, n, n, r[i].cross(n)};
   }
   if (rows.count == 1) {

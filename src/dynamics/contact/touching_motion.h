@@ -95,11 +95,13 @@ class TouchingMotion {
 
   /// m, from the centre of mass to what touches, of all that has not come off.
   bool ends(const Quat& q, Vec3 r[kMostEnds]) const;
-  Real gap(const Vec3& x, const Vec3& r, int touch) const {
-    return (x + r - of_.touches[touch].on_plane).dot(of_.touches[touch].n);
+  /// @param t  s, since the step began: the surface has moved on by then
+  Real gap(const Vec3& x, const Vec3& r, int touch, Real t) const {
+    const FlatTouch& of = of_.touches[touch];
+    return (x + r - of.on_plane - t * of.surface_v).dot(of.n);
   }
-  /// m: how far from a surface the body is.
-  bool clearance(const At& at, int touch, Real& gap) const;
+  /// m: how far from a surface the body is, t after the step began.
+  bool clearance(const At& at, int touch, Real t, Real& gap) const;
 
   /// Of two touches, that which came off in the step before: it parts, and would have to be pulled.
   void open_what_parts(const At& at);
@@ -115,8 +117,8 @@ class TouchingMotion {
   Outcome advance(At& at, Real h, int& opened);
   /// The touch is pulled at the end of h: up to where its load is 0, which is h then.
   bool advance_to_opening(At& at, Real& h, int opened);
-  /// Places what touches where it is to be, m along the normals, by the least motion.
-  bool correct(At& at, const Real want[kMostEnds]) const;
+  /// Places what touches where it is to be t after the step began, m along the normals, by the least motion.
+  bool correct(At& at, Real t, const Real want[kMostEnds]) const;
   /// N s, world, at an end, of all that was advanced and settled.
   const Vec3& impulse(int end) const { return impulse_[end]; }
 
