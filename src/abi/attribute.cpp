@@ -28,7 +28,7 @@ bool is_value_of(Call& call, const AttributeRow& row, const AttributeValue& valu
   const AttributeFault fault = fault_of(row, value);
   const std::uint32_t k = fault.number;
   const int argument = one_argument ? first : first + static_cast<int>(k);
-  const char* const name = names[std::min(k, one_argument ? 0u : k)];
+  const char* const name = names[k];
   switch (fault.kind) {
     case none:
       return true;
@@ -40,7 +40,7 @@ bool is_value_of(Call& call, const AttributeRow& row, const AttributeValue& valu
     case not_whole:
       return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is %g, must be a whole number", name, value[k]);
     case surplus:
-      return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s[%u] is %g, must be 0: %s has %u numbers", name, k, value[k],
+      return call.fail(CAROM_E_OUT_OF_RANGE, argument, "%s is %g, must be 0: %s has %u numbers", name, value[k],
                        row.name, row.numbers);
   }
   return false;
@@ -58,9 +58,9 @@ void set_attribute(Call& call, World& world, carom_body body, AttributeId id, co
 }  // namespace
 
 bool may_have(Call& call, const World& world, BodyType type, AttributeId id, const AttributeValue& value,
-              const char* name) {
+              const char* const* names) {
   const AttributeRow& row = row_of(id);
-  return is_value_of(call, row, value, &name, 2, true) && (value == row.usual || can_have(call, world, type, row, 2));
+  return is_value_of(call, row, value, names, 2, true) && (value == row.usual || can_have(call, world, type, row, 2));
 }
 
 }  // namespace carom::abi
@@ -94,9 +94,9 @@ int32_t carom_body_set_attribute(carom_world* world, carom_body body, uint32_t a
     if (!changing || !resolve_body(call, *changing, body) ||
         !known(call, 3, "attribute", attribute, CAROM_ATTRIBUTE_COUNT) || !present(call, 4, "value", value))
       return;
-    static constexpr const char* kName[] = {"value"};
+    static constexpr const char* kNames[] = {"value[0]", "value[1]", "value[2]", "value[3]"};
     set_attribute(call, *changing, body, static_cast<AttributeId>(attribute), {value[0], value[1], value[2], value[3]},
-                  kName, 4, true);
+                  kNames, 4, true);
   });
 }
 

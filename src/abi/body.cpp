@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "abi/attribute_fields.h"
 #include "abi/collider.h"
 #include "abi/float_scope.h"
 #include "abi/record_calls.h"
@@ -61,46 +62,35 @@ bool check_motion(Call& call, const carom_body_desc& d) {
          in_range(call, 2, "desc->angular_damping", d.angular_damping, 0, kLargestDamping);
 }
 
-/// Where a descriptor says an attribute. One that is not listed is no field of it: bodies are made with the usual value.
-struct AttributeField {
-  AttributeId id;
-  const char* name;
-  std::size_t offset;  // of its first number
-  bool is_word;        // one number of 32 bits; or doubles, side by side
-};
-constexpr AttributeField kAttributeFields[] = {
-    {AttributeId::gravity_factor, "desc->gravity_factor", offsetof(carom_body_desc, gravity_factor), false},
-    {AttributeId::locks, "desc->locks", offsetof(carom_body_desc, locks), true},
-    {AttributeId::drag, "desc->linear_drag or quadratic_drag", offsetof(carom_body_desc, linear_drag), false},
-    {AttributeId::force_field_mask, "desc->force_field_mask", offsetof(carom_body_desc, force_field_mask), true},
-    {AttributeId::magnetic_moment, "desc->magnetic_moment", offsetof(carom_body_desc, magnetic_moment), false},
-};
-static_assert(offsetof(carom_body_desc, quadratic_drag) == offsetof(carom_body_desc, linear_drag) + sizeof(double));
-
-AttributeValue value_in(const carom_body_desc& d, const AttributeField& field) {
-  const char* const from = reinterpret_cast<const char*>(&d) + field.offset;
-  AttributeValue value{};
-  std::uint32_t word = 0;
-  if (field.is_word)
-    std::memcpy(&word, from, sizeof word), value[0] = word;
-  else
-    std::memcpy(value.data(), from, row_of(field.id).numbers * sizeof(double));
-  return value;
-}
-void put_value(const AttributeValue& value, const AttributeField& field, carom_body_desc& d) {
-  char* const to = reinterpret_cast<char*>(&d) + field.offset;
-  const auto word = static_cast<std::uint32_t>(value[0]);
-  if (field.is_word)
-    std::memcpy(to, &word, sizeof word);
-  else
-    std::memcpy(to, value.data(), row_of(field.id).numbers * sizeof(double));
-}
+/// What a descriptor says besides: read_body() reads it and describe() writes it.
+constexpr std::string_view kOtherFields[] = {
+    "struct_size",      "fields",   "type",   "reserved", "position",       "orientation",     "linear_velocity",
+    "angular_velocity", "mass",     "center", "inertia",  "linear_damping", "angular_damping", "user",
+    "continuous",       "reserved2"};
+static_assert(
+    [] {
+      constexpr std::string_view kStruct = "carom_body_desc.";
+      for (const LayoutRow& row : kLayout) {
+        if (!row.name.starts_with(kStruct)) continue;
+        const std::string_view name = row.name.substr(kStruct.size());
+        bool is_read = std::ranges::find(kOtherFields, name) != std::end(kOtherFields);
+        for (const AttributeRow& of : kAttributeTable)
+          for (const char* const field : of.fields) is_read |= field && name == field;
+        if (!is_read) return false;
+      }
+      return true;
+    }(),
+    "a field of carom_body_desc is neither in kOtherFields nor named by a row of kAttributeTable: nothing would read it");
 
 bool check_attributes(Call& call, const World& world, const carom_body_desc& d) {
   if (!only_bits(call, 2, "desc->locks", d.locks, CAROM_LOCK_ALL)) return false;
-  for (const AttributeField& field : kAttributeFields)
-    if (!may_have(call, world, static_cast<BodyType>(d.type), field.id, value_in(d, field), field.name)) return false;
-  return true;
+  bool may = true;
+  each_field([&](const AttributeRow& row) {
+    std::array<const char*, kMostNumbers> names{};
+    for (std::uint32_t k = 0; k < row.numbers; ++k) names[k] = kAttributeFields[+row.id].number[k].name.data();
+    may = may && may_have(call, world, static_cast<BodyType>(d.type), row.id, value_in(d, row), names.data());
+  });
+  return may;
 }
 
 bool read_body(Call& call, const World& world, const carom_body_desc* given, carom_body_desc& d, BodyDef& def) {
@@ -150,8 +140,7 @@ carom_body_desc describe(const World& world, std::uint32_t slot) {
   d.angular_damping = def.angular_damping;
   d.user = def.user;
   d.continuous = static_cast<std::uint32_t>(def.continuous);
-  for (const AttributeField& field : kAttributeFields)
-    put_value(world.scene.attributes.of(field.id, slot), field, d);
+  each_field([&](const AttributeRow& row) { put_value(world.scene.attributes.of(row.id, slot), row, d); });
   return d;
 }
 
@@ -205,7 +194,7 @@ int32_t carom_body_desc_init(carom_body_desc* desc, uint32_t struct_size) {
   return init_struct(desc, struct_size, [](carom_body_desc& d) {
     d.type = CAROM_BODY_DYNAMIC;
     d.orientation[3] = 1;
-    for (const AttributeField& field : kAttributeFields) put_value(row_of(field.id).usual, field, d);
+    each_field([&](const AttributeRow& row) { put_value(row.usual, row, d); });
   });
 }
 
@@ -216,15 +205,16 @@ int32_t carom_body_create(carom_world* world, const carom_body_desc* desc, carom
     BodyDef def;
     if (!changing || !read_body(call, *changing, desc, d, def) || !present(call, 3, "body", body)) return;
     const FloatScope scope;
-    for (const AttributeField& field : kAttributeFields)
-      if (value_in(d, field) != row_of(field.id).usual) changing->reserve_another(field.id);
+    each_field([&](const AttributeRow& row) {
+      if (value_in(d, row) != row.usual) changing->reserve_another(row.id);
+    });
     const Handle handle = changing->add_body(def);
     if (!handle) {
       call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u bodies", kMaxSlots);
       return;
     }
-    for (const AttributeField& field : kAttributeFields)
-      changing->set_attribute(handle_slot(handle), field.id, value_in(d, field));
+    each_field(
+        [&](const AttributeRow& row) { changing->set_attribute(handle_slot(handle), row.id, value_in(d, row)); });
     *body = handle;
   });
 }

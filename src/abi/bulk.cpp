@@ -114,8 +114,8 @@ void write_all(Call& call, World& world, const FieldRow& field, const Selection&
 
 }  // namespace
 
-bool check_stride(Call& call, int argument, const char* what, int scalars, std::uint32_t scalar,
-                  std::uint64_t& stride, std::uint64_t n, int count_argument) {
+bool check_stride(Call& call, int argument, const char* what, int scalars, std::uint32_t scalar, std::uint64_t& stride,
+                  std::uint64_t n, int count_argument) {
   const std::uint64_t record = static_cast<std::uint64_t>(scalars) * (scalar == CAROM_SCALAR_F32 ? 4 : 8);
   if (stride == 0) stride = record;
   if (!spans(call, argument, count_argument, n, stride, record)) return false;

@@ -226,8 +226,10 @@ int32_t carom_particles_add(carom_world* world, carom_particles set, uint64_t n,
         call, world, record::particles_add(set, n, scalar, positions, position_stride, velocities, velocity_stride));
     if (!changing || !resolve_set(call, *changing, set) || !known(call, 4, "scalar", scalar, CAROM_SCALAR_F64 + 1) ||
         (n && !present(call, 5, "positions", positions)) ||
-        !check_stride(call, 6, kPosition.name, 3, scalar, position_stride, std::min<std::uint64_t>(n, kMostParticles), 3) ||
-        !check_stride(call, 8, kVelocity.name, 3, scalar, velocity_stride, std::min<std::uint64_t>(n, kMostParticles), 3))
+        !check_stride(call, 6, kPosition.name, 3, scalar, position_stride, std::min<std::uint64_t>(n, kMostParticles),
+                      3) ||
+        !check_stride(call, 8, kVelocity.name, 3, scalar, velocity_stride, std::min<std::uint64_t>(n, kMostParticles),
+                      3))
       return;
     const std::uint32_t s = handle_slot(set);
     Particles& particles = changing->particles;

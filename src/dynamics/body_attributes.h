@@ -1,7 +1,7 @@
 // What a host may say of a body beside its descriptor, one row each: a name, numbers, bounds, what bodies have that no
 // host spoke of. CONTRIBUTING.md says how to add one.
 //
-// The row is all there is to write. A column grows when the first body gets something else; bodies that come have the usual
+// The row is all there is to write, with the field of carom_body_desc that it names. A column grows when the first body gets something else; bodies that come have the usual
 // value; whoever gets another wakes; snapshots hold it, and with them forks and recordings; the plan counts its memory to its
 // effect; carom_body_set_attribute(), scene files and bindings reach it by its row.
 #pragma once
@@ -44,6 +44,8 @@ struct AttributeRow {
   StoredAs stored = StoredAs::real;  // what is stored as a whole number is one
   bool of_dynamic = false;           // others have the usual value alone
   AttributeValue usual{};
+  /// Fields of carom_body_desc that say it: one for all its numbers, or one for each. None: bodies are made with the usual value.
+  std::array<const char*, kMostNumbers> fields{};
 };
 
 inline constexpr Real kAnyNumber = std::numeric_limits<Real>::max();
@@ -52,19 +54,24 @@ inline constexpr Real kAnyNumber = std::numeric_limits<Real>::max();
 inline constexpr AttributeRow kAttributeTable[] = {
     {.id = AttributeId::gravity_factor, .name = "gravity_factor", .unit = "1",
      .what = "times the world's gravity; below 0 the body rises",
-     .effect = EffectId::gravity, .min = -kAnyNumber, .max = kAnyNumber, .usual = {1}},
+     .effect = EffectId::gravity, .min = -kAnyNumber, .max = kAnyNumber, .usual = {1},
+     .fields = {"gravity_factor"}},
     {.id = AttributeId::locks, .name = "locks", .unit = "1",
      .what = "axes of the world along and about which the body does not move: bits CAROM_LOCK_*",
-     .effect = EffectId::axis_locks, .max = 63, .stored = StoredAs::byte, .of_dynamic = true},
+     .effect = EffectId::axis_locks, .max = 63, .stored = StoredAs::byte, .of_dynamic = true,
+     .fields = {"locks"}},
     {.id = AttributeId::drag, .name = "drag", .unit = "kg/s, kg/m",
      .what = "what air takes: F = -(linear + quadratic |u|) u, u the velocity relative to the wind",
-     .effect = EffectId::drag, .numbers = 2, .max = 1e12},
+     .effect = EffectId::drag, .numbers = 2, .max = 1e12,
+     .fields = {"linear_drag", "quadratic_drag"}},
     {.id = AttributeId::force_field_mask, .name = "force_field_mask", .unit = "1",
      .what = "fields that share a bit with it act on the body",
-     .effect = EffectId::fields, .max = 4294967295.0, .stored = StoredAs::word, .usual = {1}},
+     .effect = EffectId::fields, .max = 4294967295.0, .stored = StoredAs::word, .usual = {1},
+     .fields = {"force_field_mask"}},
     {.id = AttributeId::magnetic_moment, .name = "magnetic_moment", .unit = "A m^2, A m^2, A m^2",
      .what = "by which magnetic fields turn the body, in its own axes",
-     .effect = EffectId::magnetism, .numbers = 3, .min = -1e12, .max = 1e12},
+     .effect = EffectId::magnetism, .numbers = 3, .min = -1e12, .max = 1e12,
+     .fields = {"magnetic_moment"}},
 };
 // clang-format on
 static_assert(std::size(kAttributeTable) == kAttributeCount);

@@ -12,7 +12,7 @@ namespace carom::dynamics {
 /// Where forces are evaluated: the state itself, or an intermediate one of RK4. By body slot.
 struct Motion {
   const Vec3* x;      // m, world, centre of mass
-  const Quat* q;      // unit, body -> world
+  const Quat* q;      // unit, body -> world, of bodies that rotate: the others keep State::q
   const Vec3* v;      // m/s, world
   const Vec3* omega;  // rad/s, world
 };
