@@ -144,7 +144,7 @@ def compiler_line(command, root, tree):
 
 
 def compile_files(line, files, tree, name):
-    """Objects of files, all in one, or where they do not go together in halves. @return objects, or what the compiler says of a file"""
+    """Objects of files, all in one but for those that do not go together. @return objects, or what the compiler says of a file"""
     unit, result = tree / "objects" / f"{name}.cpp", tree / "objects" / f"{name}.o"
     unit.write_text("".join(f'#include "{file}"\n' for file in files), encoding="utf-8")
     environment = {**os.environ, "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}  # a copy elsewhere finds it again
@@ -153,8 +153,11 @@ def compile_files(line, files, tree, name):
         return [result]
     if len(files) == 1:
         raise RuntimeError(f"{files[0]} of the recipe's patch does not compile:\n{done.stderr[:3000]}")
-    half = len(files) // 2
-    return compile_files(line, files[:half], tree, name + "a") + compile_files(line, files[half:], tree, name + "b")
+    named = {str(Path(tree, path)) for path in re.findall(r"^([^\s:]+):[0-9]+:[0-9]+: error", done.stderr, flags=re.M)}
+    apart = [file for file in files if str(file) in named] or files[:1]  # two of them have a name in common: one goes by itself
+    rest = [file for file in files if file not in apart]
+    objects = [one for k, file in enumerate(apart) for one in compile_files(line, [file], tree, f"{name}_{k}")]
+    return objects + (compile_files(line, rest, tree, name + "_rest") if rest else [])
 
 
 def build_library(root, build, tree):
@@ -174,7 +177,7 @@ def build_library(root, build, tree):
             continue
         for source in sources_of(command):
             line = compiler_line(command, root, tree)
-            alone = source.name if "_kernels" in source.name else ""  # they are the same names again
+            alone = source.name if "_kernels" in source.name or source.name == "stages.cpp" else ""  # names that others have, too
             to_compile.setdefault((line, alone), []).append(tree / source.relative_to(root))
     line = next(line for line, alone in to_compile if any("dynamics" in file.parts for file in to_compile[line, alone]) and not alone)
     to_compile[line, ""] += [tree / file for file in different if file.suffix == ".cpp" and not (root / file).exists()]

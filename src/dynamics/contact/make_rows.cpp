@@ -90,7 +90,7 @@ std::uint32_t count_rows(const World& world, const PairTable::Place& place) {
 }
 
 /// What a body of a pair is round by in a step.
-struct Round {
+struct RollsOn {
   Real radius = 0;    // m, of its core, or of the ball it rolls on
   int at_alone = -1;  // of more points, that which it rolls on: the others are in the air, and stay there
 };
@@ -98,8 +98,8 @@ struct Round {
 /// @param dt  s, a step; 0: nothing rolls   @param sign  of the normal, outwards   @param point  of a point, on the
 /// body, in its shape's frame
 template <class PointOf>
-Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other,
-               const Manifold& manifold, Real dt, Real sign, const PointOf& point) {
+RollsOn round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other,
+                 const Manifold& manifold, Real dt, Real sign, const PointOf& point) {
   const Shape& shape = *world.scene.colliders.shape[collider];
   if (!may_roll(shape)) return {shape.core_radius};
   const Vec3 turn = dt * (world.state.omega[body] - world.state.omega[other]);
@@ -116,12 +116,12 @@ Round round_by(const World& world, std::uint32_t collider, std::uint32_t body, s
     if (!std::all_of(manifold.point, manifold.point + manifold.count, is_in_the_air)) return {};
     const int at = static_cast<int>(deepest - manifold.point);
     const Real radius = radius_at(at);
-    return radius > 0 ? Round{radius, at} : Round{};
+    return radius > 0 ? RollsOn{radius, at} : RollsOn{};
   }
   // Along the line that a cylinder lies on it is the same; a cone's is not, and rows of a pair share one.
   constexpr Real kAlike = 0.01;
   const Real first = radius_at(0), last = manifold.count == 2 ? radius_at(1) : first;
-  return first > 0 && std::fabs(last - first) <= kAlike * first ? Round{first} : Round{};
+  return first > 0 && std::fabs(last - first) <= kAlike * first ? RollsOn{first} : RollsOn{};
 }
 
 /// The rows of a pair, from `at` on.
@@ -150,8 +150,8 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
   const Real rolls_in = one_normal ? dt : 0;  // s: on several normals nothing rolls as on a ball
   const auto on_a = [](const ContactPoint& p) { return p.on_a; };
   const auto on_body_b = [](const ContactPoint& p) { return p.on_b; };
-  const Round round_a = round_by(world, ca, m.a, m.b, manifold, rolls_in, 1, on_a),
-              round_b = round_by(world, cb, m.b, m.a, manifold, rolls_in, -1, on_body_b);
+  const RollsOn round_a = round_by(world, ca, m.a, m.b, manifold, rolls_in, 1, on_a),
+                round_b = round_by(world, cb, m.b, m.a, manifold, rolls_in, -1, on_body_b);
   const Real radius_a = round_a.radius, radius_b = round_b.radius;
   const bool rolls =
       radius_a != scene.colliders.shape[ca]->core_radius || radius_b != scene.colliders.shape[cb]->core_radius;

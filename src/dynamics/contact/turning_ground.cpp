@@ -24,9 +24,9 @@ Vec3 bent(const Vec3& omega, const Vec3& s, Real h) {
 }
 
 /// Of A and B as each other's ground: what of the pair's turn is its own.
-struct Shares {
+struct OwnShares {
   Real a, b;
-  Shares(const Scene& scene, const Row& row) {
+  OwnShares(const Scene& scene, const Row& row) {
     const Real m_a = row.moves_a ? scene.inv_mass[row.a] : 0, m_b = row.moves_b ? scene.inv_mass[row.b] : 0;
     a = m_a + m_b > 0 ? m_b / (m_a + m_b) : 0, b = 1 - a;
   }
@@ -34,10 +34,8 @@ struct Shares {
 
 struct Belts {
   Surface a, b;
-  Belts(const World& world, const Row& row, const RowGeometry& g)
-      : Belts(world, row, world.pairs.place(g.pair).pair) {}
-  Belts(const World& world, const Row& row, const Pair& pair)
-      : a(world, pair.a, row.a), b(world, pair.b, row.b) {}
+  Belts(const World& world, const Row& row, const RowGeometry& g) : Belts(world, row, world.pairs.place(g.pair).pair) {}
+  Belts(const World& world, const Row& row, const Pair& pair) : a(world, pair.a, row.a), b(world, pair.b, row.b) {}
   bool any() const { return a.any() || b.any(); }
   bool turn() const { return a.angular != Vec3::zero() || b.angular != Vec3::zero(); }
 };
@@ -57,7 +55,7 @@ Lead lead_of(const World& world, const TurningPair& pair, Real h) {
   const State& s = world.state;
   const Row& row = world.contacts->rows[pair.row];
   const Vec3 apart = s.x[row.b] - s.x[row.a], &w_a = s.omega[row.a], &w_b = s.omega[row.b];
-  const Shares share(world.scene, row);
+  const OwnShares share(world.scene, row);
   Lead lead;
   lead.to.set_zero();
   lead.turn = lead.spin = share.a * w_a + share.b * w_b;
@@ -74,7 +72,8 @@ Lead lead_of(const World& world, const TurningPair& pair, Real h) {
 
 void number_turning_pairs(Contacts& c) {
   for (std::uint32_t i = 0; i < c.turning_pairs.size(); ++i)
-    for (std::uint32_t k = 0; k < c.turning_pairs[i].points; ++k) c.geometry[c.turning_pairs[i].row + k].turning_pairs = i + 1;
+    for (std::uint32_t k = 0; k < c.turning_pairs[i].points; ++k)
+      c.geometry[c.turning_pairs[i].row + k].turning_pairs = i + 1;
 }
 
 void find_turning_pairs(const World& world, const StepTime& time) {
@@ -96,8 +95,7 @@ void find_turning_pairs(const World& world, const StepTime& time) {
     // What went along in the substep before slides by nothing, though its velocity is that of the chord.
     const Vec3 lag = lead_of(world, t, -time.h).at(s.x[row.b] - s.x[row.a]);
     std::array<Vec3, Manifold::kMaxPoints> slip;
-    for (std::uint32_t k = 0; k < m.count; ++k)
-      slip[k] = c.surface.empty() ? lag : Vec3(lag + c.surface[m.row + k]);
+    for (std::uint32_t k = 0; k < m.count; ++k) slip[k] = c.surface.empty() ? lag : Vec3(lag + c.surface[m.row + k]);
     find_slide(world, m.row, m.count, slip.data());
   }
   number_turning_pairs(c);

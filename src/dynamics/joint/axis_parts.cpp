@@ -9,8 +9,8 @@
 namespace carom::dynamics {
 namespace {
 
-constexpr JointPart kAlone[kAxes] = {JointPart::place_x, JointPart::place_y, JointPart::place_z,
-                                     JointPart::turn_x,  JointPart::turn_y,  JointPart::turn_z};
+constexpr JointPart kAxisAlone[kAxes] = {JointPart::place_x, JointPart::place_y, JointPart::place_z,
+                                         JointPart::turn_x,  JointPart::turn_y,  JointPart::turn_z};
 
 /// What stands for the two axes across x, and for all three.
 struct AxisParts {
@@ -33,7 +33,7 @@ void add_parts(const JointAxes& axes, std::uint32_t first, LockedParts& parts) {
     if (axis[k].is_locked())
       parts.add(k == 4 && plane == SwingPlane::about_z   ? JointPart::across_z
                 : k == 5 && plane == SwingPlane::about_y ? JointPart::across_y
-                                                         : kAlone[k]);
+                                                         : kAxisAlone[k]);
 }
 
 /// f(source, kind of row) for all that acts along an axis, in the order of rows.
