@@ -22,7 +22,8 @@ extern "C" {
 #define CAROM_DIAL_VELOCITY_ITERATIONS 4u /* at most this many impulses per contact of a group and substep */
 #define CAROM_DIAL_POSITION_ITERATIONS 5u /* at most this many position corrections per contact of a group and step */
 #define CAROM_DIAL_VELOCITY_TOLERANCE 6u  /* m/s: velocity error left unresolved at a contact */
-#define CAROM_DIAL_POSITION_TOLERANCE 7u  /* m: penetration left unresolved */
+#define CAROM_DIAL_POSITION_TOLERANCE 7u  /* m: penetration left unresolved; of what is thin at most 2 % of its
+                                             thickness */
 #define CAROM_DIAL_RESTITUTION_SPEED 8u   /* m/s: below this approach speed a contact does not bounce */
 #define CAROM_DIAL_SEVERITY_SEARCH 9u     /* choice: CAROM_SEARCH_* */
 #define CAROM_DIAL_GROUPS 10u             /* choice: 0 one group for all contacts, 1 contact groups (islands) */
@@ -45,7 +46,8 @@ extern "C" {
                                              impulses */
 #define CAROM_DIAL_CARRY_OVER 25u         /* relative width up to which an earlier bracket, widened by the motion
                                              since, stands in for a query of the generic path; 0: off */
-#define CAROM_DIAL_CONTACT_FREQUENCY 26u  /* Hz: stiffness of soft contacts */
+#define CAROM_DIAL_CONTACT_FREQUENCY 26u  /* Hz: stiffness of soft contacts; what is thin has stiffer ones, and sinks by
+                                             0.1 % of its thickness under its own weight */
 #define CAROM_DIAL_CONTACT_DAMPING 27u    /* damping ratio of soft contacts */
 #define CAROM_DIAL_PUSH_SPEED 28u         /* m/s: overlap of a contact is undone at this speed at most (soft,
                                              direct) */

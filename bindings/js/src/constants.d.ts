@@ -207,7 +207,7 @@ export const CAROM_DIAL_VELOCITY_ITERATIONS: 4;
 export const CAROM_DIAL_POSITION_ITERATIONS: 5;
 /** m/s: velocity error left unresolved at a contact */
 export const CAROM_DIAL_VELOCITY_TOLERANCE: 6;
-/** m: penetration left unresolved */
+/** m: penetration left unresolved; of what is thin at most 2 % of its thickness */
 export const CAROM_DIAL_POSITION_TOLERANCE: 7;
 /** m/s: below this approach speed a contact does not bounce */
 export const CAROM_DIAL_RESTITUTION_SPEED: 8;
@@ -245,7 +245,7 @@ export const CAROM_DIAL_CACHE_DISTANCE: 23;
 export const CAROM_DIAL_WARM_START: 24;
 /** relative width up to which an earlier bracket, widened by the motion since, stands in for a query of the generic path; 0: off */
 export const CAROM_DIAL_CARRY_OVER: 25;
-/** Hz: stiffness of soft contacts */
+/** Hz: stiffness of soft contacts; what is thin has stiffer ones, and sinks by 0.1 % of its thickness under its own weight */
 export const CAROM_DIAL_CONTACT_FREQUENCY: 26;
 /** damping ratio of soft contacts */
 export const CAROM_DIAL_CONTACT_DAMPING: 27;

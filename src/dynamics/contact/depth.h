@@ -16,12 +16,27 @@ inline constexpr Constant<Real> kTolerableDepth{
     "seen"};
 inline constexpr ConstantRow kDepthConstants[] = {kTolerableDepth};
 
-/// m, the dial's tolerance, but no more than a share of what is thin.
-inline Real tolerable_depth(const World& world, const RowGeometry& g) {
+/// m, of the thinner of the two colliders that touch; infinite where neither has a far side.
+inline Real least_thickness(const World& world, const RowGeometry& g) {
   const Colliders& colliders = world.scene.colliders;
   const Pair& pair = world.pairs.place(g.pair).pair;
-  const Real thin = std::min(thickness(*colliders.shape[pair.a]), thickness(*colliders.shape[pair.b]));
-  return std::min(world.scene.dials[Dial::position_tolerance], kTolerableDepth * thin);
+  return std::min(thickness(*colliders.shape[pair.a]), thickness(*colliders.shape[pair.b]));
+}
+
+/// m, the dial's tolerance, but no more than a share of what is thin.
+inline Real tolerable_depth(const World& world, const RowGeometry& g) {
+  return std::min(world.scene.dials[Dial::position_tolerance], kTolerableDepth * least_thickness(world, g));
+}
+
+/// m/s^2, what pulls harder of two that touch.
+inline Real pull_on(const Scene& scene, const Row& row) {
+  const Real gravity = scene.gravity.norm();
+  const auto of = [&](bool moves, std::uint32_t body) {
+    return moves ? std::fabs(scene.gravity_factor_of(body)) * gravity : 0;
+  };
+  return scene.attributes.bodies(AttributeId::gravity_factor) == 0
+             ? gravity
+             : std::max(of(row.moves_a, row.a), of(row.moves_b, row.b));
 }
 
 }  // namespace carom::dynamics

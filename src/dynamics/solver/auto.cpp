@@ -15,6 +15,7 @@
 #include <numbers>
 #include <span>
 
+#include "dynamics/contact/depth.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/island.h"
@@ -35,30 +36,12 @@ Real stiffness(const Dials& dials, Real h) {
   return w * w;
 }
 
-/// m/s^2, what pulls harder of two that touch.
-Real pull_on(const Scene& scene, const Row& row) {
-  const Real gravity = scene.gravity.norm();
-  const auto of = [&](bool moves, std::uint32_t body) {
-    return moves ? std::fabs(scene.gravity_factor_of(body)) * gravity : 0;
-  };
-  return scene.attributes.bodies(AttributeId::gravity_factor) == 0
-             ? gravity
-             : std::max(of(row.moves_a, row.a), of(row.moves_b, row.b));
-}
-
 /// @param row  a contact or a joint
 template <class Both>
 Real mass_ratio_of(const Scene& scene, const Both& row) {
   if (!row.moves_a || !row.moves_b) return 1;
   const Real a = scene.mass[row.a], b = scene.mass[row.b];
   return std::max(a, b) / std::min(a, b);
-}
-
-/// m, of the thinner of the two shapes that touch.
-Real thickness_of(const World& world, const RowGeometry& g) {
-  const Colliders& colliders = world.scene.colliders;
-  const Pair& pair = world.pairs.place(g.pair).pair;
-  return std::min(thickness(*colliders.shape[pair.a]), thickness(*colliders.shape[pair.b]));
 }
 
 /// Bodies that move, each at every row it has.
@@ -157,10 +140,11 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
   each_pair(c, rows, sources, world.wide->kernels->points.watch, [&](const PairRows& pair, const PointMotions& points) {
     const Row& row = c.rows[pair.row];
     motion.rolls |= row.rolls;
-    const Real thickness = thickness_of(world, c.geometry[pair.row]);
-    const Real fall = 2 * pull_on(scene, row) * thickness;                           // (m/s)^2
-    const Real give = 1 / ((row.moves_a && row.moves_b ? w2 : 4 * w2) * thickness);  // s^2/m
-    const Real share = weight / pair.count;                                          // N
+    const Real thickness = least_thickness(world, c.geometry[pair.row]);
+    const Real pull = pull_on(scene, row);
+    const Real fall = 2 * pull * thickness;                                                    // (m/s)^2
+    const Real give = soft_give(row.moves_a && row.moves_b ? w2 : 4 * w2, pull, thickness) / thickness;  // s^2/m
+    const Real share = weight / pair.count;                                                    // N
     const Real deep = most_sink(scene.dials, thickness);
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(scene, row));
     Real most = 0;
@@ -220,7 +204,8 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
   const bool rolls = motion.rolls && !motion.turns_far && view.bodies <= kFewRolling;
   if (!unlike && !memory.bears && !still && !rolls) return GroupReason::ordinary;
-  if (memory.cools_down && (!unlike || joined || view.bodies > kMostUnlike)) return GroupReason::too_much;
+  const bool held_softly = view.sink < kTolerableDepth;
+  if (memory.cools_down && (!unlike || joined || held_softly || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (rolls) return GroupReason::rolls;
   if (!memory.bears) return GroupReason::still;

@@ -25,6 +25,8 @@ struct ContactSweeps {
   /// penetration is undone at the rate of the softness, at push_speed at most beyond what holds the load.
   /// @param inv_h  1/s   @param push_speed  m/s
   void (*solve)(const Run& run, double inv_h, double push_speed);
+  /// The same sweep over those pairs alone that gravity moves by more than a share of their thickness within a substep.
+  void (*solve_thin)(const Run& run, double inv_h, double push_speed, double share);
   /// Separations at the present poses, then the same sweep without the push: what it gave to velocities is taken back.
   void (*relax)(const Run& run, double inv_h);
   /// Likewise, but what will bounce in the next substep is not slowed down now.
@@ -33,10 +35,11 @@ struct ContactSweeps {
   void (*sweep)(const Run& run, double inv_h);
   /// Add this substep's impulses to the step's.
   void (*accumulate)(const Run& run);
-  /// One sweep over displacements instead of velocities: what lies deeper than `slop`, and than its spring lets sink
-  /// what it bears, is moved apart by `share` of that.
+  /// One sweep over displacements instead of velocities: what lies deeper than `slop`, or than a share of the thickness
+  /// if that is less, and than its spring lets sink what it bears, is moved apart by `share` of that.
   /// @param run  velocities of this run are displacements, m and rad
-  void (*part)(const Run& run, double share, double slop);
+  /// @param slop  m   @param slop_of_thin  1, of the thickness of the thinner of the two
+  void (*part)(const Run& run, double share, double slop, double slop_of_thin);
   /// Separations at the present poses; displacements asked for by part() are forgotten.
   void (*measure)(const Run& run);
 };

@@ -66,6 +66,8 @@ struct PairLanesOf {
   Lanes friction;
   Lanes bounce_speed;                          // m/s, what closes faster bounces; infinite: nothing does
   Lanes bias_rate, mass_scale, impulse_scale;  // softness, @see soft_step.h
+  Lanes thickness;                             // m, of the thinner of the two; infinite in an empty lane
+  Lanes pull;                                  // m/s^2, by gravity on what it pulls harder
   Lanes m_tt, m_ts, m_ss;                      // kg, impulse per change of velocity in the plane
   Lanes m_w;                                   // kg m^2, likewise of the twist
   Lanes slide;                                 // above 0: slides as the step began, @see Row::slides; 0: sticks
@@ -116,6 +118,8 @@ struct LaneSources {
   Lanes friction;
   Lanes slide;         // @see Row::slides: 1; 2 where it rubs by load, 0 where it sticks
   Lanes bounce_speed;  // m/s
+  Lanes thickness;     // m
+  Lanes pull;          // m/s^2
 };
 /// Where the rows of four pairs are put back, and what of their bodies that takes. Empty lanes find zeros and are
 /// put nowhere.

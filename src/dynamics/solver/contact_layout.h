@@ -185,6 +185,8 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     pair.slide = rounded<Number>(of.slide);
     pair.slides = some_slide(of.slide);
     pair.bounce_speed = rounded<Number>(of.bounce_speed);
+    pair.thickness = rounded<Number>(of.thickness);
+    pair.pull = rounded<Number>(of.pull);
     pair.bias_rate = pair.mass_scale = pair.impulse_scale = all<Number>(0);
     pair.p_t = rounded<Number>(inner(force, t));
     pair.p_s = rounded<Number>(inner(force, cross(n, t)));

@@ -236,6 +236,57 @@ void solve(const LaneRunOf<Number>& run, double per_substep, double most_push) {
       });
 }
 
+/// What one visit of four pairs changes of those that it is not for, kept and put back.
+template <class Number>
+class Unvisited {
+ public:
+  CAROM_LANES_INLINE Unvisited(const LaneRunOf<Number>& four, const PointLanesOf<Number>* points) : four_(four) {
+    const PairLanesOf<Number>& pair = *four.pairs;
+    for (int i = 0; i < kLanes; ++i) a_[i] = four.velocity[pair.a[i]], b_[i] = four.velocity[pair.b[i]];
+    for (std::uint32_t k = 0; k < pair.points; ++k) p_n_[k] = points[k].p_n;
+    p_t_ = pair.p_t, p_s_ = pair.p_s, p_w_ = pair.p_w;
+  }
+  CAROM_LANES_INLINE void put_back(int lane, PointLanesOf<Number>* points) const {
+    PairLanesOf<Number>& pair = *four_.pairs;
+    put_back(pair.a[lane], a_[lane]), put_back(pair.b[lane], b_[lane]);
+    for (std::uint32_t k = 0; k < pair.points; ++k) points[k].p_n[lane] = p_n_[k][lane];
+    pair.p_t[lane] = p_t_[lane], pair.p_s[lane] = p_s_[lane], pair.p_w[lane] = p_w_[lane];
+  }
+
+ private:
+  CAROM_LANES_INLINE void put_back(std::uint32_t body, const BodyVelocity& velocity) const {
+    if (body >= four_.first_moved) four_.velocity[body] = velocity;
+  }
+
+  using Lanes = LanesOf<Number>;
+  const LaneRunOf<Number>& four_;
+  BodyVelocity a_[kLanes], b_[kLanes];
+  Lanes p_n_[kPairPoints], p_t_, p_s_, p_w_;
+};
+
+template <class Number>
+void solve_thin(const LaneRunOf<Number>& run, double per_substep, double most_push, double share) {
+  const Number way = static_cast<Number>(1 / (per_substep * per_substep));  // s^2
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const PairLanesOf<Number>& pair = run.pairs[i];
+    const auto is_thin = way * pair.pull > static_cast<Number>(share) * pair.thickness;
+    int thin = 0;
+    for (int lane = 0; lane < kLanes; ++lane) thin += is_thin[lane] != 0;
+    if (thin == 0) continue;
+    LaneRunOf<Number> four = run;
+    four.pairs += i, four.count = 1;
+    if (thin == kLanes) {
+      solve(four, per_substep, most_push);
+      continue;
+    }
+    PointLanesOf<Number>* const points = run.points + pair.first;
+    const Unvisited<Number> unvisited(four, points);
+    solve(four, per_substep, most_push);
+    for (int lane = 0; lane < kLanes; ++lane)
+      if (!is_thin[lane]) unvisited.put_back(lane, points);
+  }
+}
+
 /// Separations at all points of four pairs, at the present poses.
 template <int kCount, int kOneNormal, class Number>
 CAROM_SHARED_PART void separate(const LaneRunOf<Number>& run, const PairLanesOf<Number>& pair,
@@ -302,19 +353,21 @@ void accumulate(const LaneRunOf<Number>& run) {
 }
 
 template <class Number>
-void part(const LaneRunOf<Number>& run, double of_depth, double tolerated) {
+void part(const LaneRunOf<Number>& run, double of_depth, double tolerated, double tolerated_of_thin) {
   using Lanes = LanesOf<Number>;
   using LaneVec = LaneVecOf<Number>;
-  const auto share = static_cast<Number>(of_depth), slop = static_cast<Number>(tolerated);
+  const auto share = static_cast<Number>(of_depth), slop = static_cast<Number>(tolerated),
+             of_thin = static_cast<Number>(tolerated_of_thin);
   constexpr auto kSpare = static_cast<Number>(kSpared.value);
   for (std::size_t i = 0; i < run.count; ++i) {
     const PairLanesOf<Number>& pair = run.pairs[i];
+    const Lanes left = smaller(all<Number>(slop), of_thin * pair.thickness);
     Both<Number> both(pair, run);
     for (std::uint32_t k = 0; k < pair.points; ++k) {
       PointLanesOf<Number>& p = run.points[pair.first + k];
       const LaneVec n = normal_of(pair, p), r_a = pair.r_a + p.d, r_b = pair.r_b + p.d;
       const Lanes sag = pair.impulse_scale * p.p_n * inverse_or_zero(pair.mass_scale * pair.bias_rate * p.m_n);
-      const Lanes wanted = share * larger(-p.separation - larger(all<Number>(slop), kSpare * sag), all<Number>(0));
+      const Lanes wanted = share * larger(-p.separation - larger(left, kSpare * sag), all<Number>(0));
       const Lanes next = larger(p.push + p.m_n * (wanted - dot(both.relative(r_a, r_b), n)), all<Number>(0)),
                   d = next - p.push;
       p.push = next;
@@ -340,7 +393,7 @@ void measure(const LaneRunOf<Number>& run) {
 template <class Number>
 constexpr ContactSweeps<Number> all_sweeps() {
   return {lay_out<Number>,    read_back<Number>,    prepare<Number>,     warm_start<Number>,
-          solve<Number>,      relax<false, Number>, relax<true, Number>, sweep<Number>,
+          solve<Number>,      solve_thin<Number>,   relax<false, Number>, relax<true, Number>, sweep<Number>,
           accumulate<Number>, part<Number>,         measure<Number>};
 }
 

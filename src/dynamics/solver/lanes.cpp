@@ -1,6 +1,7 @@
 // How solvers in lanes begin and end a step, and part what overlaps.
 #include <algorithm>
 
+#include "dynamics/contact/depth.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
@@ -19,7 +20,8 @@ void part_lanes(const World& world, Poses& to, int sweeps, Real share, Real slop
   WideContacts& wide = *world.wide;
   std::fill(wide.displacement.begin(), wide.displacement.end(), BodyVelocity{});
   for (int k = 0; k < sweeps; ++k)
-    sweep_bodies(world, wide.displacement.data(), [&](const auto& s, const auto& run) { s.part(run, share, slop); });
+    sweep_bodies(world, wide.displacement.data(), [&](const auto& s, const auto& run) { s.part(run, share, slop, kTolerableDepth / 2);
+    });
   displace(world, to, wide);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dynamics/contact/depth.h"
 #include "dynamics/contact/impulse.h"
 #include "dynamics/force/force.h"
 #include "dynamics/quarantine.h"
@@ -91,14 +92,15 @@ class PositionPass {
   PositionPass(const World& world, Search& search) : world_(world), c_(*world.contacts), search_(search) {}
 
   std::uint64_t run(std::span<const std::uint32_t> rows, Real tolerance, std::uint64_t budget) {
-    for (const std::uint32_t i : rows) c_.keys[i] = -c_.geometry[i].separation;
+    tolerance_ = tolerance;
+    for (const std::uint32_t i : rows) c_.keys[i] = key(i);
     search_.start(rows, tolerance);
     std::uint64_t done = 0;
     for (std::uint32_t i; done < budget && (i = search_.top()) != kNoRow; ++done) {
       const Row& row = c_.rows[i];
       const RowMass& m = c_.mass[i];
       // Half the tolerance is left, so that a body at rest is not pushed out of touch.
-      Real push = (-c_.geometry[i].separation - tolerance / 2) / row.k_n;
+      Real push = (-c_.geometry[i].separation - tolerable_depth(world_, c_.geometry[i]) / 2) / row.k_n;
       push *= std::min(turn_limit(row.moves_a, row.a, m.r_a, row.n, push),
                        turn_limit(row.moves_b, row.b, m.r_b, row.n, push));
       const Vec3 p = push * row.n;
@@ -128,13 +130,21 @@ class PositionPass {
       const HalfContact& half = c_.half[k];
       RowGeometry& g = c_.geometry[half.row];
       g.separation += half.sign * (dx + dt.cross(half.r)).dot(c_.rows[half.row].n);
-      search_.set(half.row, -g.separation);
+      search_.set(half.row, key(half.row));
     }
+  }
+
+  /// m, how deep a row is, as of two that are thick: as many tolerances as it is tolerable depths.
+  Real key(std::uint32_t i) const {
+    const RowGeometry& g = c_.geometry[i];
+    const Real depth = tolerable_depth(world_, g);
+    return depth < tolerance_ ? -g.separation * (tolerance_ / depth) : -g.separation;
   }
 
   const World& world_;
   Contacts& c_;
   Search& search_;
+  Real tolerance_ = 0;  // m
 };
 
 /// A pass over all groups with the search that the dial names. @return corrections applied

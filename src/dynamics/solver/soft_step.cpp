@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <numbers>
 
+#include "dynamics/contact/depth.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/fill_lanes.h"
+#include "dynamics/solver/sweep_constants.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
@@ -15,15 +17,26 @@ namespace {
 constexpr Real kDeep = 4;         // position tolerances
 constexpr Real kSoftShare = 0.3;  // of what is deeper than that, per step
 
+/// The same rate, and as much stiffer as takes what it gives from the one to the other.   @param give, wanted  s^2
+Softness stiffened(const Softness& s, Real give, Real wanted) {
+  if (!(wanted < give)) return s;
+  const Real ratio = s.impulse_scale / s.mass_scale * (wanted / give);
+  return {s.bias_rate, 1 / (1 + ratio), ratio / (1 + ratio)};
+}
+
 void soften(const World& world, Real h) {
   const Dials& dials = world.scene.dials;
   const Real frequency = std::min(dials[Dial::contact_frequency], 0.25 / h), damping = dials[Dial::contact_damping];
   const Softness both = softness(frequency, damping, h), one = softness(2 * frequency, damping, h);
+  const Real w = 2 * std::numbers::pi * frequency;
   with_lanes(*world.wide, [&](auto& lanes, const auto&) {
     in_parallel(world.jobs, lanes.pairs.size(), kLanes * kPairsAPart, [&](std::uint32_t k) {
       auto& pair = lanes.pairs[k];
       for (int i = 0; i < kLanes; ++i) {
-        const Softness& s = pair.inv_mass_a[i] > 0 && pair.inv_mass_b[i] > 0 ? both : one;
+        const bool both_move = pair.inv_mass_a[i] > 0 && pair.inv_mass_b[i] > 0;
+        const Real w2 = both_move ? w * w : 4 * w * w;
+        const Softness s = w > 0 ? stiffened(both_move ? both : one, 1 / w2, soft_give(w2, pair.pull[i], pair.thickness[i]))
+                                 : both;
         set(pair.bias_rate, i, s.bias_rate);
         set(pair.mass_scale, i, s.mass_scale);
         set(pair.impulse_scale, i, s.impulse_scale);
@@ -64,19 +77,37 @@ void soft_step_positions(const World& world, Solver::Relaxes to, const StepTime&
 /// as stiff as makes heaps shake. relax() has just measured.
 void part_deep(const World& world, Poses& to) {
   const Real deep = kDeep * world.scene.dials[Dial::position_tolerance];
-  const auto is_deep = [&](const auto& p) {
-    bool any = false;
-    for (int i = 0; i < kLanes; ++i) any |= p.separation[i] < -deep;
-    return any;
-  };
   bool any = false;
-  with_lanes(*world.wide, [&](const auto& lanes, const auto&) { any = std::ranges::any_of(lanes.points, is_deep); });
+  with_lanes(*world.wide, [&](const auto& lanes, const auto&) {
+    any = std::ranges::any_of(lanes.pairs, [&](const auto& pair) {
+      bool is_deep = false;
+      for (int i = 0; i < kLanes; ++i) {
+        const Real left = std::min<Real>(deep, kTolerableDepth / 2 * pair.thickness[i]);
+        for (std::uint32_t k = 0; k < pair.points; ++k) is_deep |= lanes.points[pair.first + k].separation[i] < -left;
+      }
+      return is_deep;
+    });
+  });
   if (any) part_lanes(world, to, 1, kSoftShare, deep);
 }
 
 void soft_step_end(const World& world, Poses& to, const StepTime&) {
   part_deep(world, to);
   end_lanes(world);
+}
+
+/// A sweep leaves what touches closing by about as much as gravity gives it in a substep. Where that is a way to be
+/// seen, of what is thin, it takes more sweeps.
+void sweep_thin(const World& world, Real h) {
+  WideContacts& wide = *world.wide;
+  const Real inv_h = 1 / h, push_speed = world.scene.dials[Dial::push_speed];
+  Real most = 0;  // of the thickness, what gravity moves anything by
+  with_lanes(wide, [&](const auto& lanes, const auto&) {
+    for (const auto& pair : lanes.pairs)
+      for (int i = 0; i < kLanes; ++i) most = std::max<Real>(most, h * h * pair.pull[i] / pair.thickness[i]);
+  });
+  for (int k = 1; k < kMostSweeps && most > k * kSweptWay; ++k)
+    sweep_contacts(world, [&](const auto& s, const auto& run) { s.solve_thin(run, inv_h, push_speed, k * kSweptWay); });
 }
 
 }  // namespace
@@ -97,12 +128,18 @@ void solve_softly(const World& world, Solver::Solves to, const StepTime& time) {
   WideContacts& wide = *world.wide;
   const Real inv_h = 1 / time.h, push_speed = world.scene.dials[Dial::push_speed];
   start_sweeps(world, time.h);
+  sweep_thin(world, time.h);
   const JointKernels* const joints = world.wide_joints->kernels;
   sweep_rows(
       world, [&](const JointRun& run) { joints->solve(run, inv_h); },
       [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
   store_velocities(world, to, wide, time.h);
   report.velocity_impulses += world.contacts->rows.size();
+}
+
+Real soft_give(Real w2, Real pull, Real thickness) {
+  const Real give = 1 / w2;
+  return pull * give > kSoftSink * thickness ? kSoftSink * thickness / pull : give;
 }
 
 Softness softness(Real frequency, Real damping, Real h) {

@@ -22,6 +22,24 @@ inline constexpr Constant<double> kSpared{
     "1 or less: places are corrected against the springs, and stacks climb and creak; larger: overlap stays that no "
     "load asks for"};
 
+inline constexpr Constant<double> kSoftSink{
+    "soft_sink", 1e-3, "1",
+    "of the thickness of the thinner of two that touch, what a soft contact may sink by under the weight of one body: "
+    "springs of what is thin are as much stiffer as that takes, whatever contact_frequency says",
+    "larger: stacks of coins and dice are visibly lower than they should be; smaller: what is thin rocks and creaks as if "
+    "it had no springs"};
+inline constexpr Constant<double> kSweptWay{
+    "soft_swept_way", 0.005, "1",
+    "of the thickness of the thinner of two that touch, the way that gravity gives a body in a substep for which one sweep "
+    "over soft contacts will do: for each further such way there is one sweep more",
+    "larger: stacks of coins and dice are pressed into each other as they land, and creep; smaller: time for things of "
+    "centimetres that one sweep holds as well"};
+inline constexpr Constant<int> kMostSweeps{
+    "soft_most_sweeps", 16, "sweeps",
+    "that there are at most, however thin a thing is",
+    "more: time where things of a tenth of a millimetre meet, in steps that are far too long for them; fewer: coins of half "
+    "a millimetre that land on each other end up within each other, at 60 Hz"};
+
 inline constexpr Constant<double> kPatchBend{
     "patch_bend", 0.6, "1",
     "how much less than an ellipsoid the bound of a patch's friction holds where it slides and spins at once: between "
@@ -34,6 +52,6 @@ inline constexpr Constant<double> kTouching{
     "if loads are not known: 0.6 degrees of tilt, more than what rests has, less than a point in the air of a roller",
     "smaller: friction of what has just landed acts at a corner; larger: it acts at points in the air"};
 
-inline constexpr ConstantRow kSweepConstants[] = {kInnerSweeps, kUnderLoad, kSpared, kPatchBend, kTouching};
+inline constexpr ConstantRow kSweepConstants[] = {kInnerSweeps, kUnderLoad, kSpared, kSoftSink, kSweptWay, kMostSweeps, kPatchBend, kTouching};
 
 }  // namespace carom::dynamics

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 
+#include "dynamics/contact/depth.h"
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/contact/turning_ground.h"
 #include "dynamics/quarantine.h"
@@ -57,7 +58,8 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
         all[lane] = kZeros;
       pair.a[lane] = pair.b[lane] = 0;
       of.inv_mass_a[lane] = of.inv_mass_b[lane] = of.to_b[lane] = of.friction[lane] = of.slide[lane] =
-          of.bounce_speed[lane] = 0;
+          of.bounce_speed[lane] = of.pull[lane] = 0;
+      of.thickness[lane] = kInfinity;
       continue;
     }
     const std::uint32_t at = wide.manifolds[occupant[lane]].row;
@@ -75,6 +77,8 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     of.friction[lane] = row.friction;
     of.slide[lane] = row.slides + row.slides_by_load;
     of.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
+    of.thickness[lane] = least_thickness(world, g);
+    of.pull[lane] = pull_on(scene, row);
   }
   return of;
 }

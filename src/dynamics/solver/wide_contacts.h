@@ -271,7 +271,8 @@ void end_lanes(const World& world);
 /// Separations of all points from the present poses.
 void measure_lanes(const World& world);
 /// Moves bodies, apart from their velocities, so that points part which were measured to be deeper than `slop`.
-/// @param share  of what is deeper, that is undone   @param slop  m
+/// @param share  of what is deeper, that is undone
+/// @param slop  m; of what is thin no more than it may be left deep, @see half_tolerable_depth
 void part_lanes(const World& world, Poses& to, int sweeps, Real share, Real slop);
 
 }  // namespace carom::dynamics
