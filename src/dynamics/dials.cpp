@@ -46,7 +46,7 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
             "at most this many position corrections per contact point of a group and substep", 0, 1000, 2),
     number(Dial::velocity_tolerance, "velocity_tolerance", "m/s", "velocity error left unresolved at a contact", 0, 10,
            1e-4),
-    number(Dial::position_tolerance, "position_tolerance", "m", 
+    number(Dial::position_tolerance, "position_tolerance", "m",
            "penetration left unresolved; of what is thin no more than 2 % of its thickness", 0, 1, 0.001),
     number(Dial::restitution_speed, "restitution_speed", "m/s", "below this approach speed a contact does not bounce",
            0, 100, 0.25),
@@ -83,11 +83,11 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
     number(Dial::carry_over, "carry_over", "",
            "bracket width, relative to the pair's size, up to which an earlier result stands in for a query; 0: never",
            0, 1e-1, 0),
-    number(Dial::contact_frequency, "contact_frequency", "Hz",
-           "stiffness of soft contacts: more sinks less and settles later; a quarter of the substep rate at most; what is thin "
-           "has stiffer ones, and sinks by 0.1 % of its thickness under its own weight",
-           0,
-           1e4, 30),
+    number(
+        Dial::contact_frequency, "contact_frequency", "Hz",
+        "stiffness of soft contacts: more sinks less and settles later; a quarter of the substep rate at most; what is thin "
+        "has stiffer ones, and sinks by 0.1 % of its thickness under its own weight",
+        0, 1e4, 30),
     number(Dial::contact_damping, "contact_damping", "",
            "damping ratio of soft contacts: above 1 they do not swing; more recovers slower from overlap", 0, 1e3, 10),
     number(Dial::push_speed, "push_speed", "m/s",

@@ -21,8 +21,8 @@ constexpr Real kDeep = 0.02;
 struct Case {
   Real solver, hz;
 };
-constexpr Case kCases[] = {{kSoft, 60}, {kSoft, 240}, {kDirectSolver, 60}, {kAutoSolver, 60}, {kAutoSolver, 240},
-                           {kSequentialSolver, 240}};
+constexpr Case kCases[] = {{kSoft, 60},       {kSoft, 240},       {kDirectSolver, 60},
+                           {kAutoSolver, 60}, {kAutoSolver, 240}, {kSequentialSolver, 240}};
 
 /// What is made, and the size by which depth is judged.
 struct Made {
@@ -37,8 +37,8 @@ Made bricks(TestWorld& t, Real s) {
   const Shape* const brick = t.keep(box(s * Vec3(1, 0.4, 0.7)));
   Made made{{}, 0.8 * s};
   for (int i = 0; i < 5; ++i)
-    made.bodies.push_back(t.add(brick, s * Vec3(0.1 * (i % 2), 0.45 + 0.9 * i, 0), BodyType::dynamic,
-                                exp_map(Vec3(0, 0.07 * i, 0))));
+    made.bodies.push_back(
+        t.add(brick, s * Vec3(0.1 * (i % 2), 0.45 + 0.9 * i, 0), BodyType::dynamic, exp_map(Vec3(0, 0.07 * i, 0))));
   return made;
 }
 
@@ -94,7 +94,8 @@ void lie(const Make& make, const char* what) {
       print_message("%s of %g mm, solver %g at %g Hz: %g of the thickness deep\n", what, 1e3 * size, double(of.solver),
                     double(of.hz), double(deep));
       assert_true(deep < kDeep);
-      for (std::size_t i = 0; i < y.size(); ++i) assert_true(std::fabs(height(t, made.bodies[i]) - y[i]) < made.thickness);
+      for (std::size_t i = 0; i < y.size(); ++i)
+        assert_true(std::fabs(height(t, made.bodies[i]) - y[i]) < made.thickness);
     }
 }
 
@@ -135,11 +136,13 @@ static void what_is_thick_has_the_same_bits_beside_it(void**) {
     const Shape* const cube = t.keep(box(Vec3::constant(0.5)));
     std::vector<std::uint32_t> bodies;
     for (int i = 0; i < 6; ++i)
-      bodies.push_back(t.add(cube, Vec3(3 * (i / 3), 0.6 + 1.05 * (i % 3), 0), BodyType::dynamic, exp_map(Vec3(0, 0.1 * i, 0))));
+      bodies.push_back(
+          t.add(cube, Vec3(3 * (i / 3), 0.6 + 1.05 * (i % 3), 0), BodyType::dynamic, exp_map(Vec3(0, 0.1 * i, 0))));
     if (beside) {
       const Shape* const die = t.keep(box(Vec3::constant(5e-4)));
       for (int i = 0; i < 9; ++i)
-        t.add(die, Vec3(50 + 0.1 * (i / 3), 6e-4 + 1.05e-3 * (i % 3) + hair, 0), BodyType::dynamic, exp_map(Vec3(0, 0.1 * i, 0)));
+        t.add(die, Vec3(50 + 0.1 * (i / 3), 6e-4 + 1.05e-3 * (i % 3) + hair, 0), BodyType::dynamic,
+              exp_map(Vec3(0, 0.1 * i, 0)));
     }
     std::vector<Real> places;
     for (int i = 0; i < 90; ++i) {

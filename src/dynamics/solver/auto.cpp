@@ -142,9 +142,10 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
     motion.rolls |= row.rolls;
     const Real thickness = least_thickness(world, c.geometry[pair.row]);
     const Real pull = pull_on(scene, row);
-    const Real fall = 2 * pull * thickness;                                                    // (m/s)^2
-    const Real give = soft_give(row.moves_a && row.moves_b ? w2 : 4 * w2, pull, thickness) / thickness;  // s^2/m
-    const Real share = weight / pair.count;                                                    // N
+    const Real fall = 2 * pull * thickness;                             // (m/s)^2
+    const Real thick = 1 / (row.moves_a && row.moves_b ? w2 : 4 * w2);  // s^2
+    const Real give = soft_give(thick, pull, thickness) / thickness;    // s^2/m
+    const Real share = weight / pair.count;                             // N
     const Real deep = most_sink(scene.dials, thickness);
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(scene, row));
     Real most = 0;
@@ -204,8 +205,9 @@ GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const G
   if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
   const bool rolls = motion.rolls && !motion.turns_far && view.bodies <= kFewRolling;
   if (!unlike && !memory.bears && !still && !rolls) return GroupReason::ordinary;
-  const bool held_softly = view.sink < kTolerableDepth;
-  if (memory.cools_down && (!unlike || joined || held_softly || view.bodies > kMostUnlike)) return GroupReason::too_much;
+  const bool held_softly = view.sink < kTolerableDepth;  // else they would throw about what is light
+  if (memory.cools_down && (!unlike || joined || held_softly || view.bodies > kMostUnlike))
+    return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   if (rolls) return GroupReason::rolls;
   if (!memory.bears) return GroupReason::still;

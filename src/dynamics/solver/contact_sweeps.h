@@ -392,9 +392,9 @@ void measure(const LaneRunOf<Number>& run) {
 
 template <class Number>
 constexpr ContactSweeps<Number> all_sweeps() {
-  return {lay_out<Number>,    read_back<Number>,    prepare<Number>,     warm_start<Number>,
-          solve<Number>,      solve_thin<Number>,   relax<false, Number>, relax<true, Number>, sweep<Number>,
-          accumulate<Number>, part<Number>,         measure<Number>};
+  return {lay_out<Number>, read_back<Number>,  prepare<Number>,      warm_start<Number>,
+          solve<Number>,   solve_thin<Number>, relax<false, Number>, relax<true, Number>,
+          sweep<Number>,   accumulate<Number>, part<Number>,         measure<Number>};
 }
 
 constexpr ContactKernels kernels_named(const char* name) {

@@ -20,8 +20,8 @@ void part_lanes(const World& world, Poses& to, int sweeps, Real share, Real slop
   WideContacts& wide = *world.wide;
   std::fill(wide.displacement.begin(), wide.displacement.end(), BodyVelocity{});
   for (int k = 0; k < sweeps; ++k)
-    sweep_bodies(world, wide.displacement.data(), [&](const auto& s, const auto& run) { s.part(run, share, slop, kTolerableDepth / 2);
-    });
+    sweep_bodies(world, wide.displacement.data(),
+                 [&](const auto& s, const auto& run) { s.part(run, share, slop, kTolerableDepth / 2); });
   displace(world, to, wide);
 }
 

@@ -2,6 +2,7 @@
 #include "dynamics/solver/soft_step.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numbers>
 
 #include "dynamics/contact/depth.h"
@@ -28,21 +29,27 @@ void soften(const World& world, Real h) {
   const Dials& dials = world.scene.dials;
   const Real frequency = std::min(dials[Dial::contact_frequency], 0.25 / h), damping = dials[Dial::contact_damping];
   const Softness both = softness(frequency, damping, h), one = softness(2 * frequency, damping, h);
-  const Real w = 2 * std::numbers::pi * frequency;
+  const Real w = 2 * std::numbers::pi * frequency, give = w > 0 ? 1 / (w * w) : 0;  // s^2, of two that move
+  std::atomic<Real> longest{0};
   with_lanes(*world.wide, [&](auto& lanes, const auto&) {
     in_parallel(world.jobs, lanes.pairs.size(), kLanes * kPairsAPart, [&](std::uint32_t k) {
       auto& pair = lanes.pairs[k];
+      Real way = 0;
       for (int i = 0; i < kLanes; ++i) {
+        const Real pull = pair.pull[i], thickness = pair.thickness[i];
         const bool both_move = pair.inv_mass_a[i] > 0 && pair.inv_mass_b[i] > 0;
-        const Real w2 = both_move ? w * w : 4 * w * w;
-        const Softness s = w > 0 ? stiffened(both_move ? both : one, 1 / w2, soft_give(w2, pair.pull[i], pair.thickness[i]))
-                                 : both;
+        const Real own = both_move ? give : give / 4;
+        const Softness s = stiffened(both_move ? both : one, own, soft_give(own, pull, thickness));
+        if (way * thickness < h * h * pull) way = h * h * pull / thickness;
         set(pair.bias_rate, i, s.bias_rate);
         set(pair.mass_scale, i, s.mass_scale);
         set(pair.impulse_scale, i, s.impulse_scale);
       }
+      for (Real before = longest.load(std::memory_order_relaxed); way > before;)
+        if (longest.compare_exchange_weak(before, way, std::memory_order_relaxed)) break;
     });
   });
+  world.wide->longest_way = longest;
 }
 
 void soft_step_begin(const World& world, Solver::Begins to, const StepTime& time) {
@@ -99,14 +106,8 @@ void soft_step_end(const World& world, Poses& to, const StepTime&) {
 /// A sweep leaves what touches closing by about as much as gravity gives it in a substep. Where that is a way to be
 /// seen, of what is thin, it takes more sweeps.
 void sweep_thin(const World& world, Real h) {
-  WideContacts& wide = *world.wide;
   const Real inv_h = 1 / h, push_speed = world.scene.dials[Dial::push_speed];
-  Real most = 0;  // of the thickness, what gravity moves anything by
-  with_lanes(wide, [&](const auto& lanes, const auto&) {
-    for (const auto& pair : lanes.pairs)
-      for (int i = 0; i < kLanes; ++i) most = std::max<Real>(most, h * h * pair.pull[i] / pair.thickness[i]);
-  });
-  for (int k = 1; k < kMostSweeps && most > k * kSweptWay; ++k)
+  for (int k = 1; k < kMostSweeps && world.wide->longest_way > k * kSweptWay; ++k)
     sweep_contacts(world, [&](const auto& s, const auto& run) { s.solve_thin(run, inv_h, push_speed, k * kSweptWay); });
 }
 
@@ -137,8 +138,7 @@ void solve_softly(const World& world, Solver::Solves to, const StepTime& time) {
   report.velocity_impulses += world.contacts->rows.size();
 }
 
-Real soft_give(Real w2, Real pull, Real thickness) {
-  const Real give = 1 / w2;
+Real soft_give(Real give, Real pull, Real thickness) {
   return pull * give > kSoftSink * thickness ? kSoftSink * thickness / pull : give;
 }
 

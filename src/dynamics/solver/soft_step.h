@@ -24,9 +24,9 @@ struct Softness {
 
 /// @param frequency  Hz, >= 0   @param damping  ratio, >= 0   @param h  s
 Softness softness(Real frequency, Real damping, Real h);
-/// s^2, what a soft contact sinks by for each m/s^2 that it bears.
-/// @param w2  1/s^2, squared angular frequency of the spring   @param pull  m/s^2, gravity   @param thickness  m, of the thinner
-Real soft_give(Real w2, Real pull, Real thickness);
+/// s^2, what a soft contact sinks by for each m/s^2 that it bears, of the thickness that the thinner of the two has.
+/// @param give  s^2, of two that are thick   @param pull  m/s^2, gravity   @param thickness  m
+Real soft_give(Real give, Real pull, Real thickness);
 
 /// What sweeps over a substep begin with: velocities in lanes, and the impulses of the substep before where they give no
 /// energy.   @param h  s

@@ -35,8 +35,7 @@ inline constexpr Constant<double> kSweptWay{
     "larger: stacks of coins and dice are pressed into each other as they land, and creep; smaller: time for things of "
     "centimetres that one sweep holds as well"};
 inline constexpr Constant<int> kMostSweeps{
-    "soft_most_sweeps", 16, "sweeps",
-    "that there are at most, however thin a thing is",
+    "soft_most_sweeps", 64, "sweeps", "that there are at most, however thin a thing is",
     "more: time where things of a tenth of a millimetre meet, in steps that are far too long for them; fewer: coins of half "
     "a millimetre that land on each other end up within each other, at 60 Hz"};
 
@@ -52,6 +51,7 @@ inline constexpr Constant<double> kTouching{
     "if loads are not known: 0.6 degrees of tilt, more than what rests has, less than a point in the air of a roller",
     "smaller: friction of what has just landed acts at a corner; larger: it acts at points in the air"};
 
-inline constexpr ConstantRow kSweepConstants[] = {kInnerSweeps, kUnderLoad, kSpared, kSoftSink, kSweptWay, kMostSweeps, kPatchBend, kTouching};
+inline constexpr ConstantRow kSweepConstants[] = {kInnerSweeps, kUnderLoad,  kSpared,    kSoftSink,
+                                                  kSweptWay,    kMostSweeps, kPatchBend, kTouching};
 
 }  // namespace carom::dynamics

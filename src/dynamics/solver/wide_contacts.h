@@ -91,7 +91,8 @@ struct WideContacts {
   ContactLanes<double> in_double;
   Owned<ContactLanes<float>> in_float;  // null until a step wants it
   bool is_float = false;                // which of these has the rows of this step: @see float_range.h
-  bool far_turners = false;             // there are any: far_turn below
+  Real longest_way = 0;      // of the thickness of a pair, what gravity moves it by in a substep; of soft contacts
+  bool far_turners = false;  // there are any: far_turn below
 
   // by solver body; 0 is none, then those that move of themselves, then those that impulses move
   std::uint32_t first_moved = 1;
@@ -272,7 +273,7 @@ void end_lanes(const World& world);
 void measure_lanes(const World& world);
 /// Moves bodies, apart from their velocities, so that points part which were measured to be deeper than `slop`.
 /// @param share  of what is deeper, that is undone
-/// @param slop  m; of what is thin no more than it may be left deep, @see half_tolerable_depth
+/// @param slop  m; of what is thin no more than half the tolerable depth, @see depth.h
 void part_lanes(const World& world, Poses& to, int sweeps, Real share, Real slop);
 
 }  // namespace carom::dynamics
