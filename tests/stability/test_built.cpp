@@ -15,12 +15,11 @@ namespace {
 
 /// What a scene may do.
 struct Bounds {
-  Real gap;            // m, once `settles` has passed
-  Real rises = 0.2;    // of the energy that may fall
+  Real gap;          // m, once `settles` has passed
+  Real rises = 0.2;  // of the energy that may fall
   Real hz = 60;
   Real seconds = 3;
   Real settles = 0.5;  // s
-  std::uint64_t moves = 200;  // Newton steps in the position passes of a step
 };
 
 Real kinetic(const TestWorld& t) { return t.world.report.linear_energy + t.world.report.angular_energy; }

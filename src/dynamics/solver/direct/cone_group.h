@@ -61,7 +61,7 @@ class ConeGroup {
   bool is_parted_roughly(Real by) const;
   Real asked() const;
   Real displacement_share(Real asked, Real h) const;
-  void let_locks_yield();
+  void let_displacements_yield();
   void turn_frames();
   Real measure();
   void load(ConeBody& b) const { b.v = {s_.v[b.slot], s_.omega[b.slot]}; }

@@ -35,10 +35,11 @@ inline constexpr Constant<Real> kJointPush{
     "direct_joint_push", 10, "m/s or rad/s",
     "an error of a joint is undone no faster, and no body is displaced faster for it",
     "larger: what was torn apart is pulled together at once, and what hangs on it is lifted; smaller: it gapes for longer"};
-inline constexpr Constant<Real> kGapShare{
-    "direct_gap_share", 1e-4, "1",
-    "of the largest displacement that rows require, to which it is found: then rows are made anew",
-    "larger: one more turn of making rows; smaller: steps of Newton for digits that turns of bodies undo"};
+inline constexpr Constant<Real> kGiveOfDisplacements{
+    "direct_give_moved", 1e-4, "1",
+    "of its response, by which a contact or lock yields while what is joined is moved together and apart: so much of an "
+    "error is left to the next pass, and where contacts are in the way none is solved closer",
+    "larger: long chains gape for longer; smaller: what contradicts itself takes many steps, and taut chains are thrown"};
 inline constexpr Constant<Real> kGap{
     "direct_gap", 1e-9, "m or rad",
     "of a joint that needs no correction: far above rounding (1e-12 m at 4 km from the "
@@ -98,8 +99,9 @@ inline constexpr Constant<Real> kBends{
     "larger: what spins fast is thrown by the square of it; smaller: coins and wheels lose energy as they go round"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {
-    kFineShare,    kConeShare,   kRest,           kJerks,         kLongestTurn, kJointPush,        kGap,
-    kGapShare,     kAlways,      kMostSteps,      kWorkOfContact, kWorkOfPoint, kLeastWork,        kExpectedOfMoving,
-    kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne,       kBends,       kFewInManySubsteps};
+    kFineShare, kConeShare,           kRest,         kJerks,       kLongestTurn,    kJointPush,
+    kGap,       kGiveOfDisplacements, kAlways,       kMostSteps,   kWorkOfContact,  kWorkOfPoint,
+    kLeastWork, kExpectedOfMoving,    kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne,
+    kBends,     kFewInManySubsteps};
 
 }  // namespace carom::dynamics

@@ -54,14 +54,12 @@ Real ConeGroup::displacement_share(Real asked, Real h) const {
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
 
-/// From nothing on, with locks that yield: where a chain is pulled straight, an exact displacement is one of metres.
-void ConeGroup::let_locks_yield() {
-  for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
-  for (ConeLink& c : problem_.links) {
-    if (c.is_lock()) c.give = kGiveOfContacts * c.k;
-    c.p = 0;
-  }
-  measure_links(problem_);
+/// Displacements of what is joined yield, contacts and locks alike: what contradicts itself has one then, found in few
+/// steps, and a chain that is pulled straight is not moved by metres.
+void ConeGroup::let_displacements_yield() {
+  for (ConeContact& c : problem_.contacts) c.give = kGiveOfDisplacements * c.k;
+  for (ConeLink& c : problem_.links)
+    if (c.is_lock()) c.give = kGiveOfDisplacements * c.k;
 }
 
 void ConeGroup::part(Poses& to, Real h) {
@@ -84,12 +82,10 @@ void ConeGroup::part(Poses& to, Real h) {
   measure_links(problem_);
   const Real most_asked = asked();
   if (is_joined()) {
-    const Real goal = is_parted_roughly(most_asked) ? kGapShare * most_asked : 0.1 * kGap;
+    let_displacements_yield();
+    const Real goal = is_parted_roughly(most_asked) ? kGiveOfDisplacements * most_asked : 0.1 * kGap;
     solution_ = solve_cones(problem_, goal, kMostSteps);
-    if (problem_.contacts.empty() && displacement_share(most_asked, h) < 1) {
-      let_locks_yield();
-      solution_ = solve_cones(problem_, goal, kMostSteps);
-    }
+    for (ConeContact& c : problem_.contacts) c.give = 0;
   } else {
     solution_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
     account_work();
