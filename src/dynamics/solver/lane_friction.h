@@ -87,7 +87,9 @@ CAROM_LANES_INLINE FrictionImpulse<Number> against(const PairLanesOf<Number>& pa
   const Lanes share = bound.most * bound.most + bend * (pair.p_t * pair.p_t + pair.p_s * pair.p_s),
               share_w = bound.most_w * bound.most_w + bend * (pair.p_w * pair.p_w);
   const Lanes back = inverse_or_zero(larger(share * pair.k_slide, share_w * inverse_or_zero(pair.m_w)));
-  const Lanes give = pair.k_slide > none ? back * share : none, give_w = pair.m_w > none ? back * share_w : none;
+  const auto some = back > none;  // else squares of impulses are beyond all numbers
+  const Lanes give = (some & (pair.k_slide > none)) ? back * share : none,
+              give_w = (some & (pair.m_w > none)) ? back * share_w : none;
   return bound.bounded({p.t - give * left.t, p.s - give * left.s, p.w - give_w * left.w});
 }
 
