@@ -102,7 +102,7 @@ int32_t carom_body_set_attribute(carom_world* world, carom_body body, uint32_t a
 
 int32_t carom_body_get_attribute(carom_world* world, carom_body body, uint32_t attribute, double value[4],
                                  carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_body(call, *reading, body) ||
         !known(call, 3, "attribute", attribute, CAROM_ATTRIBUTE_COUNT) || !present(call, 4, "value", value))
@@ -121,7 +121,7 @@ int32_t carom_body_set_gravity_factor(carom_world* world, carom_body body, doubl
 }
 
 int32_t carom_body_get_gravity_factor(carom_world* world, carom_body body, double* factor, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && present(call, 3, "factor", factor))
       *factor = reading->scene.gravity_factor_of(handle_slot(body));
@@ -138,7 +138,7 @@ int32_t carom_body_set_locks(carom_world* world, carom_body body, uint32_t locks
 }
 
 int32_t carom_body_get_locks(carom_world* world, carom_body body, uint32_t* locks, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && present(call, 3, "locks", locks))
       *locks = reading->scene.locks_of(handle_slot(body));
@@ -155,7 +155,7 @@ int32_t carom_body_set_drag(carom_world* world, carom_body body, double linear, 
 
 int32_t carom_body_get_drag(carom_world* world, carom_body body, double* linear, double* quadratic,
                             carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_body(call, *reading, body) || !present(call, 3, "linear", linear) ||
         !present(call, 4, "quadratic", quadratic))
@@ -174,7 +174,7 @@ int32_t carom_body_set_force_field_mask(carom_world* world, carom_body body, uin
 }
 
 int32_t carom_body_get_force_field_mask(carom_world* world, carom_body body, uint32_t* mask, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && present(call, 3, "mask", mask))
       *mask = reading->scene.field_mask_of(handle_slot(body));

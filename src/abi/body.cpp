@@ -229,7 +229,7 @@ int32_t carom_body_destroy(carom_world* world, carom_body body, carom_error* err
 }
 
 int32_t carom_body_get(carom_world* world, carom_body body, carom_body_desc* desc, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && fillable(call, 3, "desc", desc))
       write_struct(describe(*reading, handle_slot(body)), desc);
@@ -264,7 +264,7 @@ int32_t carom_body_set_velocity(carom_world* world, carom_body body, const doubl
 }
 
 int32_t carom_body_is_asleep(carom_world* world, carom_body body, uint32_t* asleep, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && present(call, 3, "asleep", asleep))
       *asleep = reading->asleep(handle_slot(body));
@@ -287,7 +287,7 @@ int32_t carom_body_set_continuous(carom_world* world, carom_body body, uint32_t 
 }
 
 int32_t carom_body_get_continuous(carom_world* world, carom_body body, uint32_t* mode, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && present(call, 3, "mode", mode))
       *mode = static_cast<std::uint32_t>(reading->scene.def[handle_slot(body)].continuous);
@@ -303,7 +303,7 @@ int32_t carom_body_set_enabled(carom_world* world, carom_body body, uint32_t ena
 }
 
 int32_t carom_body_is_enabled(carom_world* world, carom_body body, uint32_t* enabled, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && present(call, 3, "enabled", enabled))
       *enabled = !reading->state.is_disabled(handle_slot(body));

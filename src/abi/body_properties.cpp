@@ -62,7 +62,7 @@ extern "C" {
 
 int32_t carom_body_get_pose(carom_world* world, carom_body body, double position[3], double orientation[4],
                             carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_body(call, *reading, body)) return;
     const Pose pose = reading->pose(handle_slot(body));
@@ -73,7 +73,7 @@ int32_t carom_body_get_pose(carom_world* world, carom_body body, double position
 
 int32_t carom_body_get_velocity(carom_world* world, carom_body body, double linear[3], double angular[3],
                                 carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_body(call, *reading, body)) return;
     if (linear) from_vec3(reading->state.v[handle_slot(body)], linear);
@@ -100,7 +100,7 @@ int32_t carom_body_set_mass(carom_world* world, carom_body body, double mass, co
 
 int32_t carom_body_get_mass(carom_world* world, carom_body body, double* mass, double center[3], double inertia[9],
                             carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_body(call, *reading, body)) return;
     const dynamics::Scene& scene = reading->scene;
@@ -127,7 +127,7 @@ int32_t carom_body_set_type(carom_world* world, carom_body body, uint32_t type, 
 }
 
 int32_t carom_body_get_type(carom_world* world, carom_body body, uint32_t* type, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && present(call, 3, "type", type))
       *type = static_cast<std::uint32_t>(reading->scene.type[handle_slot(body)]);
@@ -145,7 +145,7 @@ int32_t carom_body_set_damping(carom_world* world, carom_body body, double linea
 
 int32_t carom_body_get_damping(carom_world* world, carom_body body, double* linear, double* angular,
                                carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_body(call, *reading, body)) return;
     const BodySettings& def = reading->scene.def[handle_slot(body)];
@@ -162,7 +162,7 @@ int32_t carom_body_set_user(carom_world* world, carom_body body, uint64_t user, 
 }
 
 int32_t carom_body_get_user(carom_world* world, carom_body body, uint64_t* user, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && present(call, 3, "user", user))
       *user = reading->scene.def[handle_slot(body)].user;
@@ -171,7 +171,7 @@ int32_t carom_body_get_user(carom_world* world, carom_body body, uint64_t* user,
 
 int32_t carom_body_get_colliders(carom_world* world, carom_body body, carom_collider* colliders, uint64_t capacity,
                                  uint64_t* count, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_body(call, *reading, body) || !present(call, 5, "count", count)) return;
     const Colliders& c = reading->scene.colliders;

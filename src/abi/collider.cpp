@@ -132,7 +132,7 @@ int32_t carom_collider_destroy(carom_world* world, carom_collider collider, caro
 
 int32_t carom_collider_get(carom_world* world, carom_collider collider, carom_collider_desc* desc, carom_body* body,
                            carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve(call, 2, "collider", reading->scene.collider_slots, collider) ||
         !fillable(call, 3, "desc", desc) || !present(call, 4, "body", body))
@@ -193,7 +193,7 @@ int32_t carom_collider_set_surface_velocity(carom_world* world, carom_collider c
 
 int32_t carom_collider_get_surface_velocity(carom_world* world, carom_collider collider, double linear[3],
                                             double angular[3], carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve(call, 2, "collider", reading->scene.collider_slots, collider) ||
         !present(call, 3, "linear", linear) || !present(call, 4, "angular", angular))

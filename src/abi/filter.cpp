@@ -20,7 +20,7 @@ int32_t carom_collider_set_filter(carom_world* world, carom_collider collider, u
 
 int32_t carom_collider_get_filter(carom_world* world, carom_collider collider, uint64_t* category, uint64_t* mask,
                                   int32_t* group, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve(call, 2, "collider", reading->scene.collider_slots, collider) ||
         !present(call, 3, "category", category) || !present(call, 4, "mask", mask) || !present(call, 5, "group", group))
@@ -67,7 +67,7 @@ int32_t carom_collider_set_sensor(carom_world* world, carom_collider collider, u
 }
 
 int32_t carom_collider_is_sensor(carom_world* world, carom_collider collider, uint32_t* sensor, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve(call, 2, "collider", reading->scene.collider_slots, collider) &&
         present(call, 3, "sensor", sensor))

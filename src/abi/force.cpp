@@ -163,7 +163,7 @@ int32_t carom_world_set_wind(carom_world* world, const double velocity[3], carom
 }
 
 int32_t carom_world_get_wind(carom_world* world, double velocity[3], carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && present(call, 2, "velocity", velocity)) from_vec3(reading->scene.wind, velocity);
   });
@@ -213,7 +213,7 @@ int32_t carom_force_field_update(carom_world* world, carom_force_field field, co
 
 int32_t carom_force_field_get(carom_world* world, carom_force_field field, carom_force_field_desc* desc,
                               carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_field(call, *reading, field) && fillable(call, 3, "desc", desc))
       write_struct(describe(reading->scene.fields.def[handle_slot(field)]), desc);
@@ -254,7 +254,7 @@ int32_t carom_spring_update(carom_world* world, carom_spring spring, double rest
 }
 
 int32_t carom_spring_get(carom_world* world, carom_spring spring, carom_spring_desc* desc, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_spring(call, *reading, spring) && fillable(call, 3, "desc", desc))
       write_struct(describe(*reading, reading->scene.springs.def[handle_slot(spring)]), desc);
@@ -263,7 +263,7 @@ int32_t carom_spring_get(carom_world* world, carom_spring spring, carom_spring_d
 
 int32_t carom_spring_get_state(carom_world* world, carom_spring spring, double* length, double* force,
                                carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_spring(call, *reading, spring) || !present(call, 3, "length", length) ||
         !present(call, 4, "force", force))
@@ -303,7 +303,7 @@ int32_t carom_world_set_water(carom_world* world, const carom_water* water, caro
 }
 
 int32_t carom_world_get_water(carom_world* world, carom_water* water, uint32_t* there, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !fillable(call, 2, "water", water) || !present(call, 3, "present", there)) return;
     *there = reading->scene.water.on;

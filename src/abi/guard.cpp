@@ -16,8 +16,10 @@ namespace carom::abi {
 namespace {
 
 // Not state of the library but of the thread's call stack: whether a carom_* call is under way on it.
-constinit thread_local bool inside_library = false;
-constinit thread_local bool thread_leaves = false;
+struct Marks {
+  bool inside = false, leaves = false;
+};
+constinit thread_local Marks thread_marks;
 
 // Bytes of struct_size and code: less is not a carom_error.
 constexpr std::uint32_t kSmallestError = 8;
@@ -54,7 +56,7 @@ std::int32_t Call::finish() const {
   full.has_witness = has_witness_;
   std::memcpy(full.witness_dir, dir_, sizeof dir_);
   std::memcpy(full.witness_out, out_, sizeof out_);
-  std::memcpy(full.message, message_, sizeof message_);
+  std::memcpy(full.message, message_, std::strlen(message_));
   std::snprintf(full.remedy, sizeof full.remedy, "%s", remedy_ ? remedy_ : carom_result_remedy(code_));
 
   const std::size_t skip = sizeof full.struct_size;  // the caller's own
@@ -66,7 +68,8 @@ std::int32_t Call::finish() const {
 }
 
 Inside::Inside(Call& call) {
-  if (inside_library) {
+  Marks& mine = thread_marks;
+  if (mine.inside) {
     call.fail(CAROM_E_REENTRANT, 0,
               "called from inside a callback (support function, allocator, log or jobs) on this thread");
     return;
@@ -75,19 +78,14 @@ Inside::Inside(Call& call) {
     call.fail(CAROM_E_STRUCT_SIZE, 0, "error->struct_size is %u", call.error_->struct_size);
     return;
   }
-  inside_library = true;
-  thread_leaves = false;
-  entered_ = true;
+  mine = {true, false};
+  mark_ = &mine.inside;
 }
 
-Inside::~Inside() {
-  if (entered_) inside_library = false;
-}
-
-InsideJob::InsideJob() : before_(inside_library) { inside_library = true; }
-InsideJob::~InsideJob() { inside_library = before_; }
+InsideJob::InsideJob() : before_(thread_marks.inside) { thread_marks.inside = true; }
+InsideJob::~InsideJob() { thread_marks.inside = before_; }
 void mark_inside() {
-  inside_library = true;
+  thread_marks.inside = true;
   hold_cancellation();
 }
 
@@ -107,7 +105,7 @@ int hold_cancellation() { return 0; }
 void give_cancellation(int) {}
 #endif
 
-void mark_leaving() { thread_leaves = true; }
-bool is_leaving() { return thread_leaves; }
+void mark_leaving() { thread_marks.leaves = true; }
+bool is_leaving() { return thread_marks.leaves; }
 
 }  // namespace carom::abi

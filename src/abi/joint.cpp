@@ -262,7 +262,7 @@ int32_t set(carom_world* world, carom_joint handle, std::uint32_t coordinate, co
 template <class Desc>
 int32_t get(carom_world* world, carom_joint handle, std::uint32_t coordinate, Desc* desc, const char* name,
             carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_joint(call, *reading, handle)) return;
     const Joint& joint = reading->joints.joint[handle_slot(handle)];
@@ -326,7 +326,7 @@ int32_t carom_joint_destroy(carom_world* world, carom_joint joint, carom_error* 
 }
 
 int32_t carom_joint_get(carom_world* world, carom_joint joint, carom_joint_desc* desc, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_joint(call, *reading, joint) && fillable(call, 3, "desc", desc))
       write_struct(describe(*reading, reading->joints.joint[handle_slot(joint)]), desc);
@@ -334,7 +334,7 @@ int32_t carom_joint_get(carom_world* world, carom_joint joint, carom_joint_desc*
 }
 
 int32_t carom_joint_get_state(carom_world* world, carom_joint handle, carom_joint_state* state, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_joint(call, *reading, handle) || !fillable(call, 3, "state", state)) return;
     const FloatScope scope;
@@ -389,7 +389,7 @@ int32_t carom_joint_set_transmission(carom_world* world, carom_joint joint,
 }
 int32_t carom_joint_get_transmission(carom_world* world, carom_joint handle, carom_joint_transmission* transmission,
                                      carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_joint(call, *reading, handle)) return;
     const Joint& joint = reading->joints.joint[handle_slot(handle)];

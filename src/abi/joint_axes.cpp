@@ -165,7 +165,7 @@ int32_t carom_joint_set_axis(carom_world* world, carom_joint joint, uint32_t axi
 }
 int32_t carom_joint_get_axis(carom_world* world, carom_joint handle, uint32_t axis, carom_joint_axis* desc,
                              carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_joint(call, *reading, handle)) return;
     const Joint& joint = reading->joints.joint[handle_slot(handle)];
@@ -186,7 +186,7 @@ int32_t carom_joint_set_orientation_drive(carom_world* world, carom_joint joint,
 }
 int32_t carom_joint_get_orientation_drive(carom_world* world, carom_joint handle, carom_joint_orientation_drive* drive,
                                           carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_joint(call, *reading, handle)) return;
     const Joint& joint = reading->joints.joint[handle_slot(handle)];

@@ -99,7 +99,7 @@ int32_t carom_material_set_resistance(carom_world* world, carom_material materia
 
 int32_t carom_material_get_resistance(carom_world* world, carom_material material, double* rolling, double* spinning,
                                       carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve(call, 2, "material", reading->scene.material_slots, material) ||
         !present(call, 3, "rolling", rolling) || !present(call, 4, "spinning", spinning))

@@ -186,7 +186,7 @@ int32_t carom_particles_destroy(carom_world* world, carom_particles set, carom_e
 }
 
 int32_t carom_particles_get(carom_world* world, carom_particles set, carom_particles_desc* desc, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !resolve_set(call, *reading, set) || !fillable(call, 3, "desc", desc)) return;
     const ParticleSet& p = set_of(*reading, set);
@@ -211,7 +211,7 @@ int32_t carom_particles_update(carom_world* world, carom_particles set, const ca
 }
 
 int32_t carom_particles_get_count(carom_world* world, carom_particles set, uint64_t* count, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_set(call, *reading, set) && present(call, 3, "count", count))
       *count = set_of(*reading, set).size();

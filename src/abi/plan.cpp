@@ -67,7 +67,7 @@ int32_t carom_world_set_effect(carom_world* world, uint32_t effect, uint32_t mod
 }
 
 int32_t carom_world_get_effect(carom_world* world, uint32_t effect, uint32_t* mode, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && known_effect(call, 2, effect) && present(call, 3, "mode", mode))
       *mode = static_cast<std::uint32_t>(reading->scene.modes.of_world(effect));
@@ -85,7 +85,7 @@ int32_t carom_body_set_effect(carom_world* world, carom_body body, uint32_t effe
 
 int32_t carom_body_get_effect(carom_world* world, carom_body body, uint32_t effect, uint32_t* mode,
                               carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && resolve_body(call, *reading, body) && known_effect(call, 3, effect) &&
         present(call, 4, "mode", mode))

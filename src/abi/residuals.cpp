@@ -55,7 +55,7 @@ int32_t carom_world_set_budget(carom_world* world, double seconds, uint32_t fewe
 
 int32_t carom_world_get_budget(carom_world* world, double* seconds, uint32_t* fewest, uint32_t* most,
                                carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (!reading || !present(call, 2, "seconds", seconds) || !present(call, 3, "fewest", fewest) ||
         !present(call, 4, "most", most))

@@ -20,7 +20,10 @@ void save(Call& call, const Reading& world, std::uint32_t flags, void* buffer, s
     return flags & CAROM_SNAPSHOT_WHOLE ? save_world(*world, EngineNames(world.engine()), to, space)
                                         : save_state(*world, to, space);
   };
-  const std::uint64_t size = write(nullptr, 0);  // known before the first byte is written
+  // Known before the first byte is written, and counted once of a state: hosts ask for it first.
+  std::atomic<std::uint64_t>& known_size = world.snapshot_size(flags & CAROM_SNAPSHOT_WHOLE);
+  std::uint64_t size = known_size.load(std::memory_order_relaxed);
+  if (size == 0) known_size.store(size = write(nullptr, 0), std::memory_order_relaxed);
   *needed = size;
   if (!buffer) return;
   if (size > capacity)

@@ -197,7 +197,7 @@ int32_t carom_world_set_dial(carom_world* world, uint32_t dial, double value, ca
 }
 
 int32_t carom_world_get_dial(carom_world* world, uint32_t dial, double* value, carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && known(call, 2, "dial", dial, kDialCount) && present(call, 3, "value", value))
       *value = reading->scene.dials[static_cast<Dial>(dial)];
@@ -222,7 +222,7 @@ int32_t carom_world_set_gravity(carom_world* world, const double gravity[3], car
 }
 
 int32_t carom_world_get_gravity(carom_world* world, double gravity[3], carom_error* error) {
-  return guarded(error, [&](Call& call) {
+  return glanced(error, [&](Call& call) {
     const Reading reading(call, world);
     if (reading && present(call, 2, "gravity", gravity)) from_vec3(reading->scene.gravity, gravity);
   });

@@ -50,6 +50,8 @@ struct carom_world {
   carom::Owned<carom::World> inner;             // never null; a snapshot may put another in its place
   carom::Owned<carom::abi::Recorder> recorder;  // null: it is not recorded
   carom::Owned<carom::abi::Budget> budget;      // null: off
+  /// Bytes that a snapshot takes, without shapes and whole, as they were counted since the last change; 0: not yet.
+  std::atomic<std::uint64_t> snapshot_size[2]{};
 };
 
 namespace carom::abi {
@@ -74,6 +76,8 @@ class Reading {
   const World& operator*() const { return *world_->inner; }
   const World* operator->() const { return world_->inner.get(); }
   carom_engine& engine() const { return world_->engine; }
+  /// As it was counted last. Readers that count it at once say the same.
+  std::atomic<std::uint64_t>& snapshot_size(bool whole) const { return world_->snapshot_size[whole]; }
 
  private:
   carom_world* world_ = nullptr;
@@ -94,6 +98,7 @@ class Changing {
       return;
     }
     world_ = world;
+    for (auto& size : world->snapshot_size) size.store(0, std::memory_order_relaxed);
   }
   ~Changing() {
     if (world_) world_->gate.leave_alone();

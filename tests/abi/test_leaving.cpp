@@ -5,6 +5,8 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -34,13 +36,13 @@ struct Heap {
   carom_shape box = 0;
   carom_body body[5] = {};
 
-  explicit Heap(uint32_t threads = 0) {
+  explicit Heap(uint32_t threads = 0, const carom_engine_desc* desc = nullptr) {
     way = Way::returns;
     carom_plugin plugin;
     const double half[3] = {0.5, 0.5, 0.5};
     static carom_shape_plugin made;
     made = bench_plugin("test.leaving", bench_box_params, 3, nullptr, leaving_box);
-    assert_int_equal(carom_engine_create(nullptr, &engine, nullptr), CAROM_OK);
+    assert_int_equal(carom_engine_create(desc, &engine, nullptr), CAROM_OK);
     if (threads) {
       carom_jobs_desc jobs;
       carom_jobs_desc_init(&jobs, sizeof jobs);
@@ -155,6 +157,165 @@ void a_thread_that_is_cancelled_finishes_its_step(void**) {
     }
 }
 
+/// All that read a few numbers, of each kind of thing.
+void read_all(const Heap& heap, const carom_body body) {
+  carom_world* const w = heap.world;
+  double v[9], linear, angular;
+  uint32_t word;
+  uint64_t count;
+  carom_body_desc desc;
+  carom_body_desc_init(&desc, sizeof desc);
+  assert_int_equal(carom_body_get(w, body, &desc, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_pose(w, body, v, v + 3, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_velocity(w, body, v, v + 3, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_mass(w, body, nullptr, nullptr, v, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_type(w, body, &word, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_damping(w, body, &linear, &angular, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_user(w, body, &count, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_gravity_factor(w, body, &linear, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_locks(w, body, &word, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_drag(w, body, &linear, &angular, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_force_field_mask(w, body, &word, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_attribute(w, body, 0, v, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_continuous(w, body, &word, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_get_effect(w, body, CAROM_EFFECT_GRAVITY, &word, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_is_asleep(w, body, &word, nullptr), CAROM_OK);
+  assert_int_equal(carom_body_is_enabled(w, body, &word, nullptr), CAROM_OK);
+  carom_collider collider;
+  assert_int_equal(carom_body_get_colliders(w, body, &collider, 1, &count, nullptr), CAROM_OK);
+  carom_collider_desc piece;
+  carom_collider_desc_init(&piece, sizeof piece);
+  carom_body of;
+  uint64_t mask;
+  int32_t group;
+  assert_int_equal(carom_collider_get(w, collider, &piece, &of, nullptr), CAROM_OK);
+  assert_int_equal(carom_collider_get_surface_velocity(w, collider, v, v + 3, nullptr), CAROM_OK);
+  assert_int_equal(carom_collider_get_filter(w, collider, &count, &mask, &group, nullptr), CAROM_OK);
+  assert_int_equal(carom_collider_is_sensor(w, collider, &word, nullptr), CAROM_OK);
+  carom_water water;
+  carom_water_init(&water, sizeof water);
+  assert_int_equal(carom_world_get_gravity(w, v, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_get_wind(w, v, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_get_water(w, &water, &word, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_get_dial(w, CAROM_DIAL_SOLVER, v, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_get_effect(w, CAROM_EFFECT_GRAVITY, &word, nullptr), CAROM_OK);
+}
+
+std::atomic<int> read_before_the_end{0};
+void* read_and_step(void* argument) {
+  const Heap& heap = *static_cast<Heap*>(argument);
+  pthread_cancel(pthread_self());
+  for (int i = 0; i < 100; ++i, ++read_before_the_end) read_all(heap, heap.body[i % 5]);
+  carom_world_step(heap.world, 1. / 60, nullptr);
+  return argument;  // it does not come here
+}
+/// Of a thread that is cancelled already: what reads goes on, the step is the end of it, and is done.
+void what_reads_does_not_look_whether_it_is_cancelled(void**) {
+  Heap heap;
+  read_before_the_end = 0;
+  assert_ptr_equal(run_thread(read_and_step, &heap), PTHREAD_CANCELED);
+  assert_int_equal(read_before_the_end, 100);
+  carom_step_report report = {};
+  report.struct_size = sizeof report;
+  assert_int_equal(carom_world_get_report(heap.world, &report, nullptr), CAROM_OK);
+  assert_int_equal(report.steps, 1);
+  heap.goes_on();
+}
+
+/// Threads that read are cancelled at any time, while another one does nothing but read.
+void* read_for_ever(void* argument) {
+  const Heap& heap = *static_cast<Heap*>(argument);
+  for (int i = 0;; ++i) {
+    read_all(heap, heap.body[i % 5]);
+    pthread_testcancel();
+  }
+}
+void readers_that_are_cancelled_leave_the_world_to_others(void**) {
+  for (int i = 0; i < 8; ++i) {
+    Heap heap;
+    pthread_t thread[3];
+    for (pthread_t& t : thread) assert_int_equal(pthread_create(&t, nullptr, read_for_ever, &heap), 0);
+    std::this_thread::sleep_for(std::chrono::microseconds(300 * i));
+    for (const pthread_t t : thread) assert_int_equal(pthread_cancel(t), 0);
+    for (const pthread_t t : thread) assert_int_equal(pthread_join(t, nullptr), 0);
+    heap.goes_on();
+  }
+}
+
+std::atomic<int> asked{0};
+void* counted_alloc(void*, uint64_t size, uint64_t alignment) {
+  ++asked;
+  return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+}
+void counted_free(void*, void* p, uint64_t, uint64_t) {
+  ++asked;
+  std::free(p);
+}
+/// Nothing of the host's is called, so there is nothing that could end the thread.
+void what_reads_asks_for_no_memory(void**) {
+  carom_engine_desc desc;
+  carom_engine_desc_init(&desc, sizeof desc);
+  desc.alloc = counted_alloc, desc.free = counted_free;
+  Heap heap(0, &desc);
+  for (int i = 0; i < 40; ++i) assert_int_equal(carom_world_step(heap.world, 1. / 60, nullptr), CAROM_OK);
+  const int before = asked;
+  assert_true(before > 0);
+  for (const carom_body body : heap.body) read_all(heap, body);
+  assert_int_equal(asked, before);
+}
+
+/// A size is remembered until something changes: after each change it is what the bytes take.
+void a_size_is_that_of_the_state(void**) {
+  Heap heap;
+  carom_world* const w = heap.world;
+  std::vector<uint64_t> seen;
+  std::vector<unsigned char> old;
+  const auto check = [&] {
+    for (const uint32_t flags : {CAROM_SNAPSHOT_WHOLE, CAROM_SNAPSHOT_STATE}) {
+      uint64_t size = 0, again = 0, needed = 0;
+      assert_int_equal(carom_world_save(w, flags, nullptr, 0, &size, nullptr), CAROM_OK);
+      std::vector<unsigned char> bytes(size, 0xA5);
+      assert_int_equal(carom_world_save(w, flags, bytes.data(), size - 1, &again, nullptr), CAROM_E_BUFFER_TOO_SMALL);
+      assert_true(again == size && bytes == std::vector<unsigned char>(size, 0xA5));
+      assert_int_equal(carom_world_save(w, flags, bytes.data(), size, &needed, nullptr), CAROM_OK);
+      assert_true(needed == size);
+      carom_world* fork = nullptr;  // it knows nothing of what was counted here
+      assert_int_equal(carom_world_fork(w, &fork, nullptr), CAROM_OK);
+      assert_int_equal(carom_world_save(fork, flags, nullptr, 0, &needed, nullptr), CAROM_OK);
+      assert_int_equal(carom_world_destroy(fork, nullptr), CAROM_OK);
+      assert_true(needed == size);
+      if (flags == CAROM_SNAPSHOT_STATE) seen.push_back(size), old = bytes;
+    }
+  };
+  check();
+  for (int i = 0; i < 12; ++i) {
+    assert_int_equal(carom_world_step(w, 1. / 60, nullptr), CAROM_OK);
+    check();
+  }
+  carom_body body;
+  carom_body_desc d;
+  carom_body_desc_init(&d, sizeof d);
+  const std::vector<unsigned char> before = old;
+  d.linear_drag = 1;
+  d.position[0] = 50;
+  assert_int_equal(carom_body_set_drag(w, heap.body[2], 1, 2, nullptr), CAROM_OK);
+  check();
+  assert_int_equal(carom_world_restore(w, before.data(), before.size(), nullptr), CAROM_OK);
+  check();
+  assert_true(old.size() == before.size());
+  assert_int_equal(carom_body_create(w, &d, &body, nullptr), CAROM_OK);
+  check();
+  assert_int_equal(carom_body_destroy(w, body, nullptr), CAROM_OK);
+  check();
+  const double p[3] = {0, 30, 0}, q[4] = {0, 0, 0, 1};
+  for (int i = 1; i < 5; ++i) {  // pairs go
+    assert_int_equal(carom_body_set_pose(w, heap.body[i], p, q, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_step(w, 1. / 60, nullptr), CAROM_OK);
+    check();
+  }
+  assert_true(std::set<uint64_t>(seen.begin(), seen.end()).size() > 3);
+}
+
 void a_buffer_that_is_too_small_stays_as_it_was(void**) {
   Heap heap;
   for (int i = 0; i < 30; ++i) carom_world_step(heap.world, 1. / 60, nullptr);
@@ -256,6 +417,10 @@ int main() {
       cmocka_unit_test(a_callback_ends_its_thread_and_nothing_else),
       cmocka_unit_test(a_callback_throws_and_the_call_says_so),
       cmocka_unit_test(a_thread_that_is_cancelled_finishes_its_step),
+      cmocka_unit_test(what_reads_does_not_look_whether_it_is_cancelled),
+      cmocka_unit_test(readers_that_are_cancelled_leave_the_world_to_others),
+      cmocka_unit_test(what_reads_asks_for_no_memory),
+      cmocka_unit_test(a_size_is_that_of_the_state),
       cmocka_unit_test(a_buffer_that_is_too_small_stays_as_it_was),
       cmocka_unit_test(a_stride_that_leads_out_of_memory_is_refused),
       cmocka_unit_test(a_small_stack_is_enough),
