@@ -21,9 +21,9 @@ void save(Call& call, const Reading& world, std::uint32_t flags, void* buffer, s
                                         : save_state(*world, to, space);
   };
   // Known before the first byte is written, and counted once of a state: hosts ask for it first.
-  std::atomic<std::uint64_t>& known_size = world.snapshot_size(flags & CAROM_SNAPSHOT_WHOLE);
-  std::uint64_t size = known_size.load(std::memory_order_relaxed);
-  if (size == 0) known_size.store(size = write(nullptr, 0), std::memory_order_relaxed);
+  const bool whole = flags & CAROM_SNAPSHOT_WHOLE;
+  std::uint64_t size = world.snapshot_size(whole);
+  if (size == 0) world.know_snapshot_size(whole, size = write(nullptr, 0));
   *needed = size;
   if (!buffer) return;
   if (size > capacity)
@@ -109,7 +109,7 @@ carom_world* fork_world(Call& call, const Reading& world) {
   carom_world* made = make_world(call, engine, Vec3::zero(), 0);
   if (!made) return nullptr;
   try {
-    Owned<World> built = empty_world(engine, made->tag);
+    Owned<World> built = empty_world(engine, made->inner->scene.bodies.tag());
     SnapshotFault fault;
     if (!build_world(*built, bytes.data(), bytes.size(), shapes, fault)) {
       call.fail(CAROM_E_INTERNAL, 1, "the copy was refused: %s", fault.text);

@@ -145,7 +145,7 @@ void destroy_world(carom_world* world) {
   }
   const Colliders& c = world->inner->scene.colliders;
   for (const std::uint32_t slot : c.live) unuse_shape(engine, *c.shape[slot]);
-  const std::uint32_t tag = world->tag;
+  const std::uint32_t tag = world->inner->scene.bodies.tag();
   destroy_on(&engine.memory, world);
   release_tag(tag);
   engine.worlds.fetch_sub(1, std::memory_order_release);  // last: the engine may be destroyed from now on

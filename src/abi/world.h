@@ -39,19 +39,17 @@ class Gate {
 struct carom_world {
   carom_world(carom_engine& owner, std::uint32_t owner_tag, const carom::Vec3& gravity, std::size_t capacity)
       : engine(owner),
-        tag(owner_tag),
         inner(carom::make_owned<carom::World>(&owner.memory, owner_tag, gravity, capacity, &owner.memory)) {
     inner->jobs = owner.jobs.get();
   }
 
   carom_engine& engine;
-  const std::uint32_t tag;
+  /// Bytes that a snapshot takes, counted since the last change: twice as many, and one more for a whole one. 0: not counted.
+  std::atomic<std::uint32_t> snapshot_size{0};
   carom::abi::Gate gate;
   carom::Owned<carom::World> inner;             // never null; a snapshot may put another in its place
   carom::Owned<carom::abi::Recorder> recorder;  // null: it is not recorded
   carom::Owned<carom::abi::Budget> budget;      // null: off
-  /// Bytes that a snapshot takes, without shapes and whole, as they were counted since the last change; 0: not yet.
-  std::atomic<std::uint64_t> snapshot_size[2]{};
 };
 
 namespace carom::abi {
@@ -76,8 +74,16 @@ class Reading {
   const World& operator*() const { return *world_->inner; }
   const World* operator->() const { return world_->inner.get(); }
   carom_engine& engine() const { return world_->engine; }
-  /// As it was counted last. Readers that count it at once say the same.
-  std::atomic<std::uint64_t>& snapshot_size(bool whole) const { return world_->snapshot_size[whole]; }
+  /// 0: not known. Readers that count it at once say the same.
+  std::uint64_t snapshot_size(bool whole) const {
+    const std::uint32_t known = world_->snapshot_size.load(std::memory_order_relaxed);
+    return (known & 1) == std::uint32_t(whole) ? known >> 1 : 0;
+  }
+  void know_snapshot_size(bool whole, std::uint64_t size) const {
+    if (size >> 31 == 0)
+      world_->snapshot_size.store(static_cast<std::uint32_t>(size << 1 | std::uint64_t(whole)),
+                                  std::memory_order_relaxed);
+  }
 
  private:
   carom_world* world_ = nullptr;
@@ -98,7 +104,7 @@ class Changing {
       return;
     }
     world_ = world;
-    for (auto& size : world->snapshot_size) size.store(0, std::memory_order_relaxed);
+    world->snapshot_size.store(0, std::memory_order_relaxed);
   }
   ~Changing() {
     if (world_) world_->gate.leave_alone();
