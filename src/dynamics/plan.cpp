@@ -272,7 +272,8 @@ void save_placed(const World& world, const Colliders& c, PlacedPoses& placed, co
   const Real radius = c.shape[slot]->bounding_radius;
   const bool is_fast = radius > 0 ? 4 * c.reach[slot] > radius
                                   : motion_of(world, c, plan, slot, dt) > world.scene.dials[Dial::contact_distance] / 2;
-  if (is_fast) world.continuous->see(body);
+  if (is_fast || (world.scene.type[body] == BodyType::kinematic && comes_far(world, slot, dt)))
+    world.continuous->see(body);
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 // Elsewhere a step looks where bodies stand, and a little ahead: bounds and contacts reach as far as a body moves
 // within the step, but no farther than the size of its shape, beyond which a contact would stop bodies that merely pass
 // by. What moves farther than that is this module's participant, and so is what turns so far that its ends pass what
-// its contacts know nothing of, and what a host asks for (BodyDef::continuous). No other body costs anything.
+// its contacts know nothing of, and what a host asks for (BodyDef::continuous). So is what a host
+// moves, if it comes farther in a step than a quarter of its thickness: it keeps its contacts, and dynamic bodies in its
+// way are swept against it. No other body costs anything.
 //
 // In a substep, when the integrator and the solver have had their say, each participant has come from one pose to another.
 // Its path between them, straight on and about one axis, is swept by conservative advancement (collision/cast) against
@@ -11,8 +13,11 @@
 // there and then, as by contact/impact.h: one impulse of all points that touch, with the restitution and Coulomb's
 // friction of their materials, momentum kept; and both go on from there for the rest of the substep, the one that was
 // hit swept from then on as well if it goes far by the end of the step. So contacts of a substep are solved one after
-// the other, by time, of equals by slot, whoever's they are, and no time is lost. Who is hit too often in one substep
-// stays where it is until its end.
+// the other, by time, of equals by slot, whoever's they are, and no time is lost.
+//
+// Hits of a substep are bounded (ccd/join.cpp). What was hit too often goes on as one with what it hits next, until the
+// substep ends. Bodies that impulses move get the velocity of one rigid body: momentum is kept, and energy only lost.
+// What impulses do not move carries them, so nothing gets out of what moves, however crowded that is.
 //
 // The path is a chord of the motion. Under constant forces it sags by h^2 a/8 under the parabola; the moment of an
 // impact is found on the parabola, and its impulse changes velocity and place at the end as it would there: energy is
@@ -64,19 +69,26 @@ struct SweepHit {
 /// A body whose path is known: it is swept, or one that is may meet it.
 struct SweptBody {
   std::uint32_t body;
-  bool swept = false;                             // else it is somebody else's obstacle
-  bool outruns = false;                           // its contacts do not reach as far as it moves in this step
-  bool loose = false;                             // it is not in the tree of participants, or has left its box there
-  bool changed = false;                           // something hit it in this substep
-  bool is_hit = false;                            // likewise, in this step
-  bool flies = false;                             // its path is a parabola's chord; else a solver's straight line
-  static constexpr std::uint32_t kMostHits = 16;  // in a substep
-  std::uint32_t hits = 0;                         // in this substep
-  Real sensed = 0;                                // s: how far along its path sensors were asked, @see sense.cpp
-  std::uint32_t version = 0;                      // raised when its path changes
-  Real radius = 0;                                // m: the farthest of its colliders from its centre
-  Path path;                                      // of this substep, from the last hit on
-  Vec3 accel = Vec3::zero();                      // m/s^2, of forces in this substep
+  bool swept = false;                              // else it is somebody else's obstacle
+  bool outruns = false;                            // its contacts do not reach as far as it moves in this step
+  bool loose = false;                              // it is not in the tree of participants, or has left its box there
+  bool changed = false;                            // something hit it in this substep
+  bool is_hit = false;                             // likewise, in this step
+  bool flies = false;                              // its path is a parabola's chord; else a solver's straight line
+  static constexpr std::uint32_t kMostHits = 16;   // in a substep, before what impulses do not move holds it
+  static constexpr std::uint32_t kMostShared = 4;  // before it joins what they do move
+  std::uint32_t hits = 0;                          // in this substep
+  std::uint32_t next_as_one = kInvalid;            // place in bodies: a ring of those that go on as one; else none
+  std::uint32_t carrier = kInvalid;  // body that impulses do not move, with which it goes on; itself: stays
+  bool is_held() const { return carrier != kInvalid; }
+  bool is_joined() const { return next_as_one != kInvalid; }
+  bool is_spent() const { return hits >= kMostHits || is_joined() || is_held(); }
+  bool may_join() const { return hits >= kMostShared || is_joined(); }
+  Real sensed = 0;            // s: how far along its path sensors were asked, @see sense.cpp
+  std::uint32_t version = 0;  // raised when its path changes
+  Real radius = 0;            // m: the farthest of its colliders from its centre
+  Path path;                  // of this substep, from the last hit on
+  Vec3 accel = Vec3::zero();  // m/s^2, of forces in this substep
 
   // The first contact ahead:
   Real when = kInfinity;             // s; infinite: there is none
@@ -132,6 +144,8 @@ void find(const Scene&, const State&, Participants&);
 /// Take up a body that is not known yet.
 SweptBody& know(const World& world, std::uint32_t body);
 
+/// Whether a collider moves by more than a quarter of its thickness in a step.
+bool comes_far(const World& world, std::uint32_t collider, Real dt);
 /// Part of refresh(), when bounds are made: who outruns its contacts, and with those that a host asked for, who is
 /// swept.
 void find_swept(const World& world, Colliders& table, Real dt);

@@ -43,6 +43,17 @@ bool is_fast(const World& world, std::uint32_t body, Real dt) {
   return reach > 0 && (way > reach || spins);
 }
 
+/// Whether what a host moves comes far for its thinnest collider: what lies still in its way may be on either side of
+/// that after a step.
+bool sweeps_others(const World& world, std::uint32_t body, Real dt) {
+  if (world.scene.type[body] != BodyType::kinematic) return false;
+  const Colliders& c = world.scene.colliders;
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != kInvalid; slot = c.next[slot])
+    if (!c.disabled[slot] && !c.is_sensor(slot) && !is_scenery(*c.shape[slot]) && comes_far(world, slot, dt))
+      return true;
+  return false;
+}
+
 void clear(Continuous& c) {
   for (const SweptBody& b : c.bodies) c.index[b.body] = kInvalid;
   c.bodies.clear(), c.loose.clear(), c.hits.clear(), c.passed.clear();
@@ -142,6 +153,14 @@ void continuous::find(const Scene& scene, const State& state, Participants& part
       participants.add(i);
 }
 
+bool comes_far(const World& world, std::uint32_t collider, Real dt) {
+  const Shape& shape = *world.scene.colliders.shape[collider];
+  const std::uint32_t body = world.scene.colliders.body[collider];
+  const Real arm = shape.bounding_radius + world.plan->local[collider].p.norm();
+  const Real way = dt * (world.state.v[body].norm() + arm * world.state.omega[body].norm());
+  return 4 * way > (shape.bounds.hi - shape.bounds.lo).min_entry();
+}
+
 void find_swept(const World& world, Colliders& table, Real dt) {
   Continuous& c = *world.continuous;
   PlannedEffect& row = world.plan->effects[+EffectId::continuous];
@@ -154,8 +173,9 @@ void find_swept(const World& world, Colliders& table, Real dt) {
     const EffectModes& modes = world.scene.modes;
     if (modes.forbids(+EffectId::continuous, i)) continue;
     const bool outruns = world.plan->watches_speed && mode != SweepMode::never && is_fast(world, i, dt);
-    if (!can_sweep(world, i) || !(outruns || mode == SweepMode::always || modes.forces(+EffectId::continuous, i)))
-      continue;
+    const bool sweeps = world.plan->watches_speed && mode != SweepMode::never && sweeps_others(world, i, dt);
+    const bool is_asked = mode == SweepMode::always || modes.forces(+EffectId::continuous, i);
+    if (!can_sweep(world, i) || !(outruns || sweeps || is_asked)) continue;
     c.index.resize(world.scene.bodies.slots(), kInvalid);
     SweptBody& b = know(world, i);
     b.swept = true, b.outruns = outruns;
@@ -262,9 +282,14 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
     broad_phase(world, broad)
         .find_near(table, straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt), c.found);
     std::sort(c.found.begin(), c.found.end());  // the order in which it finds them is of the past
-    for (const std::uint32_t slot : c.found)
-      if (table.movable[slot] && !c.find(table.body[slot]) && can_sweep(world, table.body[slot]))
-        know(world, table.body[slot]);
+    const bool is_driven = world.scene.type[c.bodies[k].body] == BodyType::kinematic;
+    for (const std::uint32_t slot : c.found) {
+      const std::uint32_t body = table.body[slot];
+      if (!table.movable[slot] || !can_sweep(world, body)) continue;
+      SweptBody* known = c.find(body);
+      if (!known) known = &know(world, body);
+      known->swept |= is_driven && world.scene.type[body] == BodyType::dynamic;  // it looks out for what comes
+    }
   }
   const std::size_t most =
       std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kHit + kHitEach * c.participants);
@@ -291,6 +316,7 @@ void begin_paths(const World& world) {
   for (SweptBody& b : world.continuous->bodies) {
     b.path.t = 0, b.path.x = s.x[b.body], b.path.q = s.q[b.body];
     b.changed = false, b.hits = 0, b.sensed = 0;
+    b.next_as_one = b.carrier = kInvalid;
   }
 }
 

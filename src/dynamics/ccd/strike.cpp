@@ -38,25 +38,27 @@ void Sweeper::strike(SweptBody& b) {
   b.when = kInfinity;
   for (SweptBody* const p : {&b, partner}) {
     if (!p || !moved_by_hits(p->body)) continue;
-    sense(*p, s.now);
-    ++p->hits, p->is_hit = true;
+    each_as_one(*p, [&](SweptBody& one) { sense(one, s.now), one.is_hit = true; });
+    ++p->hits;
   }
   if (has_its_turn_later(other)) return wait_at(s);
-  const bool is_hit = exchange(s);
   ++report_.sweep_hits;
+  const bool is_hit = (is_movable(b.body) || is_movable(other)) && exchange(s);
   // Bodies that are pushed on by nothing but their path are aimed along their velocity, which does not close.
   const Real rest = time_.h - s.now;
-  const bool astray = !is_hit || s.sinks * rest > kDeeper * slack(s.a, s.b);
+  const bool astray =
+      (is_movable(b.body) || is_movable(other)) && (!is_hit || s.sinks * rest > kDeeper * slack(s.a, s.b));
   if (astray) brace(s);
-  for (SweptBody* const p : {&b, partner}) {
-    if (!p || !moved_by_hits(p->body)) continue;
-    if (p->hits >= SweptBody::kMostHits) stop(p == &b ? s.a : s.b, s.now);
-    ++p->version;
-    p->swept |= goes_far(*p);
-    if (!p->loose) p->loose = true, c_.loose.push_back(static_cast<std::uint32_t>(p - c_.bodies.data()));
-  }
-  look_ahead(b, s.now);
-  if (partner && partner->swept) look_ahead(*partner, s.now);
+  join(other, b, partner, s.now);
+  const bool are_one = partner && is_one_with(b, *partner);
+  const auto each_of_both = [&](auto&& f) {
+    each_as_one(b, f);
+    if (partner && !are_one) each_as_one(*partner, f);
+  };
+  each_of_both([&](SweptBody& p) { go_on(p); });
+  each_of_both([&](SweptBody& p) {
+    if (p.swept) look_ahead(p, s.now);
+  });
   if (is_hit && c_.hits.size() < c_.most_hits) {
     const bool in_order = s.a.collider < s.b.collider;
     c_.hits.push_back({{std::min(s.a.collider, s.b.collider), std::max(s.a.collider, s.b.collider)},
@@ -68,12 +70,19 @@ void Sweeper::strike(SweptBody& b) {
   }
 }
 
+/// Its path is another one from now on.
+void Sweeper::go_on(SweptBody& b) {
+  if (!moved_by_hits(b.body)) return;
+  ++b.version;
+  b.swept |= goes_far(b);
+  if (!b.loose) b.loose = true, c_.loose.push_back(static_cast<std::uint32_t>(&b - c_.bodies.data()));
+}
+
 /// What is in its way takes its substeps apart: the hit is left to the next step, which finds the two together.
 void Sweeper::wait_at(Strike& s) {
   SweptBody& b = *c_.find(s.a.body);
-  stop(s.a, s.now);
-  b.hits = SweptBody::kMostHits;
-  ++b.version;
+  hold(b, b.body, s.now);
+  go_on(b);
 }
 
 /// Whether a body that is hit would be a quarter of its thickness farther by the end of the step: then it is swept as
@@ -153,9 +162,14 @@ ImpactBody Sweeper::body_of(const Side& side, Real now) const {
   const Scene& scene = world_.scene;
   const Locks locks = scene.locks_of(side.body);
   ImpactBody b{};
-  b.moves = moved_by_hits(side.body), b.turns = b.moves && rotates(scene, side.body);
+  b.moves = is_movable(side.body), b.turns = b.moves && rotates(scene, side.body);
   b.inv_mass = b.moves ? scene.inv_mass[side.body] * free_axes(locks) : Vec3::zero();
   b.inv_inertia = Mat3::zero();
+  if (side.is_joined()) {
+    b.inv_mass = Vec3::constant(1 / side.whole.mass);
+    b.inv_inertia = side.whole.inertia.inverse();
+    return b;
+  }
   if (!b.turns) return b;
   const Mat3 r = side.path.orientation(now).matrix();
   b.inv_inertia = locks & kAngularLocks ? inverse_of_free(r * scene.inertia[side.body] * r.transpose(), locks)
@@ -167,8 +181,11 @@ ImpactBody Sweeper::body_of(const Side& side, Real now) const {
 /// @return whether there was one: no point closes on velocities that already part
 bool Sweeper::exchange(Strike& s) {
   const Scene& scene = world_.scene;
+  for (Side* const side : {&s.a, &s.b})
+    if (side->is_joined()) side->whole = whole_of(*c_.find(side->body), s.now);
   s.of = {body_of(s.a, s.now), body_of(s.b, s.now)};
-  const Vec3 x_a = s.a.path.place(s.now), x_b = s.b.path.place(s.now);
+  const auto centre = [&](const Side& side) { return side.is_joined() ? side.whole.centre : side.path.place(s.now); };
+  const Vec3 x_a = centre(s.a), x_b = centre(s.b);
 
   // The moment on the parabolas: chords have come nearer by what these sag.
   const auto sag = [&](const Side& side) -> Vec3 {
@@ -177,7 +194,7 @@ bool Sweeper::exchange(Strike& s) {
   };
   const auto move = [&](Real to) {
     const auto put = [&](const Side& side, ImpactBody& b) {
-      const Velocity u = velocity(side, to, s.now);
+      const Velocity u = side.is_joined() ? Velocity{side.whole.v, side.whole.omega} : velocity(side, to, s.now);
       b.v = u.v, b.omega = u.omega;
     };
     s.moment = to;
@@ -220,6 +237,8 @@ bool Sweeper::exchange(Strike& s) {
   }
   turn_off(s.a, s, {s.of.a.v - before.a.v, s.of.a.omega - before.a.omega});
   turn_off(s.b, s, {s.of.b.v - before.b.v, s.of.b.omega - before.b.omega});
+  for (Side* const side : {&s.a, &s.b})
+    if (side->is_joined()) side->path.u = side->whole.v, side->path.w = side->whole.omega;
   for (std::size_t k = 0; k < count; ++k) {
     const Velocity path_a{s.a.path.u, s.a.path.w}, path_b{s.b.path.u, s.b.path.w};
     const ImpactPoint& p = points[k];
@@ -231,8 +250,12 @@ bool Sweeper::exchange(Strike& s) {
 /// A body goes on with other velocities: what is stored changes by as much as the velocity of the moment, the place at
 /// the end by what is left of it.
 void Sweeper::turn_off(Side& side, Strike& s, const Velocity& change) {
-  if (!moved_by_hits(side.body) || (change.v == Vec3::zero() && change.omega == Vec3::zero())) return;
+  if (!is_movable(side.body) || (change.v == Vec3::zero() && change.omega == Vec3::zero())) return;
   const std::uint32_t i = side.body;
+  if (side.is_joined()) {
+    side.whole.v += change.v, side.whole.omega += change.omega;
+    return lay_whole(*c_.find(i), side.whole, s.now);
+  }
   if (world_.state.sleeps(i)) wake(world_, sleep_, i);
   SweptBody* const known = c_.find(i);
   motion_.v[i] += change.v;
@@ -267,7 +290,7 @@ void Sweeper::brace(Strike& s) {
   aim(s.a, s.now), aim(s.b, s.now);
   Real closing = 0;
   const auto put = [](const Side& side, ImpactBody& b) {
-    const Path& path = side.known ? side.known->path : side.path;
+    const Path& path = side.known && !side.is_joined() ? side.known->path : side.path;
     b.v = path.u, b.omega = path.w;
   };
   put(s.a, s.of.a), put(s.b, s.of.b);
@@ -280,8 +303,12 @@ void Sweeper::brace(Strike& s) {
   if (!(closing > 0)) return;
   resolve_impact(s.of, std::span(s.points.data(), s.count), closing,
                  [&](const ImpactPoint& p) { return s.of.b.at(p.mass.r_b) - s.of.a.at(p.mass.r_a); });
-  const auto take = [&](const Side& side, const ImpactBody& b) {
+  const auto take = [&](Side& side, const ImpactBody& b) {
     if (!b.moves || !side.known) return;
+    if (side.is_joined()) {
+      side.whole.v = b.v, side.whole.omega = b.omega;
+      return lay_whole(*c_.find(side.body), side.whole, s.now);
+    }
     SweptBody& known = *c_.find(side.body);
     motion_.v[side.body] = known.path.u = b.v;
     if (b.turns) motion_.omega[side.body] = known.path.w = b.omega;
@@ -289,19 +316,10 @@ void Sweeper::brace(Strike& s) {
   take(s.a, s.of.a), take(s.b, s.of.b);
 }
 
-/// For the rest of the substep it stands where it was hit, and forces do not speed it up.
-void Sweeper::stop(Side& side, Real now) {
-  SweptBody& b = *c_.find(side.body);
-  side.path = b.path;  // brace() may have laid it anew
-  const Velocity u = velocity(side, now, now);
-  motion_.v[side.body] = u.v, motion_.omega[side.body] = u.omega;
-  b.path.go_on_from(now), b.path.stay(), b.changed = true;
-}
-
 /// Along its velocity from now on, and about its axis of now.
 void Sweeper::aim(const Side& side, Real now) {
   SweptBody* const known = c_.find(side.body);
-  if (!known || !moved_by_hits(side.body)) return;
+  if (!known || !is_movable(side.body) || known->is_joined()) return;
   const Velocity u = velocity(side, now, now);
   known->changed = true;
   known->path.go_on_from(now);

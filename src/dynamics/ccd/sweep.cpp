@@ -62,6 +62,7 @@ void Sweeper::run() {
 
 bool Sweeper::moved_by_hits(std::uint32_t body) const { return responds(world_.scene, world_.state, body); }
 bool Sweeper::turns_by_own_method(std::uint32_t body) const {
+  if (const SweptBody* const known = c_.find(body); known && known->is_joined()) return false;
   return turns_by_method(*world_.plan, body) && rotates(world_.scene, body);
 }
 
@@ -158,7 +159,6 @@ bool Sweeper::are_both_joined(std::uint32_t a, std::uint32_t b) const {
 }
 
 void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t other) {
-  constexpr std::uint32_t kMostHits = SweptBody::kMostHits;
   const Colliders& table = world_.scene.colliders;
   const std::uint32_t body = table.body[other];
   if (!may_touch(table, own, other) || table.is_sensor(other) || (filtered_ && !lets_touch(world_.scene, own, other)))
@@ -168,10 +168,9 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   if (!moved_by_hits(b.body) && !moved_by_hits(body)) return;
   if (are_both_joined(b.body, body)) return;
   const SweptBody* const known = c_.find(body);
-  // Who has been hit enough waits for the next substep: it stops others, but is not pushed on by what nothing stops.
-  const bool spent = b.hits >= kMostHits;
-  const bool other_spent = (known && known->hits >= kMostHits) || has_its_turn_later(body);
-  if ((spent || !moved_by_hits(b.body)) && (other_spent || !moved_by_hits(body))) return;
+  if (!may_meet(b, body)) return;
+  // Of hits by what a host moves, the other has to keep watch: its path is the one that changes.
+  if (!moved_by_hits(b.body) && known && known->swept) return;
   Side a{b.body, own, {}, b.path, &b}, o{body, other, {}, path_of(body), known};
   const Aabb box = a.path.swept(now, time_.h, b.radius);
   each_swept_part(world_, own, table.bounds[other], [&](const SweptPart& mine) {

@@ -14,12 +14,20 @@ class Sweeper {
   void run();
 
  private:
+  /// Bodies that go on as one.
+  struct Whole {
+    Real mass = 0;  // kg
+    Vec3 centre = Vec3::zero(), v = Vec3::zero(), omega = Vec3::zero();
+    Mat3 inertia = Mat3::zero();  // kg m^2, world, about its centre
+  };
   /// One of two that meet.
   struct Side {
     std::uint32_t body, collider;
     SweptPart part;
     Path path;
     const SweptBody* known;  // null: it stands still, or has no path yet
+    Whole whole{};           // at the moment of a hit, if it is joined
+    bool is_joined() const { return known && known->is_joined(); }
   };
   /// Velocities at a moment of the substep, as the forces and hits so far have it.
   struct Velocity {
@@ -66,16 +74,35 @@ class Sweeper {
 
   // strike.cpp: what it does
   void strike(SweptBody& b);
+  void go_on(SweptBody& b);
   int find_points(const Strike& s, Manifold& manifold);
   void scenery_points(const SceneryPair& pair, const NarrowSettings& settings, const Vec3& normal, Manifold& manifold);
   ImpactBody body_of(const Side& side, Real now) const;
   bool exchange(Strike& s);
   void turn_off(Side& side, Strike& s, const Velocity& change);
   void brace(Strike& s);
-  void stop(Side& side, Real now);
   void wait_at(Strike& s);
   void aim(const Side& side, Real now);
   SweptBody* take_up(std::uint32_t body);
+
+  // join.cpp: what goes on as one
+  template <class F>
+  void each_as_one(SweptBody& b, F&& f) {
+    SweptBody* one = &b;
+    do {
+      SweptBody& now = *one;
+      one = now.is_joined() ? &c_.bodies[now.next_as_one] : &b;
+      f(now);
+    } while (one != &b);
+  }
+  bool is_one_with(SweptBody& b, const SweptBody& other);
+  bool is_movable(std::uint32_t body) const;
+  bool may_meet(SweptBody& b, std::uint32_t other);
+  Whole whole_of(SweptBody& b, Real now);
+  void lay_whole(SweptBody& b, const Whole& whole, Real now);
+  bool can_join(std::uint32_t body) const;
+  void join(std::uint32_t other, SweptBody& b, SweptBody* partner, Real now);
+  void hold(SweptBody& b, std::uint32_t carrier, Real now);
 
   const World& world_;
   Poses& poses_;
