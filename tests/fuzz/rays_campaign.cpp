@@ -127,7 +127,7 @@ class Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  static double height(bool wavy, int x, int z) { 
+  static double height(bool wavy, int x, int z) {
     return wavy ? 0.3 * std::sin(1.0471975511965976 * (x % kAcross)) * std::cos(1.3 * z) : 0;  // two chunks go on
   }
   /// By the triangles themselves: cells are divided from corner to opposite corner.

@@ -45,8 +45,8 @@ struct Floor : TestWorld {
       : TestWorld(tilt * Vec3(0, -9.81, 0)), smooth(material(0, 0)) {
     const Real h = side / 2;
     const Shape *const brick = keep(box(Vec3(h, 0.25, h))), *const hulled = keep(slab(h));
-    const Shape *const flat = keep(square(h)),
-                *const field = keep(height_field(3, 3, h, h, [](std::uint32_t, std::uint32_t) { return 0.0; }));
+    const Shape *const flat = keep(square(h)), *const field = keep(height_field(
+                                                   3, 3, h, h, [](std::uint32_t, std::uint32_t) { return 0.0; }));
     const Quat q = tilt * turn;
     const BodyType type = kind == Tiles::driven ? BodyType::kinematic : BodyType::fixed;
     const std::uint32_t whole = kind == Tiles::parts ? add(nullptr, Vec3::zero(), type, q) : 0;
@@ -73,10 +73,14 @@ struct Floor : TestWorld {
 
 Shape mover(Mover kind) {
   switch (kind) {
-    case Mover::ball: return sphere(kRadius);
-    case Mover::box: return box(Vec3(0.12, kRadius, 0.09));
-    case Mover::stick: return capsule(0.04, kRadius - 0.04);
-    default: return cylinder(0.11, kRadius);
+    case Mover::ball:
+      return sphere(kRadius);
+    case Mover::box:
+      return box(Vec3(0.12, kRadius, 0.09));
+    case Mover::stick:
+      return capsule(0.04, kRadius - 0.04);
+    default:
+      return cylinder(0.11, kRadius);
   }
 }
 

@@ -149,8 +149,8 @@ static void a_disc_that_hardly_turns_is_one_that_stands(void**) {
     const std::uint32_t disc =
         t.add(t.keep(box(Vec3(4, 0.1, 4))), Vec3(0, -0.1, 0), BodyType::kinematic, Quat::identity(), m);
     t.world.set_velocity(disc, Vec3::zero(), Vec3(0, spin, 0));
-    const std::uint32_t body = t.add(t.keep(box(Vec3(0.2, 0.1, 0.1))), Vec3(1, 0.1, 0.5), BodyType::dynamic,
-                                     Quat::identity(), m);
+    const std::uint32_t body =
+        t.add(t.keep(box(Vec3(0.2, 0.1, 0.1))), Vec3(1, 0.1, 0.5), BodyType::dynamic, Quat::identity(), m);
     t.world.set_velocity(body, Vec3(1, 0, 0.5), Vec3(0, 3, 0));
     t.run(60, 1.0 / 60);
     return t.world.state.x[body];

@@ -107,9 +107,8 @@ class Impacts {
   /// m, m/s, m/s^2: a row's parabola as the substep begins, of bodies that move as they do after the impacts so far.
   Real gap(const Impact& at) const {
     const Row& row = c_.rows[at.row];
-    const Vec3 moved =
-        (c_.displaced[row.b].shift + c_.displaced[row.b].turn.cross(at.r.b)) -
-        (c_.displaced[row.a].shift + c_.displaced[row.a].turn.cross(at.r.a));
+    const Vec3 moved = (c_.displaced[row.b].shift + c_.displaced[row.b].turn.cross(at.r.b)) -
+                       (c_.displaced[row.a].shift + c_.displaced[row.a].turn.cross(at.r.a));
     return at.gap + moved.dot(row.n);
   }
   Real closing(const Impact& at) const { return (lag_ * at.accel - velocity(at)).dot(c_.rows[at.row].n); }

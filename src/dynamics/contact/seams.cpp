@@ -29,9 +29,7 @@ class Seam {
     for (GroundContact* i = first_; i < last_; ++i)
       for (int k = 0; k < pairs_[i->record].manifold.count; ++k)
         if (is_ghost_point(*i, k)) i->ghosts |= 1u << k;
-    const auto all = [&](const GroundContact& i) {
-      return i.ghosts + 1u == 1u << pairs_[i.record].manifold.count;
-    };
+    const auto all = [&](const GroundContact& i) { return i.ghosts + 1u == 1u << pairs_[i.record].manifold.count; };
     if (std::all_of(first_, last_, all)) return;  // each leaves it to another one: nothing would bear the body
     for (GroundContact* i = first_; i < last_; ++i) drop(*i);
   }
@@ -114,8 +112,8 @@ bool moves_alike(const World& world, std::uint32_t a, std::uint32_t b, const Vec
 }
 
 SeamTerms seam_terms(const Dials& dials, const Shape& body, const Shape& ground) {
-  const Real size = ground.form == Form::half_space ? body.bounding_radius
-                                                     : std::min(body.bounding_radius, ground.bounding_radius);
+  const Real size =
+      ground.form == Form::half_space ? body.bounding_radius : std::min(body.bounding_radius, ground.bounding_radius);
   return {size, std::min(kFlush * size, dials[Dial::position_tolerance]), dials.whole(Dial::gjk_iterations)};
 }
 

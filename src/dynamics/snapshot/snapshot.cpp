@@ -76,7 +76,8 @@ void clear_last_step(World& world) {
   world.events->clear();
   c.rows.clear(), c.geometry.clear(), c.contact_pairs.clear(), c.bouncing.clear(), c.impacts.clear(),
       c.resisting.clear();
-  c.driven.clear(), c.turning_pairs.clear(), c.surface.clear(), c.group_begin.clear(), c.group_rows.clear(), c.direct.clear();
+  c.driven.clear(), c.turning_pairs.clear(), c.surface.clear(), c.group_begin.clear(), c.group_rows.clear(),
+      c.direct.clear();
 }
 
 /// Look at the state that is in the bytes, and reserve memory for it.

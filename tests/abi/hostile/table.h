@@ -291,11 +291,12 @@ inline Argument accuracy_desc(Context& c) {
 inline Argument cast_desc(Context& c) {
   auto d = fresh<carom_cast_desc>(carom_cast_desc_init);
   d.flags = c.source.below(2) * CAROM_ASK_GENERIC + c.source.below(2) * CAROM_ASK_IGNORE_TOUCHED;
-  return in_struct(c, d,
-                   {HOSTILE_BITS(carom_cast_desc, flags, 5u), HOSTILE_NUMBERS(carom_cast_desc, tolerance, 1, {kLeast, 1}),
-                    HOSTILE_NUMBERS(carom_cast_desc, target, 1, {0, 1e9}),
-                    HOSTILE_CHOICE(carom_cast_desc, iterations, 10001u), HOSTILE_RESERVED(carom_cast_desc, reserved)},
-                   true);
+  return in_struct(
+      c, d,
+      {HOSTILE_BITS(carom_cast_desc, flags, 5u), HOSTILE_NUMBERS(carom_cast_desc, tolerance, 1, {kLeast, 1}),
+       HOSTILE_NUMBERS(carom_cast_desc, target, 1, {0, 1e9}), HOSTILE_CHOICE(carom_cast_desc, iterations, 10001u),
+       HOSTILE_RESERVED(carom_cast_desc, reserved)},
+      true);
 }
 inline Argument query_desc(Context& c) {
   auto d = fresh<carom_query_desc>(carom_query_desc_init);

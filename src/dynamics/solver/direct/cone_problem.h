@@ -62,15 +62,15 @@ struct ConeContact {
 
 struct ConeBody {
   std::uint32_t slot;
-  Real mass, inv_mass;        // kg, 1/kg
-  Mat3 held_back;             // @see held_arms.h
-  Mat3 inertia, inv_inertia;  // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
-  std::uint8_t locks = 0;     // @see Scene::locks
-  bool turns = false;         // it rotates
-  bool is_taken_along = false;    // scratch: @see ConeGroup::take_along()
-  Vec6 v;                     // m/s, rad/s
-  Vec6 before;                // without any impulse of this substep
-  Vec6 start, gained;         // with the impulses that the substep starts from; since the last substep, with them
+  Real mass, inv_mass;          // kg, 1/kg
+  Mat3 held_back;               // @see held_arms.h
+  Mat3 inertia, inv_inertia;    // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
+  std::uint8_t locks = 0;       // @see Scene::locks
+  bool turns = false;           // it rotates
+  bool is_taken_along = false;  // scratch: @see ConeGroup::take_along()
+  Vec6 v;                       // m/s, rad/s
+  Vec6 before;                  // without any impulse of this substep
+  Vec6 start, gained;           // with the impulses that the substep starts from; since the last substep, with them
 
   Mat3 swing;  // kg m^2, scratch: @see stiffen()
 

@@ -323,8 +323,8 @@ static void half_spaces_are_met_where_they_say(void**) {
 static void what_is_touched_at_the_start_may_be_passed_over(void**) {
   CastSettings ignoring;
   ignoring.ignore_touched = true;
-  const Shape shapes[] = {box(Vec3(1, 1, 1)), sphere(1), ellipsoid(Vec3(1, 1, 2)), cylinder(1, 1), capsule(1, 1),
-                          half_space(Vec3(1, 0, 0), 1)};
+  const Shape shapes[] = {box(Vec3(1, 1, 1)), sphere(1),     ellipsoid(Vec3(1, 1, 2)),
+                          cylinder(1, 1),     capsule(1, 1), half_space(Vec3(1, 0, 0), 1)};
   for (const Shape& s : shapes)
     for (const bool routines : {false, true}) {
       ignoring.routines = routines;

@@ -161,8 +161,13 @@ static void starts_in_touch_and_a_hair_apart(void**) {
   const CastResult touch = ask(cube, at(0, 1, 0), Vec3(0, -1, 0), cube, at(0, 0, 0));
   assert_true(touch.outcome == CastOutcome::hit && touch.lower == 0 && touch.time < 1e-12);
   // In exact touch, of every shape alike: on is a hit at once; along and away is none. So it is a hair beside.
-  const Shape on[] = {cube, sphere(0.5), capsule(0.3, 0.2), cylinder(0.4, 0.5), cone(0.5, 0.5),
-                      ellipsoid(Vec3(0.3, 0.5, 0.4)), rounded_box(Vec3(0.3, 0.4, 0.3), 0.1)};
+  const Shape on[] = {cube,
+                      sphere(0.5),
+                      capsule(0.3, 0.2),
+                      cylinder(0.4, 0.5),
+                      cone(0.5, 0.5),
+                      ellipsoid(Vec3(0.3, 0.5, 0.4)),
+                      rounded_box(Vec3(0.3, 0.4, 0.3), 0.1)};
   const Shape floors[] = {box(Vec3(3, 0.5, 3)), half_space(Vec3(0, 1, 0), 0.5), cylinder(3, 0.5)};
   CastSettings ignoring;
   ignoring.ignore_touched = true;
