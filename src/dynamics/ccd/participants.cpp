@@ -7,6 +7,7 @@
 #include "dynamics/detect.h"
 #include "dynamics/filter.h"
 #include "dynamics/force/force.h"
+#include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
 
 namespace carom::dynamics {
@@ -288,7 +289,8 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
       if (!table.movable[slot] || !can_sweep(world, body)) continue;
       SweptBody* known = c.find(body);
       if (!known) known = &know(world, body);
-      known->swept |= is_driven && world.scene.type[body] == BodyType::dynamic;  // it looks out for what comes
+      const bool is_loose = world.scene.type[body] == BodyType::dynamic && !world.wide_joints->is_linked(body);
+      known->swept |= is_driven && is_loose;  // it looks out for what comes
     }
   }
   const std::size_t most =

@@ -154,8 +154,7 @@ void Sweeper::look_ahead(SweptBody& b, Real now) {
 /// A hit changes two bodies as if they were free, and what joints hold is not: of two that both are joined it would tear
 /// joints, and those would bring the two together to be hit again. Contacts solve them, from where they are then.
 bool Sweeper::are_both_joined(std::uint32_t a, std::uint32_t b) const {
-  const Array<std::uint8_t>& linked = world_.wide_joints->linked;
-  return !linked.empty() && moved_by_hits(a) && moved_by_hits(b) && linked[a] && linked[b];
+  return moved_by_hits(a) && moved_by_hits(b) && world_.wide_joints->is_linked(a) && world_.wide_joints->is_linked(b);
 }
 
 void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t other) {
@@ -169,8 +168,10 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   if (are_both_joined(b.body, body)) return;
   const SweptBody* const known = c_.find(body);
   if (!may_meet(b, body)) return;
-  // Of hits by what a host moves, the other has to keep watch: its path is the one that changes.
-  if (!moved_by_hits(b.body) && known && known->swept) return;
+  // Of hits by what a host moves, the other has to keep watch: its path is the one that changes. What joints hold is
+  // left to contacts likewise, unless its way is far.
+  if (!moved_by_hits(b.body) && ((known && known->swept) || (!b.outruns && world_.wide_joints->is_linked(body))))
+    return;
   Side a{b.body, own, {}, b.path, &b}, o{body, other, {}, path_of(body), known};
   const Aabb box = a.path.swept(now, time_.h, b.radius);
   each_swept_part(world_, own, table.bounds[other], [&](const SweptPart& mine) {
