@@ -104,6 +104,7 @@ struct Continuous {
   // Bounds of a step are made in refresh; who was seen to go beyond them, by collider; it may repeat and overflow.
   Array<std::uint32_t> seen;
   bool too_many_seen = false;
+  bool waits = false;  // a part of the step goes on in which nothing is swept
   void see(std::uint32_t body) {
     if (seen.size() < seen.capacity())
       seen.push_back(body);
@@ -122,7 +123,6 @@ struct Continuous {
   Array<Pair> passed;                          // with a sensor, of this step; as many as are reserved; may repeat
   std::size_t most_bodies = 0, most_hits = 0;  // of this step: not what arrays have grown to, which is of the past
   Array<std::uint32_t> near;                   // slots of bodies within a participant's way, wherever a hit turns it
-  bool waits = false;                          // a part of the step goes on in which nothing is swept
   Array<std::uint32_t> found;                  // scratch: colliders
   Participants one, more, merged;              // scratch, for rotation methods
   SupportFault fault;                          // the first of this step

@@ -64,15 +64,15 @@ struct RowMass {
 struct RowGeometry {
   // The surface points. What is round about a core keeps the point under its core while it rolls: a core's point turns
   // with its body, the core radius beyond it points along the normal all step long.
-  Vec3 l_a, l_b;            // m, body axes about the centre of mass: the core's points
-  Real radius_a, radius_b;  // m, core radii; 0: the surface turns with the body
-  Vec3 impulse;             // N s, of the whole step, world
-  Vec3 place;               // m, @see OldImpulse
-  Real separation;          // m, as of the last refresh_separations()
-  std::uint32_t pair;       // index in the pair table
-  std::uint32_t point;      // index in its manifold
-  std::uint32_t impact;     // in Contacts::impacts; rows that bounce only
-  std::uint32_t turning_pairs;    // 1 + its place in Contacts::turning_pairs; 0: none
+  Vec3 l_a, l_b;                // m, body axes about the centre of mass: the core's points
+  Real radius_a, radius_b;      // m, core radii; 0: the surface turns with the body
+  Vec3 impulse;                 // N s, of the whole step, world
+  Vec3 place;                   // m, @see OldImpulse
+  Real separation;              // m, as of the last refresh_separations()
+  std::uint32_t pair;           // index in the pair table
+  std::uint32_t point;          // index in its manifold
+  std::uint32_t impact;         // in Contacts::impacts; rows that bounce only
+  std::uint32_t turning_pairs;  // 1 + its place in Contacts::turning_pairs; 0: none
 };
 
 /// One end of a row, listed with the body it hangs on: all that is needed to tell the row that the body's velocity
@@ -256,21 +256,20 @@ struct Contacts {
   Array<std::uint32_t> group_link_begin;  // [groups + 1]; empty where there are no links
 
   // by body slot
-  Array<HalfContact> half;                    // grouped by body; of who searches
-  Array<HalfPart> half_of;                    // by body that rows move: its part of half
-  Array<Mat3> inv_inertia_w;                  // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
-  Array<Displacement> displaced;              // corrections of the pose not yet applied
+  Array<HalfContact> half;        // grouped by body; of who searches
+  Array<HalfPart> half_of;        // by body that rows move: its part of half
+  Array<Mat3> inv_inertia_w;      // 1/(kg m^2), world axes, of this substep; zero if it does not rotate
+  Array<Displacement> displaced;  // corrections of the pose not yet applied
 
-  Array<std::uint32_t> bodies;    // slots that have rows or joints and are moved by them, ascending
-  Array<std::uint8_t> is_bound;   // by slot: it is one of them
-  Array<std::uint32_t> bouncing;  // rows with a restitution, ascending
-  bool any_rolls = false;         // Row::rolls
-  Array<Impact> impacts;          // of each of them
-  Array<ImpactSpin> spins;        // of bodies that bounce and turn far for their shape: scratch
-  Participants one_spin;          // scratch, for rotation methods
-  Array<Real> last_impact;        // s, by body slot, since the substep began: scratch
-  Array<Resistance> resisting;    // ascending by row
-  Array<Driven> driven;           // likewise
+  Array<std::uint32_t> bodies;       // slots that have rows or joints and are moved by them, ascending
+  Array<std::uint8_t> is_bound;      // by slot: it is one of them
+  Array<std::uint32_t> bouncing;     // rows with a restitution, ascending
+  Array<Impact> impacts;             // of each of them
+  Array<ImpactSpin> spins;           // of bodies that bounce and turn far for their shape: scratch
+  Participants one_spin;             // scratch, for rotation methods
+  Array<Real> last_impact;           // s, by body slot, since the substep began: scratch
+  Array<Resistance> resisting;       // ascending by row
+  Array<Driven> driven;              // likewise
   Array<TurningPair> turning_pairs;  // likewise
   Array<Vec3> surface;  // m/s, by row: in its plane, of B's surface relative to A's, beside the bodies' own; empty
                         // where no pair is driven
@@ -280,6 +279,7 @@ struct Contacts {
   Array<std::uint32_t> group_begin;    // [groups + 1]
   Array<std::uint32_t> group_bodies;   // by group: how many contacts and joints move
   bool is_grouped = true;              // the dial
+  bool any_rolls = false;              // Row::rolls
   std::uint32_t steps_with_spare = 0;  // @see give_back()
   enum Choice : std::uint8_t { kSoftly, kDirectly, kStill };
   Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver
@@ -302,7 +302,7 @@ struct Contacts {
   Array<std::uint32_t> place;
 
   enum Load : std::uint8_t { kUnseen, kLight, kHeavy };
-  Array<std::uint8_t> load;  // by body slot, scratch of a solver that chooses: kUnseen between steps
+  Array<std::uint8_t> load;      // by body slot, scratch of a solver that chooses: kUnseen between steps
   Array<GroundContact> grounds;  // of this step, by key: scratch
 
   bool solved_directly(std::size_t group) const { return direct.empty() || direct[group]; }

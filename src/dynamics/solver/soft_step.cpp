@@ -49,7 +49,7 @@ void soften(const World& world, Real h) {
         if (longest.compare_exchange_weak(before, way, std::memory_order_relaxed)) break;
     });
   });
-  world.wide->longest_way = longest;
+  world.wide->longest_way = static_cast<float>(longest);
 }
 
 void soft_step_begin(const World& world, Solver::Begins to, const StepTime& time) {

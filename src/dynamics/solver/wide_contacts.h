@@ -91,8 +91,8 @@ struct WideContacts {
   ContactLanes<double> in_double;
   Owned<ContactLanes<float>> in_float;  // null until a step wants it
   bool is_float = false;                // which of these has the rows of this step: @see float_range.h
-  Real longest_way = 0;      // of the thickness of a pair, what gravity moves it by in a substep; of soft contacts
-  bool far_turners = false;  // there are any: far_turn below
+  bool far_turners = false;             // there are any: far_turn below
+  float longest_way = 0;  // of the thickness of a pair, what gravity moves it by in a substep; of soft contacts
 
   // by solver body; 0 is none, then those that move of themselves, then those that impulses move
   std::uint32_t first_moved = 1;
