@@ -189,6 +189,10 @@ struct TurningPair {
   // of rows in lanes
   std::uint32_t pair = 0, lane = 0;
   Real t = 0, s = 0;  // m/s, along the tangents: what its drive is without the lead
+  struct Led {
+    Real t, s;      // m/s: its drive
+    Real p_t, p_s;  // N s: the friction that it starts from
+  } led{};          // in this substep
 };
 
 struct HalfPart {

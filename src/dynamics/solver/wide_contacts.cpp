@@ -259,23 +259,29 @@ void load_shifts(const World& world, WideContacts& wide) {
 }
 
 void lead_lanes(const World& world, WideContacts& wide, Real h) {
-  const Contacts& c = *world.contacts;
+  Contacts& c = *world.contacts;
   if (c.turning_pairs.empty()) return;
   with_lanes(wide, [&](auto& lanes, const auto&) {
     in_parallel(world.jobs, c.turning_pairs.size(), kLanes * kPairsAPart, [&](std::uint32_t i) {
-      const TurningPair& turning_pairs = c.turning_pairs[i];
-      if (!c.solved_in_lanes(turning_pairs.row)) return;
-      auto& pair = lanes.pairs[turning_pairs.pair];
-      auto& drive = lanes.drives[pair.driven - 1];
-      const auto lane = static_cast<int>(turning_pairs.lane);
-      const Lead both = lead_of(world, turning_pairs, h);
-      const Vec3 lead = both.at(get(pair.r_a, turning_pairs.lane) - get(pair.r_b, turning_pairs.lane));
-      const Vec3 n = get(pair.n, turning_pairs.lane), t = get(pair.t, turning_pairs.lane), s = n.cross(t);
-      set(drive.t, lane, turning_pairs.t + lead.dot(t));
-      set(drive.s, lane, turning_pairs.s + lead.dot(s));
+      TurningPair& of = c.turning_pairs[i];
+      if (!c.solved_in_lanes(of.row)) return;
+      const auto& pair = lanes.pairs[of.pair];
+      const auto lane = static_cast<int>(of.lane);
+      const Lead both = lead_of(world, of, h);
+      const Vec3 lead = both.at(get(pair.r_a, of.lane) - get(pair.r_b, of.lane));
+      const Vec3 n = get(pair.n, of.lane), t = get(pair.t, of.lane), s = n.cross(t);
       const Vec3 friction = both.taken_on(Real(pair.p_t[lane]) * t + Real(pair.p_s[lane]) * s, n, h);
-      set(pair.p_t, lane, friction.dot(t)), set(pair.p_s, lane, friction.dot(s));
+      of.led = {of.t + lead.dot(t), of.s + lead.dot(s), friction.dot(t), friction.dot(s)};
     });
+    // Not in parallel: to set a lane is to write all four, and the others' pairs may be another thread's.
+    for (const TurningPair& of : c.turning_pairs) {
+      if (!c.solved_in_lanes(of.row)) continue;
+      auto& pair = lanes.pairs[of.pair];
+      auto& drive = lanes.drives[pair.driven - 1];
+      const auto lane = static_cast<int>(of.lane);
+      set(drive.t, lane, of.led.t), set(drive.s, lane, of.led.s);
+      set(pair.p_t, lane, of.led.p_t), set(pair.p_s, lane, of.led.p_s);
+    }
   });
 }
 
