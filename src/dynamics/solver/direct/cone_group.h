@@ -36,6 +36,9 @@ class ConeGroup {
   Real start(Real h);
   void follow_bodies();
   void bend_ways(Real h);
+  bool find_leads();
+  /// The record of a row's pair, if its ground leads bodies of the group; else null.
+  const TurningPair* led_by(std::uint32_t row) const;
   void take_along(Real h);
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
@@ -78,6 +81,7 @@ class ConeGroup {
   std::uint64_t work_;
   bool still_;
   bool was_held_ = false;  // all its bodies were at rest, to the bit, as the substep began
+  bool is_led_ = false;    // by ground that turns
   bool lasts_ = false;     // contacts start the next substep from impulses that balance its loads
 };
 

@@ -40,7 +40,7 @@ void ConeGroup::bend_ways(Real h) {
     return of ? Vec3(bend(omega, arm) - bend(lead.spin, arm)) : bend(omega, arm);
   };
   each([&](ConeContact& contact, std::uint32_t i) {
-    const TurningPair* const turning_pairs = turning_pair_at(c_, i);
+    const TurningPair* const turning_pairs = led_by(i);
     if (!c_.rows[i].rolls && !turning_pairs) return;
     contact.surface -= contact.curve;
     contact.curve.set_zero();
@@ -52,10 +52,30 @@ void ConeGroup::bend_ways(Real h) {
   });
 }
 
+const TurningPair* ConeGroup::led_by(std::uint32_t row) const { return is_led_ ? turning_pair_at(c_, row) : nullptr; }
+
+/// Whether ground that turns leads bodies of the group. What stands, and on nothing that a host turns, is led by none of
+/// its own: the turns that it has are what loads and the solver leave it, and things of a millimetre turn fast by little.
+/// What is round is never so: it rolls on under its loads.
+bool ConeGroup::find_leads() {
+  if (c_.turning_pairs.empty()) return false;
+  bool stands = !is_joined(), is_led = false;
+  for (const ConeBody& b : bodies_of(problem_)) {
+    const Vec6 loaded = Vec6{s_.v[b.slot], s_.omega[b.slot]} - b.v;
+    stands &= speed2(b, b.v) <= speed2(b, loaded);
+  }
+  each([&](const ConeContact& contact, std::uint32_t i) {
+    const TurningPair* const pair = turning_pair_at(c_, i);
+    is_led |=
+        pair && (!stands || pair->has_belts || contact.is_curved || contact.a == kInvalid || contact.b == kInvalid);
+  });
+  return is_led;
+}
+
 /// What loads give a body is reckoned from where the ground that it lies on leads it: on a disc that is round, and what
 /// holds it on its circle is a load as its weight is. Ground that a host moves leads all of its group.
 void ConeGroup::take_along(Real h) {
-  if (c_.turning_pairs.empty()) return;
+  if (!is_led_) return;
   const TurningPair* ground = nullptr;
   Vec3 v = Vec3::zero();  // m/s, of the ground's middle
   each([&](const ConeContact& contact, std::uint32_t i) {
@@ -86,6 +106,7 @@ Real ConeGroup::start(Real h) {
   for (ConeBody& b : bodies_of(problem_)) {
     was_held_ &= b.v.linear() == Vec3::zero() && b.v.angular() == Vec3::zero();
   }
+  is_led_ = find_leads();
   take_along(h);
   for (ConeBody& b : bodies_of(problem_)) {
     b.gained = -b.v;
@@ -111,7 +132,7 @@ Real ConeGroup::start(Real h) {
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
     contact.friction = row.friction;
     contact.want = std::min(Real(0), closes_anyway - separation / h);
-    const TurningPair* const turning_pairs = turning_pair_at(c_, i);
+    const TurningPair* const turning_pairs = led_by(i);
     contact.p = contact.start_p = turning_pairs ? lead_of(world_, *turning_pairs, h).taken_on(row.p, row.n, h) : row.p;
     add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
   });
