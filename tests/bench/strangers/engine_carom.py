@@ -1,9 +1,12 @@
-"""Carom by its Python package, at its default dials: one step a frame."""
+"""Carom by its Python package: one step a frame, at its default dials, but for those that $STRANGERS_DIALS names."""
+import os
+
 import carom
 
 from scene import FRAME, Clock, Refused
 
 ENGINE = carom.Engine()
+DIALS = dict(dial.split("=") for dial in os.environ.get("STRANGERS_DIALS", "").split())
 
 
 def version():
@@ -24,7 +27,7 @@ def shape_of(shape):
 
 class World:
     def __init__(self, scene):
-        self.world, self.clock, self.scene, self.time = ENGINE.world(gravity=(0, -scene.gravity, 0)), Clock(), scene, 0.0
+        self.world, self.clock, self.scene, self.time = ENGINE.world(gravity=(0, -scene.gravity, 0), **DIALS), Clock(), scene, 0.0
         material = self.world.material(friction=scene.friction, restitution=scene.restitution)
         made, self.bodies = {}, []
         for body in scene.bodies:

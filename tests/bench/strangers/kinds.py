@@ -326,7 +326,7 @@ case("millimetres", "27 beads of 0.7 mm dropped", 3.0, ours=True)(
     lambda W: heap(W, [Body(("sphere", 0.00035), (0.00071 * (k % 3 - 1), 0.0007 * (0.5 + 1.2 * (k // 9)), 0.00071 * (k // 3 % 3 - 1)))
                        for k in range(27)], LOW, 0.0007))
 for rows in (6, 8):
-    case("millimetres", f"wall of {3 * rows} bricks of 3 x 1 x 1.5 mm, put up", 3.0, ours=True)(
+    case("millimetres", f"wall of {3 * rows} bricks of 3 x 1 x 1.5 mm, put up", 3.0)(
         lambda W, n=rows: heap(W, [Body(("box", 0.0015, 0.0005, 0.00075), (0.003 * (k % 3) + 0.0015 * (k // 3 % 2), 0.0005 + 0.001 * (k // 3), 0.0))
                                    for k in range(3 * n)], LOW, 0.001, height=0.001 * n))
 case("millimetres", "12 coins of 10 mm dropped, 6 cm wide", 3.0, ours=True, quick=False)(
@@ -448,7 +448,7 @@ def wedges(count, inner, outer, half_depth, friction, step=None, seconds=120.0):
 case("arch", "9 wedges of 0.349 rad (a little less than half a turn), 2 to 2.6 m", 0.1, quick=False)(wedges(9, 2.0, 2.6, 0.4, 0.7, 0.349))
 case("arch", "13 wedges, 1 to 1.35 m", 0.1, ours=True, quick=False)(wedges(13, 1.0, 1.35, 0.2, 0.7))
 case("arch", "11 wedges of 0.2854 rad, 0.5 to 0.7 m, friction 0.8", 0.1, ours=True, quick=False)(wedges(11, 0.5, 0.7, 0.1, 0.8, 0.2854))
-case("arch", "15 wedges, 1e-4 less than half a turn, 3 to 3.75 m, friction 0.8", 0.1, ours=True, quick=False)(
+case("arch", "15 wedges, 1e-4 less than half a turn, 3 to 3.75 m, friction 0.8", 0.1, quick=False)(
     wedges(15, 3.0, 3.75, 0.5, 0.8, math.pi / 15 * (1 - 1e-4)))
 case("arch", "17 wedges, 5e-5 less than half a turn, 2 to 2.6 m, friction 0.9", 0.1, ours=True, quick=False)(
     wedges(17, 2.0, 2.6, 0.4, 0.9, math.pi / 17 * (1 - 5e-5)))
