@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -21,7 +22,7 @@ using jury::Trial;
 
 struct JuryOptions {
   Setting setting;
-  std::string seeds, write, judge;
+  std::string seeds, write, judge, family;
   std::optional<std::uint64_t> seed;
   std::size_t count = 100;
   bool as_json = false, steps = false, no_times = false, no_run = false;
@@ -112,9 +113,39 @@ void print_tally(const Tally& t, bool times) {
       Tally::share(t.ratios, 0.5), t.worst_ratio, static_cast<unsigned long long>(t.worst_ratio_seed));
 }
 
+/// A row for each family: which kinds fail how often, in brackets plainly.
+void print_families(const std::map<std::string, Tally>& families) {
+  if (families.empty()) return;
+  std::vector<std::string> head = {"family", "scenes", "fail", "plain"};
+  for (std::size_t k = 0; k < jury::kKinds; ++k) head.emplace_back(jury::name_of(static_cast<Kind>(k)));
+  head.insert(head.end(), {"mean ms", "worst ms"});
+  std::vector<std::vector<std::string>> rows = {head};
+  for (const auto& [name, t] : families) {
+    std::vector<std::string> row = {name, std::to_string(t.scenes), std::to_string(t.failed),
+                                    std::to_string(t.plainly)};
+    for (std::size_t k = 0; k < jury::kKinds; ++k)
+      row.push_back(t.by_kind[k] ? format("%zu (%zu)", t.by_kind[k], t.plain[k]) : "");
+    row.push_back(format("%.3f", 1e3 * t.mean())), row.push_back(format("%.1f", 1e3 * t.worst));
+    rows.push_back(std::move(row));
+  }
+  std::printf("\n%s", table(rows, std::vector<bool>(head.size(), true)).c_str());
+}
+
+void check_family(const JuryOptions& options) {
+  if (options.family.empty()) return;
+  if (!options.setting.built) throw Error("--family is of built scenes alone", "add --built");
+  const std::vector<std::string> names = jury::all_families();
+  if (std::find(names.begin(), names.end(), options.family) != names.end()) return;
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  throw Error("no family '" + options.family + "'", "one of " + all);
+}
+
 nlohmann::json trial_json(const Trial& trial) {
   nlohmann::json out = {{"seed", trial.seed},
                         {"summary", trial.summary},
+                        {"family", trial.family},
+                        {"joints", trial.joints},
                         {"mean_ms", 1e3 * trial.verdict.mean_seconds},
                         {"worst_ms", 1e3 * trial.verdict.worst_seconds},
                         {"worst_step", trial.verdict.worst_step},
@@ -160,9 +191,14 @@ std::string path_in(const std::string& folder, std::uint64_t seed, const char* e
 void write_start(const JuryOptions& options, const PluginPath& plugins, std::uint64_t seed) {
   std::error_code ignored;
   std::filesystem::create_directory(options.write, ignored);
-  jury::Scenery scenery(plugins, seed);
+  const jury::Setting& setting = options.setting;
+  jury::Scenery scenery(plugins, seed, setting.built);
   jury::write_scene_json(path_in(options.write, seed, ".json"), scenery, options.setting);
-  write_scene(path_in(options.write, seed, ".gltf"), scenery.stage, options.setting.seconds, options.setting.dt);
+  for (const jury::Deed& deed : scenery.scene.deeds)  // shown with all that will be there
+    if (deed.what == jury::Deed::What::add) jury::act(scenery, deed);
+  write_scene(path_in(options.write, seed, ".gltf"), scenery.stage,
+              setting.seconds > 0 ? setting.seconds : scenery.scene.seconds,
+              setting.dt > 0 ? setting.dt : scenery.scene.dt);
 }
 
 void print_members(const jury::Case& scene) {
@@ -197,10 +233,11 @@ jury::Watcher print_steps(const jury::Case& scene) {
 Trial try_seed(const JuryOptions& options, const PluginPath& plugins, std::uint64_t seed) {
   std::unique_ptr<jury::Scenery> shown;  // for names alone
   jury::Watcher watch;
-  if (options.steps || !options.judge.empty()) shown = std::make_unique<jury::Scenery>(plugins, seed);
+  if (options.steps || !options.judge.empty())
+    shown = std::make_unique<jury::Scenery>(plugins, seed, options.setting.built);
   if (options.steps) print_members(shown->scene), watch = print_steps(shown->scene);
   if (!options.judge.empty())
-    return jury::judge(plugins, seed, options.setting.dt,
+    return jury::judge(plugins, seed, options.setting,
                        jury::read_motion(path_in(options.judge, seed, ".motion"), shown->scene.members.size()), watch);
   jury::Motion motion;
   const Trial trial = jury::run(plugins, seed, options.setting, watch, options.write.empty() ? nullptr : &motion);
@@ -219,15 +256,18 @@ void run_jury(JuryOptions options, Context& context) {
   const Seeds seeds = seeds_from(options);
   const PluginPath plugins = context.plugins();
   const auto first = static_cast<unsigned long long>(seeds.first), last = static_cast<unsigned long long>(seeds.last);
-  if (!options.as_json)
-    std::printf("seeds %llu..%llu, %.4g s at %.4g Hz\n", first, last, options.setting.seconds, 1 / options.setting.dt);
+  check_family(options);
+  if (!options.as_json) std::printf("seeds %llu..%llu\n", first, last);
   Tally tally;
+  std::map<std::string, Tally> families;
   nlohmann::json scenes = nlohmann::json::array();
   for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
+    if (!options.family.empty() && options.family != jury::family_of(seed)) continue;
     if (!options.write.empty()) write_start(options, plugins, seed);
     if (options.no_run) continue;
     const Trial trial = try_seed(options, plugins, seed);
     tally.add(trial);
+    if (options.setting.built) families[trial.family].add(trial);
     if (options.as_json) scenes.push_back(trial_json(trial));
     if (!options.as_json && (options.seed || !trial.verdict.failures.empty())) print_trial(trial);
   }
@@ -238,7 +278,7 @@ void run_jury(JuryOptions options, Context& context) {
                     .dump(2)
                     .c_str());
   else
-    print_tally(tally, options.setting.times);
+    print_families(families), print_tally(tally, options.setting.times);
   if (tally.failed) context.exit_code = kExitBadNews;
 }
 
@@ -258,7 +298,10 @@ void add_jury_command(CLI::App& app, Context& context) {
   jury->add_option("--dial,--set", options->setting.dials, "A dial of the world, repeatable; `carom dials` lists them")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  jury->add_option("--dt", options->setting.dt, "Time step; default: 1/60")
+  jury->add_flag("--built", options->setting.built, "Scenes that people build, not what falls at random");
+  jury->add_option("--family", options->family, "Of the seeds of built scenes those of one family alone")
+      ->type_name("NAME");
+  jury->add_option("--dt", options->setting.dt, "Time step; default: that of the scene, 1/60 unless it is built")
       ->type_name("S")
       ->check(CLI::Range(1e-5, 1.0));
   jury->add_option("--seconds", options->setting.seconds, "How long each scene lasts")

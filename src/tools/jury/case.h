@@ -1,6 +1,7 @@
 // What the jury judges: bodies, joints and where they are after each step, whichever engine moved them.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "scenes/scene.h"
@@ -20,7 +21,21 @@ struct Member {
   double radius = 0;                                  ///< m, about the origin: all of the shape is within it
   double size = 0;                                    ///< m, largest width
   double thickness = 0;                               ///< m, least width
+  Vec surface = Vec::Zero();                          ///< m/s, body axes: of its surface, while it stays (a belt)
+  bool is_late = false;                               ///< not there until a deed adds it
   bool moves() const { return type == CAROM_BODY_DYNAMIC; }
+  /// Whether its surface may give energy to what it touches.
+  bool stirs() const { return type == CAROM_BODY_KINEMATIC || surface != Vec::Zero(); }
+};
+
+/// What drives a joint along the coordinate that its kind leaves free: a hinge's twist, a slider's slide.
+struct Drive {
+  enum class Aim { none, speed, place };
+  Aim aim = Aim::none;
+  double goal = 0;  ///< rad/s or m/s; rad or m
+  double most = 0;  ///< N m or N
+  /// Hz and a ratio, as CAROM_GAINS_FREQUENCY has them: of a place.
+  double frequency = 0, damping = 1;
 };
 
 /// A joint with its frames in the axes of its two bodies. Its x axis is the axis of a hinge and of a slider.
@@ -31,6 +46,9 @@ struct Link {
   Quat axes_a = Quat::Identity(), axes_b = Quat::Identity();
   bool limited = false;
   double lower = 0, upper = 0;  ///< m or rad
+  double swing = 0;             ///< rad: how far a ball's axes may part; 0: as far as they like
+  Drive drive;
+  carom_joint joint = CAROM_NULL_HANDLE;
 };
 
 /// A kinematic body and how it goes: it spins at one speed, or swings to and fro.
@@ -61,8 +79,37 @@ struct State {
   Quat orientation = Quat::Identity();
   Vec velocity = Vec::Zero();  ///< m/s, of the centre of mass
   Vec omega = Vec::Zero();     ///< rad/s, world
+  bool is_there = true;        ///< false: not yet, or no more
 };
 using Frame = std::vector<State>;  ///< by member
+
+/// What a host does between two steps.
+struct Deed {
+  enum class What {
+    put,     ///< a member to a pose, with velocities
+    throws,  ///< a member: its velocities alone
+    add,     ///< a member that is late
+    remove,  ///< a member, and its joints with it
+    pace,    ///< the step is `value` s from now on
+    drive    ///< the goal of a link's drive is `value` from now on
+  };
+  double time = 0;  ///< s: before the first step that begins then or later
+  What what = What::put;
+  std::size_t who = 0;  ///< member, or link
+  State state;
+  double value = 0;
+};
+
+/// What a scene was built to do.
+struct Goal {
+  std::string what;            ///< "the gripper holds the box"
+  double from = 0, until = 0;  ///< s
+  bool once = false;           ///< at some time then; else at all times
+  /// By how much it is missed, beyond what is borne; 0 or less: met.
+  std::function<double(const Frame& start, const Frame& now)> missed_by;
+  double plain = 0;  ///< from what miss on anybody sees it
+  const char* unit = "m";
+};
 
 /// A scene that was drawn, without the world that it stands in.
 struct Case {
@@ -70,11 +117,19 @@ struct Case {
   std::string summary;    ///< "17 bodies on ramps, 5 joints, a paddle"
   double gravity = 9.81;  ///< m/s^2, down along y
   double seconds = 5;
-  double floor = 0;  ///< m: the lowest ground
+  double dt = 1.0 / 60;        ///< s, of a step
+  double least_stall = 0.002;  ///< s: no step that takes less is a stall
+  bool built = false;          ///< people build such: jitter is judged
+  double grace = 0;            ///< s from the start in which depths and gaps are not judged: it is made overlapped
+  double stored = 0;           ///< J that the start holds beside what bodies weigh and how they move
+  double floor = 0;            ///< m: the lowest ground
   std::vector<Member> members;
   std::vector<Link> links;
   std::vector<Paddle> paddles;
   std::optional<Heights> heights;
+  std::vector<Deed> deeds;  ///< by time
+  std::vector<Goal> goals;
+  std::string family;  ///< of what is built
 };
 
 /// A scene out of a seed: the same bits on every platform. Fills the stage and tells the judge what it is made of.

@@ -18,6 +18,7 @@ struct Purse {
   double top = 0;      ///< m: the highest place where a centre began
   double launch = 0;   ///< m/s: the fastest start
   double stirred = 0;  ///< m/s: the fastest surface of a paddle that it met
+  double driven = 0;   ///< J: what drives can have given
   double limit(double gravity, double dt) const;  ///< J, of the excess
 };
 
@@ -25,7 +26,12 @@ class Energies {
  public:
   Energies(const Case& the_case, double dt, const Frame& start);
   /// @param pairs  near in this step   @param stirred  [members] whether a paddle acts on it, through others too
-  void step(const Frame& before, const Frame& now, const std::vector<Near>& pairs, const Sets& islands);
+  /// @param drives  [links] as they are in this step
+  void step(const Frame& before, const Frame& now, const std::vector<Near>& pairs, const Sets& islands,
+            const std::vector<Drive>& drives, double dt);
+  /// A host moved, threw, added or removed bodies: what it gave is theirs.
+  void meddled(const Frame& before, const Frame& now);
+  bool have_met(std::size_t a, std::size_t b) const { return sets_.of(a) == sets_.of(b); }
   const Purse& purse(std::size_t member) const { return purses_[sets_.of(member)]; }
   double excess_of(std::size_t member) const { return purse(member).excess; }
   /// The set whose excess is largest beside its limit, by one of its bodies: the one that gained most in the last step.
@@ -36,6 +42,9 @@ class Energies {
 
  private:
   void merge(std::size_t a, std::size_t b);
+  void appear(std::size_t member, const State& state);
+  void give_driven(const Frame& before, const Frame& now, const std::vector<Drive>& drives,
+                   std::vector<double>& change);
   double paddle_share(const Frame& before, const std::vector<Near>& pairs, const Sets& islands, std::size_t body,
                       double gain);
 

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "jury/gaps.h"
 #include "jury/trial.h"
 
 namespace carom::tools::jury {
@@ -15,6 +16,15 @@ constexpr std::size_t kNumbers = 13;  // of a state: position, orientation (x, y
 
 json numbers(const Vec& v) { return {v.x(), v.y(), v.z()}; }
 json numbers(const Quat& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+
+/// Of a place: stiffness in N/m or N m/rad, and its damping likewise.
+json drive_json(const Drive& drive, double weight) {
+  const double w = 2 * 3.14159265358979323846 * drive.frequency;
+  json out = {{"aim", drive.aim == Drive::Aim::speed ? "speed" : "place"}, {"goal", drive.goal}, {"most", drive.most}};
+  if (drive.aim == Drive::Aim::place)
+    out["stiffness"] = weight * w * w, out["damping"] = 2 * drive.damping * weight * w;
+  return out;
+}
 
 json body_json(const Actor& actor, const Member& member) {
   static constexpr const char* kTypes[] = {"static", "kinematic", "dynamic"};
@@ -30,10 +40,12 @@ json body_json(const Actor& actor, const Member& member) {
           {"density", part.density},
           {"friction", part.friction},
           {"restitution", part.restitution},
-          {"mass", member.mass}};
+          {"mass", member.mass},
+          {"late", member.is_late},
+          {"surface", numbers(member.surface)}};
 }
 
-json link_json(const Link& link) {
+json link_json(const Case& scene, const Link& link, const Frame& start) {
   static constexpr const char* kNames[] = {"ball", "hinge", "slider", "weld"};
   json out = {{"kind", kNames[link.kind]},
               {"a", link.a},
@@ -43,15 +55,33 @@ json link_json(const Link& link) {
               {"axes_a", numbers(link.axes_a)},
               {"axes_b", numbers(link.axes_b)}};
   if (link.limited) out["limit"] = {link.lower, link.upper};
+  if (link.swing > 0) out["swing"] = link.swing;
+  if (link.drive.aim != Drive::Aim::none) out["drive"] = drive_json(link.drive, weight_along(scene, link, start));
   return out;
 }
 
-json paddle_json(const Paddle& paddle, const Setting& setting) {
+json paddle_json(const Paddle& paddle, const std::vector<Beat>& course) {
   json velocities = json::array();
-  for (std::size_t step = 0; step < steps_of(setting); ++step)
-    velocities.push_back(
-        numbers(paddle.velocity(setting.dt * static_cast<double>(step), setting.dt * static_cast<double>(step + 1))));
+  for (const Beat& beat : course) velocities.push_back(numbers(paddle.velocity(beat.time, beat.end)));
   return {{"body", paddle.member}, {"spin", numbers(paddle.spin)}, {"velocities", velocities}};
+}
+
+json deed_json(const Deed& deed) {
+  static constexpr const char* kNames[] = {"put", "throw", "add", "remove", "pace", "drive"};
+  return {{"what", kNames[static_cast<std::size_t>(deed.what)]},
+          {"who", deed.who},
+          {"position", numbers(deed.state.position)},
+          {"orientation", numbers(deed.state.orientation)},
+          {"velocity", numbers(deed.state.velocity)},
+          {"spin", numbers(deed.state.omega)},
+          {"value", deed.value}};
+}
+
+/// Each step: its length, and what the host does before it.
+json step_json(const Case& scene, const Beat& beat) {
+  json deeds = json::array();
+  for (const std::size_t k : beat.deeds) deeds.push_back(deed_json(scene.deeds[k]));
+  return {{"dt", beat.dt}, {"deeds", deeds}};
 }
 
 void put(std::vector<double>& out, const State& s) {
@@ -74,16 +104,15 @@ State state_from(const double* in) {
 
 void write_scene_json(const std::string& path, const Scenery& scenery, const Setting& setting) {
   const Case& scene = scenery.scene;
-  json out = {{"seed", scene.seed},
-              {"summary", scene.summary},
-              {"gravity", scene.gravity},
-              {"dt", setting.dt},
-              {"steps", steps_of(setting)}};
-  out["bodies"] = out["joints"] = out["paddles"] = json::array();
+  const std::vector<Beat> course = course_of(scene, setting);
+  const Frame start = frame_of(scenery.stage);
+  json out = {{"seed", scene.seed}, {"summary", scene.summary}, {"gravity", scene.gravity}};
+  out["bodies"] = out["joints"] = out["paddles"] = out["steps"] = json::array();
   for (std::size_t i = 0; i < scene.members.size(); ++i)
     out["bodies"].push_back(body_json(scenery.stage.actors[i], scene.members[i]));
-  for (const Link& link : scene.links) out["joints"].push_back(link_json(link));
-  for (const Paddle& paddle : scene.paddles) out["paddles"].push_back(paddle_json(paddle, setting));
+  for (const Link& link : scene.links) out["joints"].push_back(link_json(scene, link, start));
+  for (const Paddle& paddle : scene.paddles) out["paddles"].push_back(paddle_json(paddle, course));
+  for (const Beat& beat : course) out["steps"].push_back(step_json(scene, beat));
   write_file(path, out.dump());
 }
 

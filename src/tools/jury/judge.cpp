@@ -6,6 +6,7 @@
 
 #include "jury/energy.h"
 #include "jury/gaps.h"
+#include "jury/jitter.h"
 
 namespace carom::tools::jury {
 namespace {
@@ -16,8 +17,8 @@ constexpr double kPlainGain = 5;          // times the limit: a tenth of all ene
 constexpr double kPlainGap = 3;           // times the limit
 constexpr double kPlainThickness = 0.02;  // m: who went through this went through something
 constexpr double kStallRatio = 3;         // of the mean of the scene
-constexpr double kStallSeconds = 0.002;   // s: an eighth of a frame at 60 Hz
-constexpr double kStallWork = 1e5;        // support calls, impulses and moves, of 20 ns each
+constexpr double kUnit = 2e-8;            // s: of a support call, an impulse or a move
+constexpr double kTornTime = 1;           // s that a joint has to close after its body was moved by a host
 
 bool is_sane(const State& s) {
   const auto bounded = [](const Vec& v) { return v.allFinite() && v.cwiseAbs().maxCoeff() < 1e6; };
@@ -35,7 +36,7 @@ enum class Trouble { deep, plainly_deep, within, gape };
 }  // namespace
 
 const char* name_of(Kind kind) {
-  static constexpr const char* kNames[] = {"fault", "gain", "throw", "gape", "sink", "pass", "stall"};
+  static constexpr const char* kNames[] = {"fault", "gain", "throw", "gape", "sink", "pass", "stall", "jitter", "task"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -46,7 +47,9 @@ const char* meaning_of(Kind kind) {
                                               "a joint that does not hold",
                                               "deep in another for ten steps",
                                               "through another, or below the ground",
-                                              "a step that takes far longer than the others"};
+                                              "a step that takes far longer than the others",
+                                              "to and fro in one place for two seconds",
+                                              "what it was built for is not done"};
   return kMeanings[static_cast<std::size_t>(kind)];
 }
 
@@ -63,6 +66,12 @@ struct Judge::Inside {
   Frame before;
   std::vector<Near> pairs_before;
   std::unique_ptr<Energies> energies;
+  Frame at_start;
+  double time = 0;             // s, at the end of the step
+  std::vector<Drive> drives;   // by link, as the host last set them
+  std::vector<double> torn;    // s, by link: until when it may gape
+  std::vector<double> misses;  // by goal that asks for once: the least so far
+  Jitters jitters;
   std::map<std::tuple<Trouble, std::size_t, std::size_t>, std::size_t> troubles, troubles_before;  // steps in a row
   std::map<Kind, Failure> failures;
   std::array<double, kKinds> worst_ratio{};  // beyond its limit, by kind
@@ -70,6 +79,11 @@ struct Judge::Inside {
   std::vector<Cost> costs;
   Reading reading;
   bool over = false;  // a state that is not finite: there is nothing more to judge
+
+  Inside(carom_engine* e, const Case& the_case, double step)
+      : engine(e), c(the_case), dt(step), torn(c.links.size(), c.grace), misses(c.goals.size(), HUGE_VAL) {
+    for (const Link& link : c.links) drives.push_back(link.drive);
+  }
 
   std::size_t now() const { return costs.size(); }
   const std::string& name(std::size_t i) const { return c.members[i].name; }
@@ -81,6 +95,8 @@ struct Judge::Inside {
   void judge_pair_depth(std::size_t a, std::size_t b, double depth, const Frame& frame);
   void judge_passing(const Frame& frame, const std::vector<bool>& stirred);
   void judge_joints(const Frame& frame);
+  void judge_jitter(const Frame& frame, const std::vector<bool>& stirred);
+  void judge_goals(const Frame& frame);
   std::vector<bool> stirred(const std::vector<Near>& pairs, const Sets& together) const;
   bool are_joined(std::size_t a, std::size_t b) const;
 };
@@ -131,7 +147,7 @@ std::vector<bool> Judge::Inside::stirred(const std::vector<Near>& pairs, const S
 }
 
 void Judge::Inside::judge_energy(const Frame& frame, const std::vector<Near>& pairs, const Sets& together) {
-  energies->step(before, frame, pairs, together);
+  energies->step(before, frame, pairs, together, drives, dt);
   const std::size_t worst = reading.gainer = energies->worst();
   reading.excess = energies->excess_of(worst), reading.excess_limit = energies->limit(worst);
   reading.given = energies->given();
@@ -139,7 +155,7 @@ void Judge::Inside::judge_energy(const Frame& frame, const std::vector<Near>& pa
     fail(Kind::gain, name(worst), reading.excess, reading.excess_limit, "J",
          reading.excess > kPlainGain * reading.excess_limit);
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    if (!c.members[i].moves()) continue;
+    if (!c.members[i].moves() || !frame[i].is_there) continue;
     reading.kinetic += kinetic(c.members[i], frame[i]);
     reading.potential += potential(c.members[i], frame[i], c.gravity);
     const double speed = frame[i].velocity.norm(), limit = energies->speed_limit(i);
@@ -196,7 +212,9 @@ void Judge::Inside::judge_passing(const Frame& frame, const std::vector<bool>& i
 }
 
 void Judge::Inside::judge_joints(const Frame& frame) {
-  for (const Link& link : c.links) {
+  for (std::size_t k = 0; k < c.links.size(); ++k) {
+    const Link& link = c.links[k];
+    if (!frame[link.a].is_there || !frame[link.b].is_there || time < torn[k]) continue;
     const double gap = gap_of(c, link, frame), limit = gap_limit(c, link);
     reading.gap = std::max(reading.gap, gap);
     if (!(gap > limit)) continue;
@@ -205,19 +223,68 @@ void Judge::Inside::judge_joints(const Frame& frame) {
   }
 }
 
-Judge::Judge(carom_engine* engine, const Case& the_case, double dt)
-    : inside_(new Inside{engine, the_case, dt, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}) {}
+/// What moves to and fro in one place, by itself.
+void Judge::Inside::judge_jitter(const Frame& frame, const std::vector<bool>& is_stirred) {
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    if (!c.members[i].moves()) continue;
+    if (is_stirred[i] || !frame[i].is_there || time < c.grace) {
+      jitters.forget(i);
+      continue;
+    }
+    const double shakes = jitters.step(i, c.members[i], frame[i], dt);
+    if (shakes > kShakes) fail(Kind::jitter, name(i), shakes, kShakes, "m", shakes > kPlainShakes);
+  }
+}
+
+void Judge::Inside::judge_goals(const Frame& frame) {
+  for (std::size_t k = 0; k < c.goals.size(); ++k) {
+    const Goal& goal = c.goals[k];
+    if (time < goal.from - dt / 2 || time > goal.until + dt / 2) continue;
+    const double miss = goal.missed_by(at_start, frame);
+    misses[k] = std::min(misses[k], miss);
+    const bool is_last = time > goal.until - dt / 2;
+    if (goal.once ? is_last && misses[k] > 0 : miss > 0)
+      fail(Kind::task, goal.what, goal.once ? misses[k] : miss, 0, goal.unit,
+           (goal.once ? misses[k] : miss) > goal.plain);
+  }
+}
+
+Judge::Judge(carom_engine* engine, const Case& the_case, double dt) : inside_(new Inside(engine, the_case, dt)) {}
 Judge::~Judge() = default;
 
 void Judge::start(const Frame& frame) {
-  inside_->before = frame;
+  inside_->before = inside_->at_start = frame;
+  inside_->jitters.start(frame.size());
   inside_->over_edge.assign(frame.size(), false);
   inside_->pairs_before = near_pairs(inside_->engine, inside_->c, frame, inside_->dt);
   inside_->energies = std::make_unique<Energies>(inside_->c, inside_->dt, frame);
 }
 
+void Judge::begin(double dt, const std::vector<std::size_t>& deeds, const Frame& now) {
+  Inside& in = *inside_;
+  in.dt = dt;
+  if (deeds.empty()) return;
+  for (const std::size_t k : deeds) {
+    const Deed& deed = in.c.deeds[k];
+    if (deed.what == Deed::What::pace) continue;
+    if (deed.what == Deed::What::drive) {
+      in.drives[deed.who].goal = deed.value;
+      for (std::size_t i = 0; i < now.size(); ++i)  // what a host leads to and fro does not shake
+        if (in.energies->have_met(i, in.c.links[deed.who].b)) in.jitters.forget(i);
+      continue;
+    }
+    in.jitters.forget(deed.who);
+    for (std::size_t i = 0; i < in.c.links.size() && deed.what == Deed::What::put; ++i)
+      if (in.c.links[i].a == deed.who || in.c.links[i].b == deed.who) in.torn[i] = in.time + kTornTime;
+  }
+  in.energies->meddled(in.before, now);
+  in.before = now;
+  in.pairs_before = near_pairs(in.engine, in.c, now, dt);
+}
+
 const Reading& Judge::step(const Frame& frame, const Cost& cost) {
   Inside& in = *inside_;
+  in.time += in.dt;
   in.costs.push_back(cost);
   in.reading = Reading{};
   in.troubles_before.swap(in.troubles);
@@ -234,9 +301,11 @@ const Reading& Judge::step(const Frame& frame, const Cost& cost) {
   const Sets together = in.islands(either);
   const std::vector<bool> is_stirred = in.stirred(either, together);
   in.judge_energy(frame, either, together);
-  in.judge_depth(pairs, frame, is_stirred);
+  if (in.time >= in.c.grace) in.judge_depth(pairs, frame, is_stirred);
   in.judge_passing(frame, is_stirred);
   in.judge_joints(frame);
+  if (in.c.built) in.judge_jitter(frame, is_stirred);
+  in.judge_goals(frame);
   in.before = frame;
   in.pairs_before = pairs;
   return in.reading;
@@ -249,7 +318,7 @@ void Judge::retime(std::size_t step, double seconds) {
 
 bool Judge::may_stall() const {
   const Verdict v = verdict();
-  return v.worst_seconds > std::max(kStallRatio * v.mean_seconds, kStallSeconds);
+  return v.worst_seconds > std::max(kStallRatio * v.mean_seconds, inside_->c.least_stall);
 }
 
 Verdict Judge::verdict() const {
@@ -265,8 +334,8 @@ Verdict Judge::verdict() const {
     if (cost.work > v.worst_work) v.worst_work = cost.work, worst_work_step = i + 1;
   }
   for (const auto& [kind, failure] : in.failures) v.failures.push_back(failure);
-  const double most_seconds = std::max(kStallRatio * v.mean_seconds, kStallSeconds);
-  const double most_work = std::max(kStallRatio * v.mean_work, kStallWork);
+  const double most_seconds = std::max(kStallRatio * v.mean_seconds, in.c.least_stall);
+  const double most_work = std::max(kStallRatio * v.mean_work, in.c.least_stall / kUnit);
   if (v.worst_seconds > most_seconds)
     v.failures.push_back({Kind::stall, v.worst_step, "step", 1e3 * v.worst_seconds, 1e3 * most_seconds, "ms",
                           v.worst_step, v.worst_step, "step", 1e3 * v.worst_seconds});

@@ -10,8 +10,8 @@
 
 namespace carom::tools::jury {
 
-enum class Kind { fault, gain, throws, gape, sink, pass, stall };
-inline constexpr std::size_t kKinds = 7;
+enum class Kind { fault, gain, throws, gape, sink, pass, stall, jitter, task };
+inline constexpr std::size_t kKinds = 9;
 const char* name_of(Kind kind);
 const char* meaning_of(Kind kind);
 
@@ -65,6 +65,9 @@ class Judge {
   Judge(carom_engine* engine, const Case& the_case, double dt);
   ~Judge();
   void start(const Frame& frame);
+  /// What the host does before the next step.   @param deeds  indices into those of the case
+  /// @param now  where all is after them   @param dt  s, of the steps that follow
+  void begin(double dt, const std::vector<std::size_t>& deeds, const Frame& now);
   /// @return what was read, until the next call
   const Reading& step(const Frame& frame, const Cost& cost = {});
   /// A step that was timed again: the least counts.

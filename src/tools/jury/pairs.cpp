@@ -57,6 +57,7 @@ std::vector<Near> near_pairs(carom_engine* engine, const Case& c, const Frame& f
     for (std::size_t b = a + 1; b < frame.size(); ++b) {
       const Member &ma = c.members[a], &mb = c.members[b];
       if (!(ma.moves() || mb.moves()) || ma.is_heights || mb.is_heights) continue;
+      if (!frame[a].is_there || !frame[b].is_there) continue;
       const double margin = kNear + way[a] + way[b];
       if (!ma.is_plane && !mb.is_plane &&
           (frame[a].position - frame[b].position).norm() > ma.radius + mb.radius + margin)
@@ -105,6 +106,7 @@ bool went_through(carom_engine* engine, const Case& c, std::size_t a, std::size_
                   const Frame& now) {
   const Member& thing = c.members[b];
   if (thing.is_plane || thing.is_heights) return false;
+  if (!before[a].is_there || !before[b].is_there || !now[a].is_there || !now[b].is_there) return false;
   const double moved = (now[a].position - before[a].position).norm() + (now[b].position - before[b].position).norm();
   const double apart = (center_of(c.members[a], now[a]) - now[b].position).norm();
   if (moved < 1e-3 * thing.thickness || apart > thing.radius + 2 * moved + c.members[a].radius) return false;

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "jury/built/built.h"
 #include "jury/judge.h"
 
 namespace carom::tools::jury {
@@ -11,18 +12,27 @@ namespace carom::tools::jury {
 struct Setting {
   std::string preset;
   std::vector<std::string> dials;  ///< "name=value"
-  double dt = 1.0 / 60;            ///< s
-  double seconds = 5;              ///< s
+  bool built = false;              ///< scenes that people build, not what falls at random
+  double dt = 0;                   ///< s; 0: as the scene was drawn, and as its host changes it
+  double seconds = 0;              ///< s; 0: as the scene was drawn
   bool times = true;               ///< judge by times, too; a run that seems to stall is timed twice more
 };
 
 /// A scene in a world of its own, ready to run.
 struct Scenery {
-  Scenery(const PluginPath& plugins, std::uint64_t seed) : engine(plugins), stage(engine), scene(draw(seed, stage)) {}
+  Scenery(const PluginPath& plugins, std::uint64_t seed, bool built = false)
+      : engine(plugins), stage(engine), scene(built ? draw_built(seed, stage) : draw(seed, stage)) {}
   Engine engine;
   Stage stage;
   Case scene;
 };
+
+/// A step of a run, and what the host does before it.
+struct Beat {
+  double time, end, dt;            ///< s: from when to when, how long it is
+  std::vector<std::size_t> deeds;  ///< indices into those of the case
+};
+std::vector<Beat> course_of(const Case& scene, const Setting& setting);
 
 /// What a run left behind beside its verdict.
 struct Motion {
@@ -34,7 +44,8 @@ using Watcher = std::function<void(std::size_t step, const Reading&, const carom
 
 struct Trial {
   std::uint64_t seed = 0;
-  std::string summary;
+  std::string summary, family;
+  std::size_t joints = 0;
   Verdict verdict;
   std::uint64_t hash = 0;  ///< of the world at the end; 0 if it was not Carom's
 };
@@ -43,10 +54,12 @@ struct Trial {
 Trial run(const PluginPath& plugins, std::uint64_t seed, const Setting& setting, const Watcher& watch = {},
           Motion* motion = nullptr);
 /// Judge what another engine did with the scene.
-Trial judge(const PluginPath& plugins, std::uint64_t seed, double dt, const Motion& motion, const Watcher& watch = {});
+Trial judge(const PluginPath& plugins, std::uint64_t seed, const Setting& setting, const Motion& motion,
+            const Watcher& watch = {});
 
 Frame frame_of(const Stage& stage);
-std::size_t steps_of(const Setting& setting);
+/// Do what a host does.   @throws Error
+void act(Scenery& scenery, const Deed& deed);
 
 /// The scene for other engines (README.md says how), and where they say what became of it.
 void write_scene_json(const std::string& path, const Scenery& scenery, const Setting& setting);

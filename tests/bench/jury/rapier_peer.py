@@ -3,7 +3,9 @@
 beside_rapier calls it; README.md of src/tools/jury says what is in the files.
 
 Needs the packages rapier3d and numpy. Rapier runs at its defaults, without sleep, as Carom does. What differs in the scene:
-ellipsoids and double cones are hulls of some hundred points; a height field is a mesh of the same triangles.
+ellipsoids and double cones are hulls of some hundred points; a height field is a mesh of the same triangles; how far a ball may
+swing bounds two angles, not the one between the axes; a motor to a speed is a damper of 1e4 / s within its force. A surface that
+moves though its body stays has no counterpart but a function that is called for each contact: such scenes are left out.
 """
 import array
 import json
@@ -46,6 +48,10 @@ def triangles_of(params):
     return vertices, triangles
 
 
+class LeftOut(Exception):
+    pass
+
+
 def collider_of(body):
     c, p, kind = rapier.Collider, body["params"], body["shape"]
     if kind == "half_space":
@@ -82,6 +88,17 @@ def add_body(world, body, ccd):
     return world.add_body(builder, [collider])
 
 
+def drive(out, axis, aim):
+    """What Carom calls a motor to a speed and a spring to a place; stiffness and damping in N/m and N s/m, or by angle."""
+    if aim["aim"] == "speed":
+        out.set_motor(axis, 0.0, aim["goal"], 0.0, 1e4)
+        out.set_motor_model(axis, rapier.MotorModel.ACCELERATION_BASED)
+    else:
+        out.set_motor(axis, aim["goal"], 0.0, aim["stiffness"], aim["damping"])
+        out.set_motor_model(axis, rapier.MotorModel.FORCE_BASED)
+    out.set_motor_max_force(axis, aim["most"])
+
+
 def joint_of(joint):
     mask, kind = rapier.JointAxesMask, joint["kind"]
     locked = {"ball": mask.LOCKED_SPHERICAL_AXES, "hinge": mask.LOCKED_REVOLUTE_AXES,
@@ -90,10 +107,18 @@ def joint_of(joint):
     out.local_frame1 = rapier.Isometry3(tuple(joint["at_a"]), rotation(joint["axes_a"]))
     out.local_frame2 = rapier.Isometry3(tuple(joint["at_b"]), rotation(joint["axes_b"]))
     out.contacts_enabled = False
+    axis = rapier.JointAxis.LIN_X if kind == "slider" else rapier.JointAxis.ANG_X
     if "limit" in joint:
-        axis = rapier.JointAxis.LIN_X if kind == "slider" else rapier.JointAxis.ANG_X
         out.set_limits(axis, *joint["limit"])
+    if "swing" in joint:
+        for across in (rapier.JointAxis.ANG_Y, rapier.JointAxis.ANG_Z):
+            out.set_limits(across, -joint["swing"], joint["swing"])
+    if "drive" in joint:
+        drive(out, axis, joint["drive"])
     return out
+
+
+ABSENT = [0.0] * 6 + [1.0] + [0.0] * 6
 
 
 def state_of(body):
@@ -101,30 +126,63 @@ def state_of(body):
     return [t.x, t.y, t.z, r.i, r.j, r.k, r.w, v.x, v.y, v.z, w.x, w.y, w.z]
 
 
+class Run:
+    def __init__(self, scene, ccd):
+        if any(any(body.get("surface", ())) for body in scene["bodies"]):
+            raise LeftOut("a surface that moves though its body stays")
+        self.scene, self.ccd = scene, ccd
+        self.world = rapier.PhysicsWorld(gravity=(0, -scene["gravity"], 0))
+        self.world.set_num_threads(1)
+        self.handles = [None if body.get("late") else add_body(self.world, body, ccd) for body in scene["bodies"]]
+        self.joints = [self.world.impulse_joints.insert(self.handles[j["a"]], self.handles[j["b"]], joint_of(j)) for j in scene["joints"]]
+        self.world.physics_pipeline.counters.enable()
+        self.out = array.array("d")
+        self.note(0)
+
+    def note(self, seconds):
+        self.out.append(seconds)
+        for handle in self.handles:
+            self.out.extend(ABSENT if handle is None else state_of(self.world.rigid_bodies[handle]))
+
+    def act(self, deed):
+        what, who = deed["what"], deed["who"]
+        if what == "drive":
+            joint = self.scene["joints"][who]
+            joint["drive"]["goal"] = deed["value"]
+            self.world.impulse_joints.get(self.joints[who]).data = joint_of(joint)
+        elif what == "add":
+            body = dict(self.scene["bodies"][who], **{k: deed[k] for k in ("position", "orientation", "velocity", "spin")})
+            self.handles[who] = add_body(self.world, body, self.ccd)
+        elif what == "remove":
+            self.world.remove_body(self.handles[who])
+            self.handles[who] = None
+        elif what in ("put", "throw"):
+            body = self.world.rigid_bodies[self.handles[who]]
+            if what == "put":
+                body.position = rapier.Isometry3(tuple(deed["position"]), rotation(deed["orientation"]))
+            body.linvel, body.angvel = tuple(deed["velocity"]), tuple(deed["spin"])
+
+    def step(self, number, step):
+        self.world.integration_parameters.dt = step["dt"]
+        for deed in step["deeds"]:
+            self.act(deed)
+        for paddle in self.scene["paddles"]:
+            body = self.world.rigid_bodies[self.handles[paddle["body"]]]
+            body.linvel, body.angvel = tuple(paddle["velocities"][number]), tuple(paddle["spin"])
+        self.world.step()
+        self.note(self.world.physics_pipeline.counters.step_time_ms / 1e3)
+
+
 def run(scene, ccd):
-    world = rapier.PhysicsWorld(gravity=(0, -scene["gravity"], 0))
-    world.integration_parameters.dt = scene["dt"]
-    world.set_num_threads(1)
-    handles = [add_body(world, body, ccd) for body in scene["bodies"]]
-    for joint in scene["joints"]:
-        world.impulse_joints.insert(handles[joint["a"]], handles[joint["b"]], joint_of(joint))
-    world.physics_pipeline.counters.enable()
-    out = array.array("d", [0])
-    for handle in handles:
-        out.extend(state_of(world.rigid_bodies[handle]))
-    for step in range(scene["steps"]):
-        for paddle in scene["paddles"]:
-            body = world.rigid_bodies[handles[paddle["body"]]]
-            body.linvel, body.angvel = tuple(paddle["velocities"][step]), tuple(paddle["spin"])
-        world.step()
-        out.append(world.physics_pipeline.counters.step_time_ms / 1e3)
-        for handle in handles:
-            out.extend(state_of(world.rigid_bodies[handle]))
-    return out
+    done = Run(scene, ccd)
+    for number, step in enumerate(scene["steps"]):
+        done.step(number, step)
+    return done.out
 
 
 def simulate_file(folder, seed, ccd):
     with open(f"{folder}/{seed}.json") as file:
         scene = json.load(file)
+    motion = run(scene, ccd)
     with open(f"{folder}/{seed}.motion", "wb") as file:
-        run(scene, ccd).tofile(file)
+        motion.tofile(file)
