@@ -4,7 +4,7 @@ beside_rapier calls it; README.md of src/tools/jury says what is in the files.
 
 Needs the packages rapier3d and numpy. Rapier runs at its defaults, without sleep, as Carom does. What differs in the scene:
 ellipsoids and double cones are hulls of some hundred points; a height field is a mesh of the same triangles; how far a ball may
-swing bounds two angles, not the one between the axes; a motor to a speed is a damper of 1e4 / s within its force. A surface that
+swing bounds two angles, a square within the circle of the one between the axes; a motor to a speed is a damper of 1e4 / s within its force. A surface that
 moves though its body stays has no counterpart but a function that is called for each contact: such scenes are left out.
 """
 import array
@@ -112,7 +112,7 @@ def joint_of(joint):
         out.set_limits(axis, *joint["limit"])
     if "swing" in joint:
         for across in (rapier.JointAxis.ANG_Y, rapier.JointAxis.ANG_Z):
-            out.set_limits(across, -joint["swing"], joint["swing"])
+            out.set_limits(across, -joint["swing"] / math.sqrt(2), joint["swing"] / math.sqrt(2))
     if "drive" in joint:
         drive(out, axis, joint["drive"])
     return out

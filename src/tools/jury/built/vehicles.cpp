@@ -132,7 +132,9 @@ void draw_track(Builder& b) {
   const Turned half_step = turned_by(3.14159265358979323846 / belt.arc / 2);
   // Links are clear of the wheels by 2 mm where they are nearest.
   const double ring = (belt.radius + belt.thick + 0.002) / half_step.cos;
-  belt.pitch = 2 * ring * half_step.sin, belt.span = belt.pitch * belt.straight;
+  belt.pitch = 2 * ring * half_step.sin;
+  while (belt.pitch * belt.straight < 2.2 * belt.radius) ++belt.straight;  // the wheels are clear of each other
+  belt.span = belt.pitch * belt.straight;
   const bool drives = b.chance(0.5);
   const double height = drives ? ring + belt.thick + 0.002 : 1.0;
   const Stuff steel{b.scale(500, 8000), b.between(0.5, 1), 0}, rubber{b.scale(300, 3000), b.between(0.6, 1), 0};
