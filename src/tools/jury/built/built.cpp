@@ -2,6 +2,7 @@
 #include "jury/built/built.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "jury/built/builder.h"
 

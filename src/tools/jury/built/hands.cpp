@@ -1,4 +1,5 @@
 // What people handle: grippers that lift, doors and drawers on motors with stops.
+#include <algorithm>
 #include <cmath>
 
 #include "jury/built/builder.h"

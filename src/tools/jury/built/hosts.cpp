@@ -1,4 +1,5 @@
 // Hosts that meddle: bodies put elsewhere, thrown, added, removed, steps of other lengths, pushers.
+#include <algorithm>
 #include <cmath>
 
 #include "jury/built/builder.h"

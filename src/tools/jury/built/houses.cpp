@@ -1,4 +1,5 @@
 // What stands: houses of cards, towers, walls, pyramids; and boxes that are made in each other.
+#include <algorithm>
 #include <cmath>
 
 #include "jury/built/builder.h"

@@ -1,4 +1,5 @@
 // What is closed on itself: four-bars, scissor lifts, rings; and conveyors, of rollers or belts.
+#include <algorithm>
 #include <cmath>
 
 #include "jury/built/builder.h"

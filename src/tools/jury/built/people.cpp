@@ -1,4 +1,5 @@
 // What has limbs: rag dolls that fall down stairs, walkers and arms on drives.
+#include <algorithm>
 #include <cmath>
 
 #include "jury/built/builder.h"

@@ -1,4 +1,5 @@
 // What spans a gap: bridges of planks under loads, nets that catch.
+#include <algorithm>
 #include <cmath>
 
 #include "jury/built/builder.h"

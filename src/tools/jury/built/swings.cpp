@@ -1,4 +1,5 @@
 // What swings: Newton's cradles, cranes with wrecking balls.
+#include <algorithm>
 #include <cmath>
 
 #include "jury/built/builder.h"

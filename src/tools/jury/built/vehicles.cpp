@@ -1,4 +1,5 @@
 // What drives: vehicles on sprung or bare wheels over bumps, and chains of links round wheels.
+#include <algorithm>
 #include <cmath>
 
 #include "jury/built/builder.h"
