@@ -1,7 +1,8 @@
 # A host that takes Carom in with add_subdirectory(): it gets the library in both forms and the plugins, nothing else, and
-# can do so with warnings of its own, which are not ours. Its objects hold what -flto needs beside machine code. They are then merged
-# without making code of them, which takes seconds: two layers that define one name differently (the One Definition Rule) fail
-# there.
+# can do so with warnings of its own, which are not ours. By day it is configured, one file of each part is compiled in its tree,
+# and its program is linked with the library and the archive of this build. By night (ALL) everything is built there. Its objects hold
+# what -flto needs beside machine code. They are then merged without making code of them, which takes seconds: two layers that define
+# one name differently (the One Definition Rule) fail there.
 file(REMOVE_RECURSE ${SCRATCH})
 file(WRITE ${SCRATCH}/CMakeLists.txt [[
 cmake_minimum_required(VERSION 3.25)
@@ -55,6 +56,19 @@ run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SCRATCH} -B ${SCRATCH}/build -DCAROM=$
   -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= "-DCMAKE_CXX_FLAGS=-O0 -flto -ffat-lto-objects"
   -DCMAKE_SHARED_LINKER_FLAGS=-fno-lto -DCMAKE_EXE_LINKER_FLAGS=-fno-lto
   -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_AR=${LTO_AR} -DCMAKE_RANLIB=${LTO_RANLIB})
+if(NOT ALL)
+  set(objects)
+  foreach(part carom_abi carom_dynamics carom_collision)
+    list(APPEND objects carom/src/CMakeFiles/${part}.dir/Unity/unity_1_cxx.cxx.o)
+  endforeach()
+  run(${CMAKE_COMMAND} --build ${SCRATCH}/build --target plugin_box ${objects})
+  run(${C_COMPILER} -std=c11 -I${SOURCE_DIR}/include ${SCRATCH}/host.c ${LIBRARY} -Wl,-rpath,${LIBRARY_DIR} -o ${SCRATCH}/host)
+  run(${SCRATCH}/host)
+  run(${C_COMPILER} -std=c11 -I${SOURCE_DIR}/include -DLINKED -c ${SCRATCH}/host.c -o ${SCRATCH}/host_static.o)
+  run(${CXX_COMPILER} ${SCRATCH}/host_static.o ${ARCHIVE} -lm -ldl -lpthread -o ${SCRATCH}/host_static)
+  run(${SCRATCH}/host_static)
+  return()
+endif()
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 file(GLOB_RECURSE hosts ${SCRATCH}/build/host ${SCRATCH}/build/host_static)
 list(LENGTH hosts count)

@@ -8,6 +8,7 @@
 
 #include "carom_test.h"
 #include "hostile/table.h"
+#include "sliced.h"
 
 namespace {
 
@@ -199,7 +200,10 @@ void try_one(Stages& s, const Row& row, std::size_t at, std::size_t way, Tally& 
 }
 
 void go_through_the_table(Stages& s, Tally& tally) {
+  // Other choices are many: under a sanitizer they are of every seventh function.
+  carom::test::OneOf turn(1, s.seeded ? 7 : 1);
   for (const Row& row : kRows) {
+    if (!turn.next()) continue;
     std::vector<std::size_t> ways;
     bool alone = false, impossible = false;
     {
@@ -235,7 +239,7 @@ void so_it_is_among_other_choices(void**) {
   Stages s;
   assert_true(s.make());
   Tally tally;
-  for (uint64_t seed = 1; seed <= 4; ++seed) {
+  for (uint64_t seed = 1; seed <= carom::test::sliced<uint64_t>(4, 1, 1); ++seed) {
     Seeded seeded(seed);
     s.seeded = &seeded;
     go_through_the_table(s, tally);

@@ -2,6 +2,7 @@
 // handles of one world in another; bytes that were mutated, memory that runs out.
 #include <algorithm>
 
+#include "sliced.h"
 #include "snapshot_stage.h"
 
 namespace {
@@ -533,11 +534,7 @@ void fuzz(std::uint64_t seed, int rounds) {
   assert_true(refused > 0 && taken > 0);
 }
 
-#ifdef CAROM_SANITIZED  // ten times slower
-int rounds = 4000;
-#else
-int rounds = 20000;
-#endif
+int rounds = carom::test::sliced(20000, 8000, 2000);
 std::uint64_t seed = 1;
 void mutations_do_no_harm(void**) { fuzz(seed, rounds); }
 

@@ -18,7 +18,7 @@ enum Motion { rest, drift, scatter };
 /// copied in outside the clock: 16 frames there and back.
 void run(benchmark::State& state, Owned<BroadPhase> (*make)(Memory*), Motion motion) {
   const auto n = static_cast<std::uint32_t>(state.range(0));
-  Random random(n);
+  Numbers random(n);
   BroadScene scene;
   const Real half_room = 0.5 * std::cbrt(2.0 * n);
   Aabb floor;

@@ -7,6 +7,7 @@
 #include "carom_test.h"
 #include "dynamics/body_state.h"
 #include "dynamics/ccd/continuous.h"
+#include "sliced.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -15,11 +16,7 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kPi = std::numbers::pi;
-#ifdef CAROM_SANITIZED
-constexpr Real kShare = 0.4;  // of the time that is run
-#else
-constexpr Real kShare = 1;
-#endif
+const Real kShare = sliced<Real>(1, 0.5, 0.2);  // of the time that is run
 
 /// Velocities of the cup, of a time in s.
 struct Way {

@@ -4,6 +4,7 @@
 
 #include "carom_test.h"
 #include "scenery_builder.h"
+#include "sliced.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -143,6 +144,8 @@ const Shape* undeclared(TestWorld& t, Shape shape) {
 enum class Declared { yes, no };
 /// What rolls without slip goes on as it is: friction has nothing to do where it touches.
 void check_roll(Shape shape, Real radius, On on, Real solver, Real v, Real hz, Declared declared = Declared::yes) {
+  static OneOf turn(1, 7);
+  if (!turn.next()) return;
   TestWorld t;
   t.world.set_dial(Dial::solver, solver);
   const std::uint32_t m = t.material(0.8, 0);
@@ -246,6 +249,8 @@ void pucks_go_their_way_on_boxes_meshes_and_fields(void**) {
     for (const Real solver : kSolvers)
       for (const On on : {On::box, On::mesh, On::field})
         for (const bool round : {true, false}) {
+          static OneOf turn(1, 7);
+          if (!turn.next()) continue;
           TestWorld t;
           t.world.set_dial(Dial::solver, solver);
           const std::uint32_t m = t.material(mu, 0);

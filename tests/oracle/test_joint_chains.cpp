@@ -1,11 +1,13 @@
 // Many joints: chains with heavy ends, a wrecking ball, a net; what they keep, what they must not change, when they
 // break.
 #include <algorithm>
+#include <span>
 
 #include "carom_test.h"
 #include "core/job_pool.h"
 #include "dynamics/sleep/sleep.h"
 #include "joint_scenes.h"
+#include "sliced.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -124,7 +126,7 @@ static void a_whip_gives_the_ball_no_energy(void**) {
     Real length, ratio;
     int order;
   } chains[] = {{40, 0.25, 1000, 4}, {40, 0.25, 1000, 2}, {30, 0.3, 400, 4}, {24, 0.4, 2500, 2}, {50, 0.2, 700, 0}};
-  for (const auto& of : chains) {
+  for (const auto& of : std::span(chains).first(sliced<std::size_t>(5, 2, 1))) {
     TestWorld t;
     choose(t, kAutoChoice);
     t.world.set_dial(Dial::joint_order, of.order);

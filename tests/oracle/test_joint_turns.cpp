@@ -6,6 +6,7 @@
 #include "carom_test.h"
 #include "dynamics/snapshot/snapshot.h"
 #include "six_axes.h"
+#include "sliced.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -96,6 +97,8 @@ void a_stop_is_never_passed_by_a_motor(void**) {
   for (const Way& way : kWays)
     for (const Kind kind : kEveryKind)
       for (const Range& stops : kStops) {
+        static OneOf turn(1, 5);
+        if (!turn.next()) continue;
         Turner t(kind, way);
         t.limit(stops.lower, stops.upper), t.motor(11, 200);
         it_stops_there(t, stops, 220, passed_by(way.solver));
@@ -106,6 +109,8 @@ void nor_is_it_by_what_is_thrown(void**) {
   for (const Way& way : kWays)
     for (const Kind kind : kEveryKind)
       for (const Real speed : {5.0, 20.0, 90.0}) {
+        static OneOf turn(1, 5);
+        if (!turn.next()) continue;
         Turner t(kind, way, kind == Kind::hinge && speed > 5);
         t.limit(-kPi, kPi), t.throw_it(speed);
         it_stops_there(t, {-kPi, kPi}, 60, passed_by(way.solver, speed), kind != Kind::ball && speed > 5 && !t.two());
@@ -131,6 +136,8 @@ void turns_are_counted_at_any_speed(void**) {
 void a_spring_winds_up_many_turns(void**) {
   for (const Way& way : kWays)
     for (const Kind kind : kEveryKind) {
+      static OneOf turn(1, 5);
+      if (!turn.next()) continue;
       if (kind == Kind::ball) continue;  // what winds it up so fast makes it swing
       Turner t(kind, way);
       const Real target = is_direct(way.solver) ? 41 : 8;

@@ -2,6 +2,7 @@
 // made of. Steps, walls and grooves act as ever.
 #include "carom_test.h"
 #include "scenery_builder.h"
+#include "sliced.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -14,11 +15,7 @@ struct Ride {
   bool skew;         // the ground is tilted with its gravity, and the seams run aslant
 };
 constexpr Ride kRides[] = {{5, 1.0 / 60, false}, {20, 1.0 / 60, true}, {1, 1.0 / 60, true}, {11, 1.0 / 30, false}};
-#ifdef CAROM_SANITIZED
-constexpr std::size_t kMostRides = 2;
-#else
-constexpr std::size_t kMostRides = 4;
-#endif
+const std::size_t kMostRides = sliced<std::size_t>(4, 4, 2);
 constexpr Real kRadius = 0.1;
 // m: what soft contacts give way by under a body that was set down in exact touch, for any ground (a single box, too).
 constexpr Real kSettles = 1.3e-4;

@@ -5,6 +5,7 @@
 
 #include "carom_test.h"
 #include "dynamics/force/force.h"
+#include "sliced.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -73,11 +74,7 @@ struct Ride {
 
 /// Of the radius. What a hundred turns may be off by; what comes to its loads over some steps has slipped until then.
 constexpr Real kBar = 1e-3;
-#ifdef CAROM_SANITIZED
-constexpr Real kTurns = 1;
-#else
-constexpr Real kTurns = 4;
-#endif
+const Real kTurns = sliced<Real>(4, 4, 1);
 
 bool is_exact(std::uint32_t solver) { return solver >= 3; }
 

@@ -6,6 +6,7 @@
 
 #include "carom_test.h"
 #include "joint_scenes.h"
+#include "sliced.h"
 
 using namespace carom;
 using namespace carom::test;
@@ -135,12 +136,8 @@ void stands(int rows, int columns, int less, const Vec3& half) {
       built.emplace_back((2 * i + aside) * half.x(), (2 * r + 1) * half.y(), 0);
       t.add(block, built.back());
     }
-#ifdef CAROM_SANITIZED
-  constexpr int kSteps = 12;
-#else
-  constexpr int kSteps = 120;
-#endif
-  for (int i = 0; i < kSteps; ++i) t.world.step(1. / 60);
+  const int steps = sliced(120, 120, 4);
+  for (int i = 0; i < steps; ++i) t.world.step(1. / 60);
   Real moved = 0;
   std::uint32_t block_slot = 1;  // after the ground
   for (const Vec3& at : built) moved = std::max(moved, (t.world.state.x[block_slot++] - at).norm());
@@ -153,6 +150,7 @@ void stands(int rows, int columns, int less, const Vec3& half) {
 static void what_is_built_of_up_to_512_blocks_stands(void**) {
   stands(25, 25, 1, Vec3(0.5, 0.5, 0.5));
   stands(24, 20, 0, Vec3(0.5, 0.25, 0.25));
+  if (sliced(1, 1, 0) == 0) return;
   // Not looked at before it worked.
   stands(31, 31, 1, Vec3(0.2, 0.1, 0.1));
   stands(40, 12, 0, Vec3(0.3, 0.2, 0.3));
@@ -160,15 +158,17 @@ static void what_is_built_of_up_to_512_blocks_stands(void**) {
 }
 
 static void a_bridge_under_crates_gains_nothing(void**) {
-  bridge({11, 9, 1000, 41}, {0.06});
   // Not looked at before it worked.
-  bridge({7, 5, 500, 7}, {0.06});
+  bridge({7, 5, 500, 7}, {.gap = 0.06, .seconds = sliced<Real>(3, 3, 1)});
+  if (sliced(1, 0, 0) == 0) return;
+  bridge({11, 9, 1000, 41}, {0.06});
   bridge({15, 6, 2000, 3}, {0.06});
   bridge({11, 9, 1000, 12}, {0.06, 0.2, 120});
 }
 
 static void a_net_pulled_straight_neither_gapes_nor_gains(void**) {
-  net(5, 0.25, {0.02});
+  net(5, 0.25, {.gap = 0.02, .seconds = sliced<Real>(3, 3, 0.7)});
+  if (sliced(1, 1, 0) == 0) return;
   net(4, 0.4, {0.02});
   net(3, 0.1, {0.02, 0.2, 120});
   net(6, 0.25, {0.02, 0.2, 60, 1.5});
@@ -176,6 +176,7 @@ static void a_net_pulled_straight_neither_gapes_nor_gains(void**) {
 
 static void hinged_boxes_that_overlap_come_apart(void**) {
   overlapped(48, 0.2, {0.05, 0.2, 60, 3, 1.5});
+  if (sliced(1, 1, 0) == 0) return;
   overlapped(36, 0.2, {0.05, 0.2, 60, 3, 1.5});
   overlapped(60, 0.1, {0.05, 0.2, 60, 3, 1.5});
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "carom_test.h"
+#include "sliced.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -15,11 +16,7 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kStep = 1.0 / 60, kStays = 1e-4;
-#ifdef CAROM_SANITIZED
-constexpr int kSteps = 120;
-#else
-constexpr int kSteps = 600;
-#endif
+const int kSteps = sliced(600, 600, 120);
 
 /// Points moved by up to `noise` along each axis and rounded to single precision.
 Shape noisy_hull(std::vector<Vec3> points, Real noise, std::uint64_t seed) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "carom_test.h"
+#include "sliced.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -81,6 +82,8 @@ template <class Make>
 void lie(const Make& make, const char* what) {
   for (const Case& of : kCases)
     for (const Real size : {0.0007, 0.003, 0.014}) {
+      static OneOf turn(1, 5);
+      if (!turn.next()) continue;
       TestWorld t;
       t.world.set_dial(Dial::solver, of.solver);
       t.ground();

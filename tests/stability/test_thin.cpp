@@ -9,6 +9,7 @@
 
 #include "carom_test.h"
 #include "dynamics/presets.h"
+#include "sliced.h"
 #include "world_builder.h"
 
 using namespace carom;
@@ -109,6 +110,8 @@ Real most_energy(const Drop& f, std::uint64_t seed) {
 }
 
 void loses_energy(const Drop& f) {
+  static OneOf turn(1, 7);
+  if (!turn.next()) return;
   for (int i = 0; i < falls_of_each; ++i) {
     const auto seed =
         static_cast<std::uint64_t>(i * 131 + int(f.ratio) + int(f.hz) + 17 * int(f.kind) + 5 * int(f.form));

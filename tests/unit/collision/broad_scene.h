@@ -9,9 +9,9 @@
 namespace carom::test {
 
 /// Numbers of our own making from mt19937_64 (whose bits the standard fixes; its distributions' it does not).
-class Random {
+class Numbers {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Numbers(std::uint64_t seed) : engine_(seed) {}
   Real unit() { return static_cast<Real>(engine_() >> 11) * 0x1p-53; }
   Real between(Real lo, Real hi) { return lo + (hi - lo) * unit(); }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }

@@ -30,7 +30,7 @@ struct Quartet {
 
 /// Brute force itself, against the words of the contract and nothing of ours.
 void brute_force_is_the_contract_word_for_word(void**) {
-  Random random(1);
+  Numbers random(1);
   BroadScene s;
   // Half of the boxes are empty on some axis.
   for (std::uint32_t i = 0; i < 40; ++i)
@@ -61,7 +61,7 @@ void brute_force_is_the_contract_word_for_word(void**) {
 void they_agree_over_a_long_random_life_of_a_scene(void**) {
   std::size_t most = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    Random random(seed);
+    Numbers random(seed);
     BroadScene s;
     Quartet quartet;
     const std::uint32_t slots = 120;
@@ -98,7 +98,7 @@ void they_agree_over_a_long_random_life_of_a_scene(void**) {
 
 /// Corners on a lattice: nearly every end has a twin of the same value, and -0 meets 0.
 void touching_boxes_with_equal_coordinates_are_pairs_in_all(void**) {
-  Random random(7);
+  Numbers random(7);
   BroadScene s;
   Quartet quartet;
   for (std::uint32_t i = 0; i < 90; ++i) s.put(i, box_at(Vec3::zero(), Vec3::constant(0.5)));
@@ -136,7 +136,7 @@ void a_touch_is_a_pair_and_a_gap_of_one_bit_is_none(void**) {
 }
 
 void unbounded_boxes_pair_with_all_that_they_reach(void**) {
-  Random random(3);
+  Numbers random(3);
   BroadScene s;
   Quartet quartet;
   Aabb all, below, column;
@@ -175,7 +175,7 @@ void nothing_one_box_and_many_identical_boxes_are_no_special_case(void**) {
 
 /// Sizes and distances over 600 orders of magnitude, where cell numbers would overflow any integer.
 void scales_from_atoms_to_the_end_of_doubles_are_all_right(void**) {
-  Random random(11);
+  Numbers random(11);
   for (const Real scale : {1e-300, 1e-9, 1e6, 1e18, 1e100, 1e300}) {
     BroadScene s;
     Quartet quartet;
@@ -203,7 +203,7 @@ void scales_from_atoms_to_the_end_of_doubles_are_all_right(void**) {
 }
 
 void the_cell_size_never_changes_the_answer(void**) {
-  Random random(5);
+  Numbers random(5);
   BroadScene s;
   Quartet quartet;
   for (std::uint32_t i = 0; i < 100; ++i) s.put(i, box_at(random.in_cube(4), Vec3::constant(random.between(0.01, 1))));
@@ -218,7 +218,7 @@ void the_cell_size_never_changes_the_answer(void**) {
 /// Clusters that fall, bounce off the floor, calm down and are kicked apart again, for thousands of steps: all that makes
 /// fat boxes grow, reach ahead, shrink and be left.
 void clusters_that_fly_land_and_rest_are_right_for_thousands_of_steps(void**) {
-  Random random(17);
+  Numbers random(17);
   BroadScene s;
   Quartet quartet;
   const std::uint32_t n = 64;
@@ -256,7 +256,7 @@ void clusters_that_fly_land_and_rest_are_right_for_thousands_of_steps(void**) {
 
 /// A crowd that jumps anywhere in every step: what order was kept is worth nothing.
 void teleports_of_all_boxes_are_right(void**) {
-  Random random(13);
+  Numbers random(13);
   BroadScene s;
   Quartet quartet;
   for (std::uint32_t i = 0; i < 150; ++i) s.put(i, box_at(random.in_cube(5), Vec3::constant(0.5)));

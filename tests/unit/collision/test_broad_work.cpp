@@ -33,7 +33,7 @@ using Maker = Owned<BroadPhase> (*)(Memory*);
 constexpr Maker kMakers[] = {make_brute_force, make_sweep_and_prune, make_uniform_grid, make_tree};
 
 /// n boxes on a cubic lattice of pitch 1, each jittered, so that lengths and neighbours are known.
-void lattice(BroadScene& s, Random& random, std::uint32_t side) {
+void lattice(BroadScene& s, Numbers& random, std::uint32_t side) {
   for (std::uint32_t i = 0; i < side * side * side; ++i) {
     const Vec3 at(i % side, i / side % side, i / side / side);
     s.put(i, box_at(at + random.in_cube(0.2), Vec3::constant(0.4)));
@@ -41,7 +41,7 @@ void lattice(BroadScene& s, Random& random, std::uint32_t side) {
 }
 
 std::uint64_t swaps_of_a_coherent_step(std::uint32_t side) {
-  Random random(side);
+  Numbers random(side);
   BroadScene s;
   lattice(s, random, side);
   auto sap = make_sweep_and_prune(std::pmr::get_default_resource());
@@ -71,7 +71,7 @@ void a_coherent_step_costs_exchanges_in_proportion_to_the_boxes(void**) {
 }
 
 void a_scene_at_rest_costs_no_exchange_and_a_step_of_one_box_few(void**) {
-  Random random(1);
+  Numbers random(1);
   BroadScene s;
   lattice(s, random, 8);
   auto sap = make_sweep_and_prune(std::pmr::get_default_resource());
@@ -88,7 +88,7 @@ void a_scene_at_rest_costs_no_exchange_and_a_step_of_one_box_few(void**) {
 }
 
 void a_teleport_of_everything_is_sorted_afresh_within_a_budget(void**) {
-  Random random(2);
+  Numbers random(2);
   BroadScene s;
   lattice(s, random, 12);
   const std::uint64_t n = 12 * 12 * 12;
@@ -109,7 +109,7 @@ void a_teleport_of_everything_is_sorted_afresh_within_a_budget(void**) {
 }
 
 void the_grid_looks_at_neighbours_only(void**) {
-  Random random(3);
+  Numbers random(3);
   BroadScene s;
   lattice(s, random, 16);
   const std::uint64_t n = 16 * 16 * 16;
@@ -138,7 +138,7 @@ std::uint64_t tests_of(BroadPhase& tree, const BroadScene& s, Array<Pair>& pairs
 }
 
 void a_tree_asks_for_nobody_who_stays_about_where_it_was(void**) {
-  Random random(6);
+  Numbers random(6);
   BroadScene s;
   lattice(s, random, 8);
   const BroadScene home = s;
@@ -168,7 +168,7 @@ void a_tree_asks_for_nobody_who_stays_about_where_it_was(void**) {
 
 /// Steady flight of 8 % of a box a step reaches ahead: it is asked for less than once in 4 steps.
 void a_tree_reaches_ahead_of_what_flies(void**) {
-  Random random(7);
+  Numbers random(7);
   BroadScene s;
   lattice(s, random, 6);
   auto tree = make_tree(std::pmr::get_default_resource());
@@ -184,7 +184,7 @@ void a_tree_reaches_ahead_of_what_flies(void**) {
 
 /// Boxes that mix: neighbours part, but what they once shared does not make looking for others dearer for long.
 void a_tree_that_wears_is_built_afresh(void**) {
-  Random random(9);
+  Numbers random(9);
   BroadScene s;
   lattice(s, random, 8);
   std::vector<Vec3> velocity(512);
@@ -240,7 +240,7 @@ void a_tree_stays_shallow_whatever_comes_in_whatever_order(void**) {
 }
 
 void something_huge_among_crumbs_costs_a_tree_its_own_partners_only(void**) {
-  Random random(8);
+  Numbers random(8);
   BroadScene s;
   const std::uint32_t n = 4000;
   for (std::uint32_t i = 0; i < n; ++i) s.put(i, box_at(Vec3(i % 64, 0, i / 64), Vec3::constant(0.1)));
@@ -269,7 +269,7 @@ void the_steady_state_allocates_nothing(void**) {
     Array<Pair> pairs(&meter);
     std::size_t grown = 0;
     for (int round = 0; round < 3; ++round) {
-      Random random(4);
+      Numbers random(4);
       lattice(s, random, 6);
       for (int step = 0; step < 100; ++step) {
         for (std::uint32_t i = 0; i < 216; ++i) s.shift(i, random.in_cube(0.05));
@@ -288,7 +288,7 @@ void the_steady_state_allocates_nothing(void**) {
 void a_failed_allocation_is_thrown_and_the_next_answer_is_right(void**) {
   for (const Maker make : kMakers) {
     for (std::size_t fail = 0; fail < 40; ++fail) {
-      Random random(5);
+      Numbers random(5);
       Meter meter;
       BroadScene s;
       lattice(s, random, 3);
