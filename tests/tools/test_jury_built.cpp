@@ -167,8 +167,7 @@ struct OneBall : Script {
   }
 }
 
-/// Of a rod on a hinge through its end the inertia is m l^2 / 3; of two that hang on each other 7/12 m l^2 less what the
-/// other's mass is worth: here the one that is fixed counts alone.
+/// A ball on a fixed hinge weighs what it does about the pin; two boxes on a slide, what two masses weigh to each other.
 [[maybe_unused]] static void a_joint_knows_what_it_moves(void**) {
   Merry merry;
   const Member& m = merry.drawing.scene.members[merry.ball];
