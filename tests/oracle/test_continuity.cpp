@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "carom_test.h"
@@ -35,6 +36,12 @@ struct Moving {
     bodies.push_back(t.add(t.keep(shape), at, BodyType::dynamic, turned, material));
     return bodies.back();
   }
+  /// @return its material
+  std::uint32_t ground(Real friction) {
+    const std::uint32_t material = t.material(friction, 0);
+    t.ground(material);
+    return material;
+  }
   std::uint32_t rod(const Vec3& at, const Quat& turned = Quat::identity()) {  // 1 kg, 1 m along x, touches nothing
     bodies.push_back(add_body(t, at, 1, Vec3(0.001, 1.0 / 12, 1.0 / 12), BodyType::dynamic, turned));
     return bodies.back();
@@ -50,8 +57,7 @@ using Made = std::unique_ptr<Moving>;
 /// A coin that rolls in a circle, leaning.
 Made coin() {
   auto m = std::make_unique<Moving>();
-  const std::uint32_t rough = m->t.material(1, 0);
-  m->t.ground(rough);
+  const std::uint32_t rough = m->ground(1);
   const std::uint32_t b =
       m->put(cylinder(0.3, 0.006), Vec3(0, 0.28, 0), turn_between(Vec3(0, 1, 0), Vec3(0.95, 0.3, 0)), rough);
   m->t.world.set_pose(b, {m->t.world.state.q[b], Vec3(0, 0.3 * std::sqrt(1 - 0.09) + 0.006 * 0.3, 0)});
@@ -59,24 +65,17 @@ Made coin() {
   return m;
 }
 
-Made rolling_ball() {
+/// A ball on the ground.
+Made thrown_ball(Real friction, const Vec3& velocity, const Vec3& spin) {
   auto m = std::make_unique<Moving>();
-  const std::uint32_t rough = m->t.material(0.5, 0);
-  m->t.ground(rough);
+  const std::uint32_t rough = m->ground(friction);
   const std::uint32_t b = m->put(sphere(0.1), Vec3(0, 0.1, 0), Quat::identity(), rough);
-  m->t.world.set_velocity(b, Vec3(1, 0, 0), Vec3(2, 5, -10));
+  m->t.world.set_velocity(b, velocity, spin);
   return m;
 }
-
-/// A ball that slides at first, and then rolls.
-Made bowled_ball() {
-  auto m = std::make_unique<Moving>();
-  const std::uint32_t rough = m->t.material(0.2, 0);
-  m->t.ground(rough);
-  const std::uint32_t b = m->put(sphere(0.1), Vec3(0, 0.1, 0), Quat::identity(), rough);
-  m->t.world.set_velocity(b, Vec3(2, 0, 0.5), Vec3(10, 0, 0));
-  return m;
-}
+Made rolling_ball() { return thrown_ball(0.5, Vec3(1, 0, 0), Vec3(2, 5, -10)); }
+/// It slides at first, and then rolls.
+Made bowled_ball() { return thrown_ball(0.2, Vec3(2, 0, 0.5), Vec3(10, 0, 0)); }
 
 Made sliding_box() {
   auto m = std::make_unique<Moving>();
@@ -207,8 +206,7 @@ Made gears() {
 /// A drum on its side: it touches along a line.
 Made drum() {
   auto m = std::make_unique<Moving>();
-  const std::uint32_t rough = m->t.material(0.6, 0);
-  m->t.ground(rough);
+  const std::uint32_t rough = m->ground(0.6);
   const std::uint32_t b =
       m->put(cylinder(0.2, 0.3), Vec3(0, 0.2, 0), turn_between(Vec3(0, 1, 0), Vec3(0, 0, 1)), rough);
   m->t.world.set_velocity(b, Vec3(1, 0, 0), Vec3(0, 0, -5));
@@ -218,8 +216,7 @@ Made drum() {
 /// A cart on four hinged wheels that rolls and slows down nowhere.
 Made cart() {
   auto m = std::make_unique<Moving>();
-  const std::uint32_t rough = m->t.material(0.8, 0);
-  m->t.ground(rough);
+  const std::uint32_t rough = m->ground(0.8);
   m->put(box(Vec3(0.5, 0.05, 0.2)), Vec3(0, 0.25, 0), Quat::identity(), rough);
   for (const Real x : {-0.4, 0.4})
     for (const Real z : {-0.3, 0.3})
@@ -247,8 +244,7 @@ Made wrecking_ball() {
 /// A coin of another size, slower, that falls over in the end.
 Made small_coin() {
   auto m = std::make_unique<Moving>();
-  const std::uint32_t rough = m->t.material(0.5, 0);
-  m->t.ground(rough);
+  const std::uint32_t rough = m->ground(0.5);
   const Vec3 axis = Vec3(0.8, 0.6, 0);
   const std::uint32_t b =
       m->put(cylinder(0.02, 0.001), Vec3(0, 0.02 * 0.8 + 0.001 * 0.6, 0), turn_between(Vec3(0, 1, 0), axis), rough);
@@ -292,7 +288,7 @@ void field(Moving& m) {
 }
 /// A second collider in the first body, of so much mass.
 void add_bead(Moving& m, Real mass) {
-  const Real r = 0.001, volume = 4 * 3.14159265358979 / 3 * r * r * r;
+  const Real r = 0.001, volume = 4 * std::numbers::pi / 3 * r * r * r;
   m.t.world.add_collider(m.bodies[0], m.t.keep(sphere(r)), Pose{}, mass / volume, Colliders::kNoMaterial);
 }
 void bead(Moving& m) { add_bead(m, kTiny); }

@@ -1,6 +1,7 @@
 // A scene by hand and its motion by script, before the judge of `carom jury`.
 #pragma once
 
+#include <array>
 #include <cstring>
 #include <functional>
 
@@ -82,5 +83,27 @@ inline std::uint64_t bits_of(const Frame& frame, std::uint64_t hash) {
     }
   return hash;
 }
+
+/// How many scenes of a slice fail, by kind, and plainly.
+class Slice {
+ public:
+  void add(const Verdict& verdict) {
+    for (const Failure& f : verdict.failures) {
+      ++failed_[static_cast<std::size_t>(f.kind)];
+      plain_[static_cast<std::size_t>(f.kind)] += f.plain_step > 0;
+    }
+  }
+  void is_within(const std::size_t (&ceiling)[kKinds], const std::size_t (&plain_ceiling)[kKinds],
+                 std::size_t scenes) const {
+    for (std::size_t k = 0; k < kKinds; ++k) {
+      print_message("%-6s %2zu scenes of %zu (at most %zu), %2zu plainly (at most %zu)\n",
+                    name_of(static_cast<Kind>(k)), failed_[k], scenes, ceiling[k], plain_[k], plain_ceiling[k]);
+      assert_true(failed_[k] <= ceiling[k] && plain_[k] <= plain_ceiling[k]);
+    }
+  }
+
+ private:
+  std::array<std::size_t, kKinds> failed_{}, plain_{};
+};
 
 }  // namespace jury_test

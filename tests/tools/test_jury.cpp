@@ -298,21 +298,12 @@ static Verdict batted(double speed) {
 /// What today's engine does with seeds that nobody chose. Lower a ceiling with every mend. One of what is plain never
 /// rises; others are chance by one or two, and rise only beside hundreds of scenes that are no worse (the jury's NOTES.md).
 [[maybe_unused]] static void a_slice_of_seeds_does_not_get_worse(void**) {
-  std::array<std::size_t, kKinds> failed{}, plain{};
+  Slice slice;
   Setting setting;
   setting.times = false;
-  for (std::uint64_t seed = kSliceFirst; seed < kSliceFirst + kSliceCount; ++seed) {
-    const Trial trial = run(plugins(), seed, setting);
-    for (const Failure& f : trial.verdict.failures) {
-      ++failed[static_cast<std::size_t>(f.kind)];
-      plain[static_cast<std::size_t>(f.kind)] += f.plain_step > 0;
-    }
-  }
-  for (std::size_t k = 0; k < kKinds; ++k) {
-    print_message("%-6s %2zu scenes of %zu (at most %zu), %2zu plainly (at most %zu)\n", name_of(static_cast<Kind>(k)),
-                  failed[k], static_cast<std::size_t>(kSliceCount), kCeiling[k], plain[k], kPlainCeiling[k]);
-    assert_true(failed[k] <= kCeiling[k] && plain[k] <= kPlainCeiling[k]);
-  }
+  for (std::uint64_t seed = kSliceFirst; seed < kSliceFirst + kSliceCount; ++seed)
+    slice.add(run(plugins(), seed, setting).verdict);
+  slice.is_within(kCeiling, kPlainCeiling, kSliceCount);
 }
 
 /// Seeds that failed until their cause was mended: velocities that grew where nothing moved (1003, 5034), chains torn and

@@ -14,6 +14,7 @@
 #include "jury/pairs.h"
 #include "jury/trial.h"
 #include "jury_script.h"
+#include "sliced.h"
 
 using namespace jury_test;
 
@@ -256,29 +257,19 @@ static void begins_as_meant(std::uint64_t seed) {
 
 /// What today's engine does with built scenes.
 [[maybe_unused]] static void a_slice_of_seeds_does_not_get_worse(void**) {
-  std::array<std::size_t, kKinds> failed{}, plain{};
+  Slice slice;
   Setting setting;
   setting.times = false, setting.built = true;
-#ifdef CAROM_SANITIZED
-  constexpr std::uint64_t kStride = 4;
-  setting.seconds = 0.7;
-#else
-  constexpr std::uint64_t kStride = 1;
-#endif
-  for (std::uint64_t seed = kSliceFirst; seed < kSliceFirst + kSliceCount; seed += kStride) {
+  setting.seconds = carom::test::sliced(0.0, 0.0, 0.7);  // 0: as drawn
+  const auto stride = carom::test::sliced<std::uint64_t>(1, 1, 4);
+  for (std::uint64_t seed = kSliceFirst; seed < kSliceFirst + kSliceCount; seed += stride) {
     const Trial trial = run(plugins(), seed, setting);
-    for (const Failure& f : trial.verdict.failures) {
+    for (const Failure& f : trial.verdict.failures)
       print_message("seed %d, %s: %s%s\n", static_cast<int>(seed), trial.summary.c_str(), name_of(f.kind),
                     f.plain_step ? ", plainly" : "");
-      ++failed[static_cast<std::size_t>(f.kind)];
-      plain[static_cast<std::size_t>(f.kind)] += f.plain_step > 0;
-    }
+    slice.add(trial.verdict);
   }
-  for (std::size_t k = 0; k < kKinds; ++k) {
-    print_message("%-6s %2zu scenes of %zu (at most %zu), %2zu plainly (at most %zu)\n", name_of(static_cast<Kind>(k)),
-                  failed[k], static_cast<std::size_t>(kSliceCount), kCeiling[k], plain[k], kPlainCeiling[k]);
-    assert_true(failed[k] <= kCeiling[k] && plain[k] <= kPlainCeiling[k]);
-  }
+  slice.is_within(kCeiling, kPlainCeiling, kSliceCount);
 }
 
 int main() {

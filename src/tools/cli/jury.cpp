@@ -193,12 +193,11 @@ void write_start(const JuryOptions& options, const PluginPath& plugins, std::uin
   std::filesystem::create_directory(options.write, ignored);
   const jury::Setting& setting = options.setting;
   jury::Scenery scenery(plugins, seed, setting.built);
-  jury::write_scene_json(path_in(options.write, seed, ".json"), scenery, options.setting);
+  jury::write_scene_json(path_in(options.write, seed, ".json"), scenery, setting);
   for (const jury::Deed& deed : scenery.scene.deeds)  // shown with all that will be there
     if (deed.what == jury::Deed::What::add) jury::act(scenery, deed);
-  write_scene(path_in(options.write, seed, ".gltf"), scenery.stage,
-              setting.seconds > 0 ? setting.seconds : scenery.scene.seconds,
-              setting.dt > 0 ? setting.dt : scenery.scene.dt);
+  write_scene(path_in(options.write, seed, ".gltf"), scenery.stage, setting.seconds_of(scenery.scene),
+              setting.dt_of(scenery.scene));
 }
 
 void print_members(const jury::Case& scene) {

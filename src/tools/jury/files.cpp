@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "jury/gaps.h"
 #include "jury/trial.h"
@@ -19,7 +20,7 @@ json numbers(const Quat& q) { return {q.x(), q.y(), q.z(), q.w()}; }
 
 /// Of a place: stiffness in N/m or N m/rad, and its damping likewise.
 json drive_json(const Drive& drive, double weight) {
-  const double w = 2 * 3.14159265358979323846 * drive.frequency;
+  const double w = 2 * std::numbers::pi * drive.frequency;
   json out = {{"aim", drive.aim == Drive::Aim::speed ? "speed" : "place"}, {"goal", drive.goal}, {"most", drive.most}};
   if (drive.aim == Drive::Aim::place)
     out["stiffness"] = weight * w * w, out["damping"] = 2 * drive.damping * weight * w;

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace carom::tools::jury {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double beyond(const Link& link, double x) { return link.limited ? std::max({link.lower - x, x - link.upper, 0.0}) : 0; }
 
@@ -59,7 +58,7 @@ double most_work(const Link& link, const Drive& drive, const Frame& before, cons
   if (drive.aim == Drive::Aim::speed) return drive.most * std::fabs(drive.goal) * dt;
   const auto off = [&](const Frame& frame) {
     const double by = std::fabs(coordinate_of(link, frame) - drive.goal);
-    return link.kind == CAROM_JOINT_HINGE ? std::min(by, std::fabs(2 * kPi - by)) : by;
+    return link.kind == CAROM_JOINT_HINGE ? std::min(by, std::fabs(2 * std::numbers::pi - by)) : by;
   };
   return drive.most * std::max(0.0, off(before) - off(now));
 }

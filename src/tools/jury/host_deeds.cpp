@@ -20,6 +20,12 @@ void throw_body(Stage& stage, carom_body body, const Deed& deed) {
             kDoing);
 }
 
+void remove_body(Stage& stage, carom_body& body) {
+  Call call;
+  call.done(carom_body_destroy(stage.world.get(), body, call), kDoing);
+  body = CAROM_NULL_HANDLE;
+}
+
 /// Anew, with the handle that the engine gives it then.
 void add(Stage& stage, std::size_t member, const Deed& deed) {
   Actor again = stage.actors[member];
@@ -34,21 +40,22 @@ void add(Stage& stage, std::size_t member, const Deed& deed) {
 
 void act(Scenery& scenery, const Deed& deed) {
   Stage& stage = scenery.stage;
-  if (deed.what == Deed::What::drive) {
-    Link& link = scenery.scene.links[deed.who];
-    link.drive.goal = deed.value;
-    set_drive(stage, link);
-    return;
+  switch (deed.what) {
+    case Deed::What::put:
+      put(stage, stage.actors[deed.who].body, deed);
+      return throw_body(stage, stage.actors[deed.who].body, deed);
+    case Deed::What::throws:
+      return throw_body(stage, stage.actors[deed.who].body, deed);
+    case Deed::What::add:
+      return add(stage, deed.who, deed);
+    case Deed::What::remove:
+      return remove_body(stage, stage.actors[deed.who].body);
+    case Deed::What::drive:
+      scenery.scene.links[deed.who].drive.goal = deed.value;
+      return set_drive(stage, scenery.scene.links[deed.who]);
+    case Deed::What::pace:
+      return;  // course_of() heeds it
   }
-  if (deed.what == Deed::What::pace) return;
-  if (deed.what == Deed::What::add) return add(stage, deed.who, deed);
-  carom_body& body = stage.actors[deed.who].body;
-  if (deed.what == Deed::What::put) put(stage, body, deed);
-  if (deed.what == Deed::What::put || deed.what == Deed::What::throws) throw_body(stage, body, deed);
-  if (deed.what != Deed::What::remove) return;
-  Call call;
-  call.done(carom_body_destroy(stage.world.get(), body, call), kDoing);
-  body = CAROM_NULL_HANDLE;
 }
 
 }  // namespace carom::tools::jury

@@ -79,8 +79,8 @@ Frame acted(const Case& scene, const std::vector<std::size_t>& deeds, Frame fram
 
 std::vector<Beat> course_of(const Case& scene, const Setting& setting) {
   std::vector<Beat> course;
-  double dt = setting.dt > 0 ? setting.dt : scene.dt, time = 0;
-  const double seconds = setting.seconds > 0 ? setting.seconds : scene.seconds;
+  double dt = setting.dt_of(scene), time = 0;
+  const double seconds = setting.seconds_of(scene);
   for (std::size_t deed = 0; time < seconds - 1e-9 * dt;) {
     Beat beat{time, 0, 0, {}};
     for (; deed < scene.deeds.size() && scene.deeds[deed].time <= time + 1e-9; ++deed) {
@@ -115,7 +115,7 @@ Frame frame_of(const Stage& stage) {
 
 Trial run(const PluginPath& plugins, std::uint64_t seed, const Setting& setting, const Watcher& watch, Motion* motion) {
   Scenery scenery(plugins, seed, setting.built);
-  Judge judge(scenery.engine.get(), scenery.scene, setting.dt > 0 ? setting.dt : scenery.scene.dt);
+  Judge judge(scenery.engine.get(), scenery.scene, setting.dt_of(scenery.scene));
   judge.start(frame_of(scenery.stage));
   if (motion) motion->frames.push_back(frame_of(scenery.stage));
   const auto begun = [&](const Beat& beat) {

@@ -16,6 +16,8 @@ struct Setting {
   double dt = 0;                   ///< s; 0: as the scene was drawn, and as its host changes it
   double seconds = 0;              ///< s; 0: as the scene was drawn
   bool times = true;               ///< judge by times, too; a run that seems to stall is timed twice more
+  double dt_of(const Case& scene) const { return dt > 0 ? dt : scene.dt; }
+  double seconds_of(const Case& scene) const { return seconds > 0 ? seconds : scene.seconds; }
 };
 
 /// A scene in a world of its own, ready to run.

@@ -54,16 +54,16 @@ void ConeGroup::bend_ways(Real h) {
 
 const TurningPair* ConeGroup::led_by(std::uint32_t row) const { return is_led_ ? turning_pair_at(c_, row) : nullptr; }
 
+/// (m/s)^2, of what this substep's loads alone do to a body that has its velocity of before.
+Real ConeGroup::loaded_speed2(const ConeBody& b) const { return speed2(b, Vec6{s_.v[b.slot], s_.omega[b.slot]} - b.v); }
+
 /// Whether ground that turns leads bodies of the group. What stands, and on nothing that a host turns, is led by none of
 /// its own: the turns that it has are what loads and the solver leave it, and things of a millimetre turn fast by little.
 /// What is round is never so: it rolls on under its loads.
 bool ConeGroup::find_leads() {
   if (c_.turning_pairs.empty()) return false;
   bool stands = !is_joined(), is_led = false;
-  for (const ConeBody& b : bodies_of(problem_)) {
-    const Vec6 loaded = Vec6{s_.v[b.slot], s_.omega[b.slot]} - b.v;
-    stands &= speed2(b, b.v) <= speed2(b, loaded);
-  }
+  for (const ConeBody& b : bodies_of(problem_)) stands &= speed2(b, b.v) <= loaded_speed2(b);
   each([&](const ConeContact& contact, std::uint32_t i) {
     const TurningPair* const pair = turning_pair_at(c_, i);
     is_led |=
@@ -109,11 +109,11 @@ Real ConeGroup::start(Real h) {
   is_led_ = find_leads();
   take_along(h);
   for (ConeBody& b : bodies_of(problem_)) {
+    const Real loaded2 = loaded_speed2(b);
+    problem_.stood &= speed2(b, b.v) <= loaded2;
+    rest_.load = std::max(rest_.load, std::sqrt(loaded2));
     b.gained = -b.v;
     load(b);
-    const Real loaded2 = speed2(b, b.gained + b.v);
-    problem_.stood &= speed2(b, b.gained) <= loaded2;
-    rest_.load = std::max(rest_.load, std::sqrt(loaded2));
     b.gradient.set_zero();
   }
   if (!rest_.is_first) follow_bodies();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "jury/gaps.h"
 #include "jury/trial.h"
@@ -161,7 +162,7 @@ void Builder::run(std::size_t index, double speed, double most) {
 
 void Builder::aim(std::size_t index, double place, double stiffness, double damping, double most) {
   const double weight = weight_along(scene, scene.links[index], frame_of(drawing_.stage()));
-  const double frequency = std::min(30.0, std::sqrt(stiffness / weight) / (2 * 3.14159265358979323846));
+  const double frequency = std::min(30.0, std::sqrt(stiffness / weight) / (2 * std::numbers::pi));
   scene.links[index].drive = {Drive::Aim::place, place, most, frequency, damping};
   set_drive(drawing_.stage(), scene.links[index]);
 }

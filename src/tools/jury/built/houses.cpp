@@ -1,6 +1,7 @@
 // What stands: houses of cards, towers, walls, pyramids; and boxes that are made in each other.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "jury/built/builder.h"
 
@@ -71,12 +72,11 @@ std::string draw_column(Builder& b) {  // of boxes, heavy ones on light ones
 
 /// Stones of an arch between two abutments, held by nothing.
 std::string draw_arch(Builder& b) {
-  constexpr double kPi = 3.14159265358979323846;
   const int stones = 2 * b.count(2, 6) + 1;
   const double inner = b.between(0.4, 1), thick = b.between(0.25, 0.4) * inner, deep = b.between(0.2, 0.4);
   const Stuff stone{b.scale(500, 4000), b.between(0.6, 0.9), 0};
   for (int i = 0; i < stones; ++i) {
-    const Turned half = turned_by(kPi / stones / 2);
+    const Turned half = turned_by(std::numbers::pi / stones / 2);
     // A wedge about its own middle line, and turned to its place.
     std::vector<double> corners;
     for (const double r : {inner, inner + thick})
@@ -85,7 +85,7 @@ std::string draw_arch(Builder& b) {
           const Vec corner(r * half.sin * side, r * half.cos - inner - thick / 2, z * deep);
           corners.insert(corners.end(), corner.data(), corner.data() + 3);
         }
-    const Quat turned = about(Vec::UnitZ(), kPi / 2 - kPi * (i + 0.5) / stones);
+    const Quat turned = about(Vec::UnitZ(), std::numbers::pi / 2 - std::numbers::pi * (i + 0.5) / stones);
     b.add("stone", "hull", corners, turned * Vec(0, inner + thick / 2, 0), stone, turned);
   }
   return "arch of " + std::to_string(stones) + " stones";

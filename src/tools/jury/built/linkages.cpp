@@ -1,6 +1,7 @@
 // What is closed on itself: four-bars, scissor lifts, rings; and conveyors, of rollers or belts.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "jury/built/builder.h"
 
@@ -127,13 +128,12 @@ std::string draw_scissors(Builder& b) {
 
 /// Bars in a ring that hangs by one and swings.
 std::string draw_ring(Builder& b) {
-  constexpr double kPi = 3.14159265358979323846;
   const int bars = b.count(3, 12), more = b.count(0, 2);
   const double radius = b.between(0.3, 0.8), thick = b.between(0.02, 0.04);
   const Stuff steel{b.scale(500, 8000), 0.4, 0};
   const bool balls = b.chance(0.4);
   const auto pin = [&](int i) {
-    const Turned t = turned_by(2 * kPi * ((i % bars) + 0.5) / bars - kPi);
+    const Turned t = turned_by(2 * std::numbers::pi * ((i % bars) + 0.5) / bars - std::numbers::pi);
     return Vec(radius * t.cos, 2 + radius * t.sin, 0);
   };
   std::vector<std::size_t> ring;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "jury/built/builder.h"
+#include "jury/gaps.h"
 
 namespace carom::tools::jury {
 namespace {
@@ -126,12 +127,8 @@ void draw_arm(Builder& b) {
   Goal goal{"the arm is where it was led", b.scene.seconds - 0.1, b.scene.seconds, false, {}, 0.3, "rad"};
   goal.missed_by = [links = std::vector<Link>(b.scene.links), joints, goals](const Frame&, const Frame& now) {
     double most_off = 0;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      const Link& link = links[joints[i]];
-      const Quat a = now[link.a].orientation * link.axes_a, c = now[link.b].orientation * link.axes_b;
-      const Quat turn = a.conjugate() * c;
-      most_off = std::max(most_off, std::fabs(2 * std::atan(turn.x() / turn.w()) - goals[i]));
-    }
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      most_off = std::max(most_off, std::fabs(coordinate_of(links[joints[i]], now) - goals[i]));
     return most_off - 0.3;
   };
   b.ask(goal);

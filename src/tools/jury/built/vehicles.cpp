@@ -1,6 +1,7 @@
 // What drives: vehicles on sprung or bare wheels over bumps, and chains of links round wheels.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "jury/built/builder.h"
 
@@ -96,13 +97,12 @@ struct Belt {
 };
 
 std::vector<std::size_t> add_belt(Builder& b, const Belt& belt, double height, const Stuff& steel) {
-  constexpr double kPi = 3.14159265358979323846;
-  const Turned half_step = turned_by(kPi / belt.arc / 2);
+  const Turned half_step = turned_by(std::numbers::pi / belt.arc / 2);
   const double radius = belt.pitch / 2 / half_step.sin;
   std::vector<Vec> pins;
   const auto round = [&](double middle, int from) {  // half a turn about an axle
     for (int i = 0; i < belt.arc; ++i) {
-      const Vec spoke = about(Vec::UnitZ(), kPi * i / belt.arc) * Vec(0, from * radius, 0);
+      const Vec spoke = about(Vec::UnitZ(), std::numbers::pi * i / belt.arc) * Vec(0, from * radius, 0);
       pins.push_back(Vec(middle, height, 0) + spoke);
     }
   };
@@ -130,7 +130,7 @@ void draw_track(Builder& b) {
   belt.arc = b.count(5, 8), belt.straight = b.count(3, 8);
   belt.radius = b.between(0.15, 0.35), belt.thick = belt.radius * b.between(0.05, 0.12);
   belt.wide = belt.radius * b.between(0.8, 1.5);
-  const Turned half_step = turned_by(3.14159265358979323846 / belt.arc / 2);
+  const Turned half_step = turned_by(std::numbers::pi / belt.arc / 2);
   // Links are clear of the wheels by 2 mm where they are nearest.
   const double ring = (belt.radius + belt.thick + 0.002) / half_step.cos;
   belt.pitch = 2 * ring * half_step.sin;
