@@ -110,9 +110,9 @@ typedef struct carom_step_report {
   uint64_t swept_bodies;          /**< swept from pose to pose, see carom_body_set_continuous() */
   uint64_t sweep_hits;            /**< what they met in the step's substeps, resolved at the time of impact */
   uint64_t wedged_groups;      /**< groups of the direct solver, counted a substep, that no velocity could satisfy, as
-                                    where two surfaces close on a body: resolved by soft contacts */
+                                    where two surfaces close on a body: their contacts yield */
   uint64_t rejected_solutions; /**< solutions of the direct solver by which contacts would have added energy, counted a
-                                    substep: solved again by sweeps, which cannot */
+                                    substep: contacts yield there, which cannot */
 } carom_step_report;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
@@ -147,11 +147,8 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 #define CAROM_REASON_MASS_RATIO 1u /* bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO */
 #define CAROM_REASON_SINK 2u       /* soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
 #define CAROM_REASON_TOO_MUCH 3u   /* too many bodies for the direct solver, or it exceeded its work limit recently */
-#define CAROM_REASON_BOUNCE 4u     /* unused: impacts are solved before every solver */
-#define CAROM_REASON_IMPACT 5u     /* it would sink, but is under impact: soft contacts take that */
-#define CAROM_REASON_STILL 6u      /* a few bodies that lie still */
-#define CAROM_REASON_JOINED 7u     /* some bodies that joints hold together */
-#define CAROM_REASON_ROLLS 8u      /* a few bodies, of which a cylinder, a cone's rim or a spheroid rolls */
+#define CAROM_REASON_IMPACT 4u     /* it would sink, but is under impact: soft contacts take that */
+#define CAROM_REASON_FEW 5u        /* so few bodies that they are solved directly, whatever they do */
 
 /** A contact group of the last step, and which solver CAROM_SOLVER_AUTO chose for it. */
 typedef struct carom_group {
@@ -160,8 +157,9 @@ typedef struct carom_group {
   uint32_t points;   /**< contact points */
   uint32_t solver;   /**< CAROM_SOLVER_SOFT_STEP or CAROM_SOLVER_DIRECT */
   uint32_t reason;   /**< CAROM_REASON_* */
-  double mass_ratio; /**< the most of two bodies that touch */
-  double sink;       /**< how deep soft contacts would let a body sink, over the thickness of the thinner of the two */
+  double mass_ratio; /**< the most of two bodies that touch; 1 for CAROM_REASON_FEW, which it does not matter to */
+  double sink;       /**< how deep soft contacts would let a body sink, over the thickness of the thinner of the two;
+                          0 for CAROM_REASON_FEW */
 } carom_group;
 
 /** Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO treat

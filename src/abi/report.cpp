@@ -18,11 +18,8 @@ static_assert(static_cast<std::uint32_t>(GroupReason::ordinary) == CAROM_REASON_
               static_cast<std::uint32_t>(GroupReason::mass_ratio) == CAROM_REASON_MASS_RATIO &&
               static_cast<std::uint32_t>(GroupReason::sink) == CAROM_REASON_SINK &&
               static_cast<std::uint32_t>(GroupReason::too_much) == CAROM_REASON_TOO_MUCH &&
-              static_cast<std::uint32_t>(GroupReason::bounce) == CAROM_REASON_BOUNCE &&
               static_cast<std::uint32_t>(GroupReason::impact) == CAROM_REASON_IMPACT &&
-              static_cast<std::uint32_t>(GroupReason::still) == CAROM_REASON_STILL &&
-              static_cast<std::uint32_t>(GroupReason::joined) == CAROM_REASON_JOINED &&
-              static_cast<std::uint32_t>(GroupReason::rolls) == CAROM_REASON_ROLLS);
+              static_cast<std::uint32_t>(GroupReason::few) == CAROM_REASON_FEW);
 static_assert(SupportFault::returned == CAROM_FAULT_RETURNED && SupportFault::not_finite == CAROM_FAULT_NOT_FINITE &&
               SupportFault::outside == CAROM_FAULT_OUTSIDE && SupportFault::not_support == CAROM_FAULT_NOT_SUPPORT);
 

@@ -17,7 +17,7 @@
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/solver/auto_constants.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
-#include "dynamics/solver/direct/least_force_constants.h"
+#include "dynamics/solver/direct/yielding_constants.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/float_range.h"
 #include "dynamics/solver/sweep_constants.h"
@@ -39,8 +39,8 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kTouchingMotionConstants, kLoneRollerConstants,
                  kPatchFrictionConstants, kTurningGroundConstants, kSweepConstants, kFarTurnConstants, kDepthConstants,
-                 kAutoConstants, kConeGroupConstants, kLeastForceConstants, kEnergyBoundConstants, kRattleConstants, kAccuracyConstants,
-                 accuracy::kGrowthConstants, kFloatConstants, kGiveBackConstants);
+                 kAutoConstants, kConeGroupConstants, kYieldingConstants, kEnergyBoundConstants, kRattleConstants,
+                 kAccuracyConstants, accuracy::kGrowthConstants, kFloatConstants, kGiveBackConstants);
 
 }  // namespace
 

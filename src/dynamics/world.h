@@ -39,7 +39,7 @@ struct StepReport {
   std::uint64_t direct_groups = 0;  // of the groups, those that a solver which chooses gave to the direct solver
   double solver_residual = 0;       // m/s; of solvers that solve to one
   std::uint64_t swept_bodies = 0, sweep_hits = 0;
-  std::uint64_t wedged_groups = 0, rejected_solutions = 0;  // of groups and substeps: @see solver/direct/least_force.h
+  std::uint64_t wedged_groups = 0, rejected_solutions = 0;  // of groups and substeps: @see solver/direct/yielding.h
 };
 
 /// A contact point as a host reads it after the step.
@@ -52,7 +52,7 @@ struct FaultView {
 };
 
 /// Why a solver that chooses solves a contact group as it does; as CAROM_REASON_*.
-enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much, bounce, impact, still, joined, rolls };
+enum class GroupReason : std::uint32_t { ordinary, mass_ratio, sink, too_much, impact, few };
 
 /// A contact group of a step as a host reads it.
 struct GroupView {

@@ -59,7 +59,7 @@ static void events_are_collected_counted_and_copied(void** state) {
   assert_int_equal(
       carom_world_collect_events(b.world, CAROM_EVENTS_CONTACT | CAROM_EVENTS_SENSOR | CAROM_EVENTS_SLEEP, 1, NULL),
       CAROM_OK);
-  for (i = 0; i < 64 * 8; ++i) {
+  for (i = 0; i < 64 * 16; ++i) {
     assert_int_equal(carom_world_step(b.world, 1.0 / 64, NULL), CAROM_OK);
     assert_int_equal(carom_world_get_contact_events(b.world, contacts, sizeof contacts[0], 64, &count, NULL), CAROM_OK);
     for (k = 0; k < count; ++k) {

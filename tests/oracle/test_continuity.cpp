@@ -369,11 +369,11 @@ constexpr Parting kPartings[] = {
     {"coin", "bead", 0.26},
     {"coin", "weightless bead", 0.26},
     {"coin", "spring", 0.26},
-    {"small coin", "drag", 0.062},
-    {"small coin", "field", 0.062},
-    {"small coin", "bead", 0.062},
-    {"small coin", "weightless bead", 0.062},
-    {"small coin", "spring", 0.062},
+    {"small coin", "drag", 0.26},
+    {"small coin", "field", 0.26},
+    {"small coin", "bead", 0.26},
+    {"small coin", "weightless bead", 0.26},
+    {"small coin", "spring", 0.26},
     // What joints alone hold likewise, unless a motor is among them.
     {"pendulum", "motor", 2.2e-4},
     {"spatial pendulum", "motor", 1.7e-2},
@@ -384,7 +384,6 @@ constexpr Parting kPartings[] = {
     {"stopped", "motor", 3e-5},
     {"wrecking ball", "motor", 5e-2},
     // A limit that nothing comes near.
-    {"cart", "limit", 7e-8},
 };
 const Parting* known_parting(const std::string& scene, const std::string& change) {
   for (const Parting& known : kPartings)

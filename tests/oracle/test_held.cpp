@@ -1,5 +1,5 @@
 // What pads hold by friction alone, against closed forms: it stays while friction bears it, and slides as it must where
-// friction does not. Written for solutions that go on from step to step (solver/direct/least_force.cpp).
+// friction does not. Written for solutions that go on from step to step (solver/direct/cone_group.cpp).
 #include <cmath>
 #include <cstdio>
 #include <numbers>

@@ -272,6 +272,21 @@ static void begins_as_meant(std::uint64_t seed) {
   slice.is_within(kCeiling, kPlainCeiling, kSliceCount);
 }
 
+/// Seeds that failed until their cause was mended: a track that went from hand to hand with its impulses (17), what was
+/// joined by two ways of solving (42, 106, 156), a wall that fell through the ground when its work ended (95), bridges whose
+/// light planks were swung by loads (18, 146).
+[[maybe_unused]] static void what_was_mended_stays_so(void**) {
+  if (carom::test::sliced(false, false, true)) return;  // sanitizers have the slice
+  Setting setting;
+  setting.times = false, setting.built = true;
+  for (const std::uint64_t seed : {17, 18, 42, 95, 106, 146, 156})
+    for (const Failure& f : run(plugins(), seed, setting).verdict.failures) {
+      if (f.kind != Kind::gain && f.plain_step == 0) continue;
+      print_message("seed %d: %s\n", static_cast<int>(seed), name_of(f.kind));
+      assert_true(false);
+    }
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(a_motor_gives_what_it_can_and_no_more),
@@ -285,6 +300,7 @@ int main() {
       cmocka_unit_test(a_seed_is_the_same_scene_everywhere),
       cmocka_unit_test(the_command_says_what_the_judge_says),
       cmocka_unit_test(a_slice_of_seeds_does_not_get_worse),
+      cmocka_unit_test(what_was_mended_stays_so),
   };
   return cmocka_run_group_tests_name("tools/jury_built", tests, nullptr, nullptr);
 }

@@ -667,16 +667,10 @@ export const CAROM_REASON_MASS_RATIO: 1;
 export const CAROM_REASON_SINK: 2;
 /** too many bodies for the direct solver, or it exceeded its work limit recently */
 export const CAROM_REASON_TOO_MUCH: 3;
-/** unused: impacts are solved before every solver */
-export const CAROM_REASON_BOUNCE: 4;
 /** it would sink, but is under impact: soft contacts take that */
-export const CAROM_REASON_IMPACT: 5;
-/** a few bodies that lie still */
-export const CAROM_REASON_STILL: 6;
-/** some bodies that joints hold together */
-export const CAROM_REASON_JOINED: 7;
-/** a few bodies, of which a cylinder, a cone's rim or a spheroid rolls */
-export const CAROM_REASON_ROLLS: 8;
+export const CAROM_REASON_IMPACT: 4;
+/** so few bodies that they are solved directly, whatever they do */
+export const CAROM_REASON_FEW: 5;
 /** the support function returned nonzero */
 export const CAROM_FAULT_RETURNED: 1;
 /** it gave NaN or infinity */

@@ -77,7 +77,7 @@ RecordWord = Literal["hashes", "states"]
 SceneryFlagsWord = Literal["two_sided"]
 SnapshotWord = Literal["state", "whole"]
 StageWord = Literal["refresh", "broad", "narrow", "group", "integrate", "solve", "relax", "observe"]
-ReasonWord = Literal["ordinary", "mass_ratio", "sink", "too_much", "bounce", "impact", "still", "joined", "rolls"]
+ReasonWord = Literal["ordinary", "mass_ratio", "sink", "too_much", "impact", "few"]
 FaultWord = Literal["returned", "not_finite", "outside", "not_support", "body_state", "particle_state"]
 WantWord = Literal["first", "any"]
 

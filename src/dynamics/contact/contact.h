@@ -285,9 +285,7 @@ struct Contacts {
   bool is_grouped = true;              // the dial
   bool any_rolls = false;              // Row::rolls
   std::uint32_t steps_with_spare = 0;  // @see give_back()
-  enum Choice : std::uint8_t { kSoftly, kDirectly, kStill };
-  Array<std::uint8_t> direct;  // by group, of a solver that chooses: Choice, where not kSoftly the direct solver
-                               // solves; else empty
+  Array<std::uint8_t> direct;  // by group, of a solver that chooses: whether the direct solver solves it; else empty
 
   /// What is summed up over rows, by blocks of kRowsAPart: the same sums whoever does which block.
   struct Block {

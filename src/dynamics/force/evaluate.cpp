@@ -35,6 +35,7 @@ bool is_constant_in_a_step(const Effect& e) {
 bool only_constant_forces_act(const World& world, std::uint32_t body) {
   for (const PlannedEffect& row : world.plan->effects) {
     const Effect& e = *row.effect;
+    if (row.wanted == 0) continue;  // forced, though the scene does not call for it: it does nothing
     if (e.stage == Stage::integrate && e.participants == ParticipantKind::bodies && !is_constant_in_a_step(e) &&
         row.participants.has(body))
       return false;

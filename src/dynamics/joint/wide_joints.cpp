@@ -295,9 +295,7 @@ void colour_joints(const World& world) {
   WideJoints& w = *world.wide_joints;
   if (!w.any()) return;
   const Contacts& c = *world.contacts;
-  const auto directly = [&](std::uint32_t link) {
-    return !c.direct.empty() && c.direct[c.link_label[link]] != Contacts::kSoftly;
-  };
+  const auto directly = [&](std::uint32_t link) { return !c.direct.empty() && c.direct[c.link_label[link]]; };
   bool all_swept = true;
   for (std::uint32_t i = 0; i < w.active.size() && all_swept; ++i) all_swept = !directly(i);
   if (w.is_packed && all_swept) {

@@ -1,13 +1,10 @@
-// The solver that chooses: soft contacts for most groups, the direct solver for those that soft contacts would not
-// hold.
+// The solver that chooses: the direct solver for few bodies, and for those of which soft contacts would not hold more.
 //
-// A group goes to the direct solver where
+// A group of up to direct_few bodies goes to the direct solver, a larger one where
 //  - bodies that touch have masses further apart than direct_ratio, or
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
 //    thickness, or by more than is borne where an accuracy is set: that is what a tall stack and a heavy load on a light
-//    body have in common, and it is known before anything is solved, or
-//  - it is a few bodies that lie still: to hold them exactly costs next to nothing, or
-//  - it is some bodies that joints hold together: their equations are solved at once, alone to rounding;
+//    body have in common, and it is known before anything is solved;
 // unless something strikes it (an impact sends the direct solver through all of a heap, and passes), it is too large, or
 // could not be solved within direct_work lately: then it moves so much that soft contacts will do.
 #include <algorithm>
@@ -107,10 +104,6 @@ void look_at_joints(const World& world, std::size_t group, GroupView& view) {
   view.mass_ratio = std::max(view.mass_ratio, most / least);
 }
 
-struct GroupMotion {
-  bool is_under_impact = false, still = true, rolls = false, turns_far = false;
-};
-
 /// Of the thickness of what touches, that soft contacts may let it sink: no substeps lessen that, so it is part of what
 /// a host bears who asks for an accuracy.
 Real most_sink(const Dials& dials, Real thickness) {
@@ -118,12 +111,22 @@ Real most_sink(const Dials& dials, Real thickness) {
   return borne > 0 ? std::min(dials[Dial::direct_sink], borne / thickness) : dials[Dial::direct_sink];
 }
 
+/// Whether a body of a row turns farther in a step than its rotation method and its masses go with. What rolls may spin
+/// about its axis as fast as it likes.
+bool turns_far(const World& world, const Row& row, std::uint32_t body, Real h) {
+  if (!turns_by_method(*world.plan, body)) return false;
+  const Real dt = world.plan->substeps * h;
+  return row.rolls ? turns_too_far(world, body, dt * world.state.omega[body])
+                   : turns_far_for_its_shape(world, body, dt);
+}
+
 /// What there is to know of a group before it is solved; bodies that bear too much are marked as heavy.
-GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
+/// @return whether it is under impact: points close fast, or bodies turn far
+bool look_at(const World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
   const Real rate = 1 / h;
-  GroupMotion motion;
+  bool is_under_impact = false;
   const auto sources = [&](const PairRows& pair, PointSources& of) {
     of = point_sources(world, pair);
     const auto put = [&](bool moves, std::uint32_t body, const double*& inv_inertia, double& inv_mass) {
@@ -139,7 +142,6 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
   const std::span<const std::uint32_t> rows(c.group_rows.data() + begin, c.group_begin[group + 1] - begin);
   each_pair(c, rows, sources, world.wide->kernels->points.watch, [&](const PairRows& pair, const PointMotions& points) {
     const Row& row = c.rows[pair.row];
-    motion.rolls |= row.rolls;
     const Real thickness = least_thickness(world, c.geometry[pair.row]);
     const Real pull = pull_on(scene, row);
     const Real fall = 2 * pull * thickness;                             // (m/s)^2
@@ -153,24 +155,23 @@ GroupMotion look_at(const World& world, std::size_t group, Real w2, Real h, Real
       const Real load = std::max(points.p_n[k] * rate, share);
       // How deep soft contacts let the point sink, of the thickness of what touches: P / (m w^2) over that.
       if (load > 0) most = std::max(most, load * points.response[k] * give);
-      motion.is_under_impact |= points.closing[k] * points.closing[k] > kImpactShare * fall;
-      motion.still &= points.speed2[k] < kLiesStill * fall;
+      is_under_impact |= points.closing[k] * points.closing[k] > kImpactShare * fall;
     }
-    // What rolls may spin about its axis as fast as it likes.
-    const auto turns_far = [&](bool rolls, std::uint32_t body) {
-      const Real dt = world.plan->substeps * h;
-      return rolls ? turns_too_far(world, body, dt * world.state.omega[body])
-                   : turns_far_for_its_shape(world, body, dt);
-    };
     const auto bears = [&](bool moves, std::uint32_t body) {
-      if (moves && turns_by_method(*world.plan, body) && turns_far(row.rolls, body)) motion.turns_far = true;
+      is_under_impact |= moves && turns_far(world, row, body, h);
       if (moves) seen.mark(c.load[body], body, most > deep ? Contacts::kHeavy : Contacts::kLight);
     };
     bears(row.moves_a, row.a), bears(row.moves_b, row.b);
     view.sink = std::max(view.sink, most);
   });
-  if (motion.turns_far) motion.is_under_impact = true, motion.still = false;
-  return motion;
+  return is_under_impact;
+}
+
+/// In SolverMemory::cooldown_steps, of who was in a group of joints in the last step that the direct solver solved.
+constexpr std::uint8_t kJoinedDirectly = 255;
+
+void count_down(std::uint8_t& rest) {
+  if (rest > 0 && rest != kJoinedDirectly) --rest;
 }
 
 struct GroupMemory {
@@ -190,42 +191,36 @@ GroupMemory remember(const World& world, SolverMemory& of, const Seen& seen, boo
     else if (steps > 0)
       --steps;
     memory.bears |= steps >= kBorneFor;
-    memory.cools_down |= rest > 0;
-    if (rest > 0) --rest;
+    memory.cools_down |= rest > 0 && rest != kJoinedDirectly;
+    count_down(rest);
     c.load[body] = Contacts::kUnseen;
   }
   return memory;
 }
 
-/// @param joined  some of its bodies by joints
-GroupReason reason_for(const GroupView& view, const GroupMotion& motion, const GroupMemory& memory, bool joined,
+/// Of a group of more than few bodies.
+GroupReason reason_for(const GroupView& view, bool is_under_impact, const GroupMemory& memory, bool joined,
                        Real most_ratio) {
-  const bool unlike = view.mass_ratio > most_ratio, still = motion.still && view.bodies <= kFewStill;
-  const bool few = joined && view.bodies <= kFewJoined;
-  if (few) return unlike ? GroupReason::mass_ratio : GroupReason::joined;
-  const bool rolls = motion.rolls && !motion.turns_far && view.bodies <= kFewRolling;
-  if (!unlike && !memory.bears && !still && !rolls) return GroupReason::ordinary;
+  const bool unlike = view.mass_ratio > most_ratio;
+  if (!unlike && !memory.bears) return GroupReason::ordinary;
+  if (unlike && joined) return GroupReason::mass_ratio;  // soft joints would tear
   const bool held_softly = view.sink < kTolerableDepth;  // else they would throw about what is light
-  if (memory.cools_down && (!unlike || joined || held_softly || view.bodies > kMostUnlike))
-    return GroupReason::too_much;
+  if (memory.cools_down && (!unlike || held_softly || view.bodies > kMostUnlike)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
-  if (rolls) return GroupReason::rolls;
-  if (!memory.bears) return GroupReason::still;
-  return motion.is_under_impact ? GroupReason::impact : GroupReason::sink;
+  return is_under_impact ? GroupReason::impact : GroupReason::sink;
 }
 
-Contacts::Choice choice_for(GroupReason reason) {
-  switch (reason) {
-    case GroupReason::mass_ratio:
-    case GroupReason::sink:
-    case GroupReason::joined:
-    case GroupReason::rolls:
-      return Contacts::kDirectly;
-    case GroupReason::still:
-      return Contacts::kStill;
-    default:
-      return Contacts::kSoftly;
-  }
+bool is_solved_directly(GroupReason reason) {
+  return reason == GroupReason::mass_ratio || reason == GroupReason::sink || reason == GroupReason::few;
+}
+
+bool any_cools_down(const World& world, std::size_t group) {
+  bool any = false;
+  each_body(*world.contacts, group, [&](const Row&, std::uint32_t body) {
+    const std::uint8_t rest = world.state.cooldown_steps[body];
+    any |= rest > 0 && rest != kJoinedDirectly;
+  });
+  return any;
 }
 
 std::uint32_t first_body(const Contacts& c, std::size_t group) {
@@ -246,30 +241,34 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
     view.reason = GroupReason::too_much;
     return view;
   }
+  if (view.bodies <= kFew) {
+    view.reason = !c.has_joints(group) && any_cools_down(world, group) ? GroupReason::too_much : GroupReason::few;
+    return view;
+  }
   look_at_joints(world, group, view);
   if (view.points == 0) {
-    view.reason = view.mass_ratio > most_ratio ? GroupReason::mass_ratio
-                  : view.bodies <= kFewJoined  ? GroupReason::joined
-                                               : GroupReason::ordinary;
+    view.reason = view.mass_ratio > most_ratio ? GroupReason::mass_ratio : GroupReason::ordinary;
     return view;
   }
   Seen seen;
   const Real weight = weight_if_new(world, group, h, seen);
-  const GroupMotion motion = look_at(world, group, w2, h, weight, view, seen);
+  const bool is_under_impact = look_at(world, group, w2, h, weight, view, seen);
   const GroupMemory memory = remember(world, of, seen, weight > 0);
-  view.reason = reason_for(view, motion, memory, c.has_joints(group), most_ratio);
+  view.reason = reason_for(view, is_under_impact, memory, c.has_joints(group), most_ratio);
   return view;
 }
 
-/// Bodies of groups too large to be looked at: what they remember of a smaller one passes all the same.
-void count_down_in_large_groups(const World& world, SolverMemory& of) {
+bool is_looked_at(std::uint32_t bodies) { return bodies > kFew && bodies <= kMostDirectBodies; }
+
+/// Bodies of groups that are not looked at: what they remember of another one passes all the same.
+void count_down_elsewhere(const World& world, SolverMemory& of) {
   Contacts& c = *world.contacts;
-  if (std::ranges::all_of(c.group_bodies, [](std::uint32_t bodies) { return bodies <= kMostDirectBodies; })) return;
+  if (std::ranges::all_of(c.group_bodies, is_looked_at)) return;
   for (const std::uint32_t body : c.bodies) {
     std::uint8_t &steps = of.loaded_steps[body], &rest = of.cooldown_steps[body];
-    if ((steps | rest) == 0 || c.group_bodies[group_of(c, body)] <= kMostDirectBodies) continue;
+    if ((steps | rest) == 0 || is_looked_at(c.group_bodies[group_of(c, body)])) continue;
     if (steps > 0) --steps;
-    if (rest > 0) --rest;
+    count_down(rest);
   }
 }
 
@@ -283,10 +282,9 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
   in_parallel(world.jobs, c.groups(), kGroupsAPart, [&](std::uint32_t g) {
     GroupView& view = views[g];
     view = view_of(world, memory, g, w2, h);
-    c.direct[g] = choice_for(view.reason);
-    view.direct = c.solved_directly(g);
+    c.direct[g] = view.direct = is_solved_directly(view.reason);
   });
-  count_down_in_large_groups(world, memory);
+  count_down_elsewhere(world, memory);
   for (const GroupView& view : views) report.direct_groups += view.direct;
 }
 
@@ -295,19 +293,23 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
 void start_cooldowns(const World& world, SolverMemory& memory) {
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    if (d.rest[g].waits || d.rest[g].lies || !d.rest[g].is_far_off) continue;
+    const bool is_few = d.begin[g + 1].body - d.begin[g].body <= kFew, joined = d.begin[g].link < d.begin[g + 1].link;
+    const bool gives_up = !(is_few && joined) && !d.rest[g].waits && !d.rest[g].lies && d.rest[g].is_far_off;
+    if (!gives_up && !joined) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
-      memory.cooldown_steps[d.bodies[i].slot] = kCooldown;
+      memory.cooldown_steps[d.bodies[i].slot] = gives_up ? kCooldown.value : kJoinedDirectly;
   }
 }
 
-/// Whether the direct solver gave up this body's group in the last step, and soft contacts take it over.
+/// Whether the direct solver gave up this body's group in the last step, or solved it with joints, and soft contacts take
+/// it over.
 bool is_taken_over(const World& world, bool moves, std::uint32_t body) {
-  return moves && world.state.cooldown_steps[body] == kCooldown - 1;
+  return moves &&
+         (world.state.cooldown_steps[body] == kCooldown - 1 || world.state.cooldown_steps[body] == kJoinedDirectly);
 }
 
-/// Rows of those start from nothing: impulses that all but cancel each other, as where surfaces close on a body, would
-/// throw it. Others of a group that they have come to be in keep theirs.
+/// Rows of those start from nothing: impulses that all but cancel each other, as where surfaces close on a body, or as
+/// joints of a ring bear against each other, would throw it. Others of a group that they have come to be in keep theirs.
 void drop_impulses_of_contacts(const World& world) {
   Contacts& c = *world.contacts;
   for (const ContactPair& m : c.contact_pairs) {
@@ -332,6 +334,9 @@ void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   drop_impulses_of_contacts(world);
   kSoftStep.begin(world, to, time);
   drop_impulses_of_joints(world);
+  SolverMemory& memory = to;
+  for (const std::uint32_t body : world.contacts->bodies)
+    if (memory.cooldown_steps[body] == kJoinedDirectly) memory.cooldown_steps[body] = 0;
   gather_groups(world, to, kMostFactor);
 }
 

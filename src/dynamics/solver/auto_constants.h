@@ -28,32 +28,12 @@ inline constexpr Constant<Real> kSinkBorneFor{
     "longer: what settles on soft contacts is off by more than was asked; shorter: groups that soft contacts would hold "
     "well enough are solved exactly"};
 
-// Points that close or part as fast as after a fall through a share of the thickness are in impact, or do not lie
-// still.
 inline constexpr Constant<Real> kImpactShare{
     "direct_impact_share", 0.1, "1",
     "share of the thickness: points that close as fast as after a fall through it are under impact; what was just piled up, "
     "or rocks and creaks under its load, stays well below",
     "larger: an impact sends the direct solver through all of a heap; smaller: a stack that rocks counts as under impact, and "
     "sinks under its load"};
-inline constexpr Constant<Real> kLiesStill{
-    "direct_still", 2e-4, "1",
-    "share of the thickness: a group whose points are all slower than after a fall through it lies still; 0.06 m/s for "
-    "a cube of 1 m, below which its motion is not seen",
-    "larger: few bodies that still roll or slide are solved exactly, step by step, at several times the cost; smaller: "
-    "what rests keeps the sag of soft contacts"};
-inline constexpr Constant<std::uint32_t> kFewStill{
-    "direct_few_still", 4, "bodies", "of a group that lies still: to hold so few exactly costs next to nothing",
-    "more: scenes of many small stacks pay for a solution that they don't need; fewer: two boxes on each other sag"};
-inline constexpr Constant<std::uint32_t> kFewRolling{
-    "direct_few_rolling", 4, "bodies",
-    "of a group in which something rolls as on a ball (rolling_least_lean): its way is of second order by the direct "
-    "solver, and few bodies cost no more there",
-    "more: heaps of barrels pay for a solution in each substep; fewer: wheels and coins lose their way among others"};
-inline constexpr Constant<std::uint32_t> kFewJoined{
-    "direct_few_joined", 32, "bodies", "of a group with joints: it is solved at once, whatever it touches",
-    "more: nets of joints cost more than sweeps over them; fewer: ragdolls and short chains stretch"};
-
 // What bodies remember.
 inline constexpr Constant<std::uint8_t> kBorneFor{
     "direct_borne_for", 2, "steps",
@@ -72,7 +52,6 @@ inline constexpr Constant<std::uint8_t> kCooldown{
     "to rest sags for as long"};
 
 inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kSinkBorneFor,
-                                                 kImpactShare,      kLiesStill,  kFewStill,   kFewRolling,
-                                                 kFewJoined,        kBorneFor,   kBearsFor,   kCooldown};
+                                                 kImpactShare,      kBorneFor,   kBearsFor,   kCooldown};
 
 }  // namespace carom::dynamics

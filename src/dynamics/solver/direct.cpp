@@ -16,7 +16,7 @@ constexpr std::size_t kDirectGroupsAPart = 1;  // a group takes as long as many 
 
 void direct_begin(const World& world, Solver::Begins to, const StepTime& time) {
   if (world.wide_joints->any()) {  // their rows are made in lanes, as are numbers of bodies
-    world.contacts->direct.assign(world.contacts->groups(), Contacts::kDirectly);
+    world.contacts->direct.assign(world.contacts->groups(), true);
     pack(world, to, *world.wide, time.h);
     begin_joints(world, time.h);
   }
@@ -89,10 +89,15 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
     if (d.rest[g].asks) ConeGroup(world, g).solve(to, h, substeps);
   });
+  if (world.plan->rotation_method) {
+    Participants& one = world.wide->one_turner;
+    if (one.runs.empty()) one.add(0);
+    for (std::size_t g = 0; g < d.groups(); ++g) ConeGroup(world, g).lead_on(to, h, one);
+  }
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].repeats > 0) continue;
     report.velocity_impulses += d.solution[g].factorisations;
-    report.wedged_groups += d.solution[g].is_wedged, report.rejected_solutions += d.solution[g].is_by_sweeps;
+    report.wedged_groups += d.solution[g].is_wedged, report.rejected_solutions += d.solution[g].is_rejected;
     report.solver_residual = std::max<double>(report.solver_residual, d.solution[g].residual);
   }
 }

@@ -24,30 +24,29 @@ inline std::uint64_t steps_worth(const World& world) {
 
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
-  bool is_first = true;         // substep
-  std::uint32_t substeps = 0;   // that were solved in this step
-  bool is_to_be_still = false;  // a few bodies that lie still, which is to stay so
-  bool is_too_large = false;    // to be factored
-  bool asks = false;            // for a solve, in this substep
-  bool at_once = false;       // it takes its work in the first substep: at rest, or so large that a share would not do
-  bool is_close = false;      // a solution of this step was, to what is right
-  bool waits = false;         // for the next step with it
-  bool stood = false;         // @see ConeProblem::stood
-  Real load = 0;              // m/s, the fastest that loads alone make a body in a substep
-  bool lies = false;          // all its contacts move less than anybody sees
-  Real gap = 0;               // m or rad, of joints, before they were parted
-  bool parts = false;         // it is parted once more
-  Real least = 0;             // separation, in tolerable depths
-  Real goal = 0;              // m/s, residual that is good enough
-  bool lasts = false;         // contacts were found at rest
-  bool has_moved = false;     // a little, since its separations were measured
-  bool resists = false;       // some of them resist rolling or spinning
-  std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not added yet
-  bool is_bounded = false;    // in what it may take
-  std::uint64_t share = 0;    // block products that it may take in this step, if so
-  std::uint64_t work = 0;     // of them, those that it may still take
-  bool is_far_off = false;    // what was found last came nowhere near the law
-  bool gave_up = false;       // that did not do for a substep: nor will it for the next
+  bool is_first = true;        // substep
+  std::uint32_t substeps = 0;  // that were solved in this step
+  bool is_too_large = false;   // to be factored
+  bool asks = false;           // for a solve, in this substep
+  bool at_once = false;        // it takes its work in the first substep: at rest, or so large that a share would not do
+  bool is_close = false;       // a solution of this step was, to what is right
+  bool waits = false;          // for the next step with it
+  bool stood = false;          // @see ConeProblem::stood
+  Real load = 0;               // m/s, the fastest that loads alone make a body in a substep
+  bool lies = false;           // all its contacts move less than anybody sees
+  Real gap = 0;                // m or rad, of joints, before they were parted
+  bool parts = false;          // it is parted once more
+  Real least = 0;              // separation, in tolerable depths
+  Real goal = 0;               // m/s, residual that is good enough
+  bool lasts = false;          // contacts were found at rest
+  bool has_moved = false;      // a little, since its separations were measured
+  bool resists = false;        // some of them resist rolling or spinning
+  std::uint32_t repeats = 0;   // substeps that repeated its impulses and are not added yet
+  bool is_bounded = false;     // in what it may take
+  std::uint64_t share = 0;     // block products that it may take in this step, if so
+  std::uint64_t work = 0;      // of them, those that it may still take
+  bool is_far_off = false;     // what was found last came nowhere near the law
+  bool gave_up = false;        // that did not do for a substep: nor will it for the next
 };
 
 /// The stages of the direct solver over the groups it solves, for it and for what chooses among solvers.
@@ -120,8 +119,8 @@ struct DirectGroups {
   std::uint32_t node(bool moves, std::uint32_t slot) {
     if (!moves) return kInvalid;
     if (body[slot] == kInvalid) {
-      body[slot] = static_cast<std::uint32_t>(bodies.size());
       bodies.emplace_back().slot = slot;
+      body[slot] = static_cast<std::uint32_t>(bodies.size()) - 1;
     }
     return body[slot];
   }

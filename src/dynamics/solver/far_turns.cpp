@@ -215,6 +215,10 @@ void renew(const World& world, WideContacts& wide, Real h) {
 
 }  // namespace
 
+bool may_turn_far(const World& world, std::uint32_t body) {
+  return world.plan->rotation_method && world.plan->effects[+EffectId::gyroscopic].candidates.has(body);
+}
+
 // Of any axis: what spins about one that an impulse then tilts must carry its spin along, or has it beside its axis.
 // What begins a step without spin is integrated by no rotation method in it: it turns about its axis, which keeps its
 // energy as well.
@@ -244,8 +248,7 @@ void find_far_turners(const World& world, WideContacts& wide) {
   wide.far_turn.assign(wide.slot.size(), {});
   wide.far_turners = false;
   if (!plan.rotation_method || (wide.manifolds.empty() && world.contacts->links.empty())) return;
-  const Participants& turn_freely = plan.effects[+EffectId::gyroscopic].candidates;
-  each_moved(world, wide, [&](std::uint32_t i) { wide.far_turn[i].may = turn_freely.has(wide.slot[i]); });
+  each_moved(world, wide, [&](std::uint32_t i) { wide.far_turn[i].may = may_turn_far(world, wide.slot[i]); });
   wide.far_turners = std::ranges::any_of(wide.far_turn, &FarTurn::may);
   if (wide.far_turners && wide.one_turner.runs.empty()) wide.one_turner.add(0);
 }

@@ -19,6 +19,8 @@ inline constexpr Constant<Real> kFarTurn{
     "larger: thin bodies gain energy where they hit; smaller: time, in heaps of bricks that tumble"};
 inline constexpr ConstantRow kFarTurnConstants[] = {kFarTurn};
 
+/// Whether a body's moments of inertia differ, and a rotation method minds that: else nothing below asks for it.
+bool may_turn_far(const World& world, std::uint32_t body);
 /// Whether the spin of a body with unlike moments takes it too far within some time for masses that stay as they are.
 /// @param time  s
 bool turns_far_for_its_shape(const World& world, std::uint32_t body, Real time);

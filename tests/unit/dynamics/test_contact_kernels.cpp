@@ -22,12 +22,12 @@ struct Heap {
     t.world.set_dial(Dial::solver, solver);
     t.world.set_dial(Dial::substeps, 4);
     t.ground();
-    const std::uint32_t lift = t.add(t.keep(box(Vec3(4, 0.1, 4))), Vec3(0, 0.1, 0), BodyType::kinematic);
+    const std::uint32_t lift = t.add(t.keep(box(Vec3(5, 0.1, 5))), Vec3(0, 0.1, 0), BodyType::kinematic);
     t.world.set_velocity(lift, Vec3(0.1, 0.2, 0), Vec3(0, 0.3, 0));
     t.world.set_surface_velocity(t.world.scene.first_collider[lift], {Vec3(0.3, 0, 0.1), Vec3(0, 0.5, 0)});
     const std::uint32_t rubber = t.material(0.3, 0.7);
-    for (int i = 0; i < 5; ++i)
-      for (int k = 0; k < 5 - i; ++k) t.add(cube, Vec3(k + 0.5 * i - 2, 0.7 + i, 0.01 * k));
+    for (int i = 0; i < 8; ++i)  // more than few, or auto has none in lanes
+      for (int k = 0; k < 8 - i; ++k) t.add(cube, Vec3(k + 0.5 * i - 3.5, 0.7 + i, 0.01 * k));
     for (int i = 0; i < 7; ++i) t.add(ball, Vec3(i - 3, 3 + 0.3 * i, 1.2), BodyType::dynamic, Quat::identity(), rubber);
     for (std::uint32_t body = 5; body < 15; body += 3)
       t.world.set_attribute(body, AttributeId::locks, {Real(body % 2 ? 0x1c : 0x09)});

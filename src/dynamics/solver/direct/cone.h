@@ -1,5 +1,8 @@
-// Coulomb's friction cone, K = {p : |p_t| <= mu p_n}, in world axes: the nearest impulse in it, and how that changes.
+// Where impulses of a contact may lie, in world axes: the nearest impulse there, and how that changes. Coulomb's friction
+// cone, K = {p : |p_t| <= mu p_n}, or the half of a cylinder, {p : p_n >= 0, |p_t| <= most}, where friction is known.
 #pragma once
+
+#include <algorithm>
 
 #include "core/vec.h"
 
@@ -52,6 +55,27 @@ inline Mat3 slope_of_projection(const Vec3& z, const Vec3& n, Real mu) {
       return outer(ray, ray) / (1 + mu * mu) + outer((mu * c.along / c.t) * aside, aside);
     }
   }
+}
+
+/// The point nearest to z of the half of a cylinder.
+/// @param most  N s, radius
+inline Vec3 project_on_cylinder(const Vec3& z, const Vec3& n, Real most) {
+  const Real along = z.dot(n);
+  const Vec3 across = z - along * n;
+  const Real size = across.norm();
+  if (along >= 0 && size <= most) return z;
+  return std::max(along, Real(0)) * n + (size <= most ? across : Vec3((most / size) * across));
+}
+
+/// As slope_of_projection().
+inline Mat3 slope_of_projection_on_cylinder(const Vec3& z, const Vec3& n, Real most) {
+  const Real along = z.dot(n);
+  const Vec3 across = z - along * n;
+  const Real size = across.norm();
+  Mat3 slope = along > 0 ? outer(n, n) : Mat3(Mat3::zero());
+  if (size <= most) return slope + (Mat3::identity() - outer(n, n));
+  const Vec3 aside = n.cross(across) / size;
+  return slope + (most / size) * outer(aside, aside);
 }
 
 }  // namespace carom::dynamics

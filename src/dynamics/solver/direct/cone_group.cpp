@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/direct/at_rest.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
-#include "dynamics/solver/direct/least_force.h"
-#include "dynamics/solver/direct/least_force_constants.h"
+#include "dynamics/solver/direct/group_sweeps.h"
 #include "dynamics/solver/direct/round.h"
+#include "dynamics/solver/direct/yielding.h"
+#include "dynamics/solver/direct/yielding_constants.h"
+#include "dynamics/solver/far_turns.h"
 
 namespace carom::dynamics {
 namespace {
@@ -72,8 +75,7 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
       problem_(world.direct->problem(group)),
       row_(world.direct->row.data() + world.direct->begin[group].contact),
       link_row_(world.direct->link_row.data() + world.direct->begin[group].link),
-      work_(world.direct->newton_work(group)),
-      still_(rest_.is_to_be_still) {
+      work_(world.direct->newton_work(group)) {
   problem_.stood = rest_.stood;
 }
 
@@ -113,10 +115,18 @@ bool ConeGroup::repeat(Velocities& to, Real tolerance) {
   return true;
 }
 
-void ConeGroup::store(Velocities& to, const ConeBody& b) {
+void ConeGroup::store(Velocities& to, ConeBody& b) {
   const Vec3 v = b.v.linear(), omega = b.v.angular();
-  world_.plan->touched[b.slot] = v != s_.v[b.slot] || omega != s_.omega[b.slot];
-  to.v[b.slot] = v, to.omega[b.slot] = omega;
+  const bool spins_on = omega == (b.is_led_back ? b.begun : s_.omega[b.slot]);
+  world_.plan->touched[b.slot] = v != s_.v[b.slot] || !spins_on;
+  b.is_led_on = !spins_on;
+  to.v[b.slot] = v, to.omega[b.slot] = spins_on && b.is_led_back ? b.ended : omega;
+}
+
+void ConeGroup::lead_on(Velocities& to, Real h, Participants& scratch) {
+  if (is_joined()) return;  // as those in lanes: end_far_turns()
+  for (const ConeBody& b : bodies_of(problem_))
+    if (b.is_led_on && (b.is_led_back || turns_far(b, h))) dynamics::lead_on(world_, to, b.slot, h, scratch);
 }
 
 /// Velocities are what the impulses make of those before, to the bit, whatever rounds went through: what bears nothing
@@ -128,7 +138,7 @@ void ConeGroup::follow_impulses() {
 }
 
 void ConeGroup::keep(Velocities& to) {
-  if (solution_.factorisations > 0 && !is_joined() && !solution_.is_by_sweeps && !solution_.is_held) follow_impulses();
+  if (solution_.factorisations > 0 && !is_joined() && !solution_.is_held) follow_impulses();
   each([&](const ConeContact& contact, std::uint32_t i) {
     c_.rows[i].p = contact.next_p;
     c_.rows[i].u = contact.u;
@@ -136,22 +146,44 @@ void ConeGroup::keep(Velocities& to) {
   });
   keep_links(world_, problem_, link_row_);
   accumulate_links(world_, problem_, link_row_);
-  for (const ConeBody& b : bodies_of(problem_)) store(to, b);
+  for (ConeBody& b : bodies_of(problem_)) store(to, b);
 }
 
-/// Impulses, by the law and the rules beside it (least_force.h).
+/// Impulses, by the exact law as far as the work goes. What joints and contacts share is undetermined by it, and so is
+/// found where contacts yield first. So are few bodies, where the work does not suffice: in few steps, and bounded.
 void ConeGroup::find(Real goal, std::uint32_t most_steps) {
   const bool shares = is_joined() && !problem_.contacts.empty();
-  solution_ = shares ? solve_with_least_force(problem_, goal, most_steps) : solve_cones(problem_, goal, most_steps);
-  if (solution_.reached || !is_wedged(problem_)) return;
-  find_from_nothing(goal, most_steps);
+  if (shares) find_yielding(goal, most_steps);
+  const Real bears = borne(problem_);
+  find_closer(goal, most_steps);
+  if (gives_energy() && drop_bends(problem_)) find_closer(goal, most_steps);
+  if (problem_.contacts.empty()) return;
+  solution_.is_wedged = !solution_.reached && (shares ? borne(problem_) > kFarMore * bears : is_wedged(problem_));
+  solution_.is_rejected = !is_sound();
+  if (solution_.is_wedged || solution_.is_rejected) {
+    if (shares) return_to_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
+    if (!shares || throws(problem_)) yield_more(goal, most_steps);
+  } else if (is_few() && !shares && !solution_.reached && solution_.residual > kGiveOfContacts * most_borne(problem_)) {
+    find_yielding(goal, kStepsOfYielding);
+    if (throws(problem_)) yield_more(goal, most_steps);
+  }
+  solution_.residual = residual(problem_), solution_.reached = solution_.residual <= goal;
 }
 
-void ConeGroup::find_from_nothing(Real goal, std::uint32_t most_steps) {
-  const std::uint32_t taken = solution_.factorisations;
-  drop_impulses(problem_);
-  solution_ = solve_with_least_force(problem_, goal, std::max(most_steps, taken + kAlways) - taken);
-  solution_.factorisations += taken;
+void ConeGroup::find_yielding(Real goal, std::uint32_t most_steps) {
+  solution_.factorisations += solve_yielding(problem_, kGiveOfContacts, kOfYielding * goal, most_steps).factorisations;
+  save_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
+}
+
+/// Where no velocity obeys the law, as where surfaces close on a body, or it would shoot it out, which no machine does:
+/// contacts yield, more and more. From nothing on, for what they bear by now may be anything.
+void ConeGroup::yield_more(Real goal, std::uint32_t most_steps) {
+  if (is_few()) most_steps = std::max(most_steps, kFromNothing.value);
+  for (Real give = kGiveOfContacts;; give = std::min(10 * give, kGiveOfSweeps.value)) {
+    drop_impulses(problem_);
+    solution_.factorisations += solve_yielding(problem_, give, kOfYielding * goal, most_steps).factorisations;
+    if (give >= kGiveOfSweeps || !throws(problem_)) return;
+  }
 }
 
 /// From the solution on: what is off by a little gives a little.
@@ -159,34 +191,14 @@ void ConeGroup::find_closer(Real goal, std::uint32_t most_steps) {
   const ConeSolution was = solution_;
   solution_ = solve_cones(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
   solution_.factorisations += was.factorisations, solution_.rounds += was.rounds;
-  solution_.is_wedged = was.is_wedged;
 }
 
-/// Surfaces that close on a body at a small angle shoot it out, by the law. No machine does: contacts yield then.
-void ConeGroup::refuse_throw(Real goal, std::uint32_t most_steps) {
-  for (Real give = kGiveOfContacts; solution_.factorisations > 0 && throws(problem_) && give < kGiveOfSweeps;) {
-    give = std::min(10 * give, kGiveOfSweeps.value);
-    const std::uint32_t taken = solution_.factorisations;
-    drop_impulses(problem_);
-    solution_ = solve_yielding(problem_, give, goal, std::max(most_steps, taken + kAlways) - taken);
-    solution_.factorisations += taken, solution_.is_wedged = true;
-  }
+bool ConeGroup::gives_energy() {
+  return solution_.factorisations > 0 && dynamics::gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]);
 }
 
-void ConeGroup::refuse_gain(Real goal, std::uint32_t most_steps) {
-  const auto gives = [&] { return gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]); };
-  if (solution_.factorisations == 0 || !gives()) return;
-  if (drop_bends(problem_)) {
-    find_closer(goal, most_steps);
-    if (!gives()) return;
-  }
-  if (goal > tolerance()) find_closer(tolerance(), most_steps);
-  if (!gives()) return;
-  find_from_nothing(std::min(goal, tolerance()), most_steps);
-  if (!gives()) return;
-  solve_by_sweeps(problem_);
-  solution_.residual = residual(problem_), solution_.reached = false, solution_.is_by_sweeps = true;
-}
+/// Neither shot out by surfaces that close, nor with more energy than before.
+bool ConeGroup::is_sound() { return solution_.factorisations == 0 || !(throws(problem_) || gives_energy()); }
 
 Real ConeGroup::tolerance() const { return kDirectShare * world_.scene.dials[Dial::velocity_tolerance]; }
 
@@ -214,9 +226,13 @@ bool ConeGroup::comes_to_rest(Real goal) {
 
 Real ConeGroup::goal(bool is_bounded) const {
   const auto fine = [&] { return std::max(kFineShare * tolerance(), rounding(problem_)); };
-  if (still_) return fine();
+  if (is_few() && problem_.stood) return fine();
   const bool roughly = is_bounded && !problem_.stood && !problem_.contacts.empty();
-  if (roughly) return std::max(tolerance(), kConeShare * fastest(problem_));
+  if (roughly) {
+    const Real rough = std::max(tolerance(), kConeShare * fastest(problem_));
+    return is_few() && !is_joined() ? std::clamp(kConeShare * fastest_any_way(problem_), std::min(fine(), rough), rough)
+                                    : rough;
+  }
   return is_joined() ? std::min(tolerance(), fine()) : tolerance();
 }
 
@@ -244,23 +260,19 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
 
 /// Block products that it may take in a step, whatever others there are.
 std::uint64_t ConeGroup::own_work(std::uint64_t most) const {
-  if (is_joined()) return std::max(most, kWorkOfJoined.value);
+  if (is_few() || is_joined()) return std::max(most, kWorkOfFew.value);
   const std::uint64_t steps = problem_.last - problem_.first <= kFewInManySubsteps ? steps_worth(world_) : 1;
   return std::min(most, steps * std::max(kLeastWork.value, kWorkOfPoint * problem_.contacts.size()));
 }
 
 /// It moves, and one step of Newton's method is more than there is for the step of the world.
 bool ConeGroup::takes_all_of(std::uint64_t work) const {
-  return rest_.is_bounded && !rest_.at_once && !is_joined() && work_ > work;
+  return rest_.is_bounded && !rest_.at_once && !is_few() && !is_joined() && work_ > work;
 }
 
-/// Where it gave up its impulses say little: from nothing on. Else two a substep, as soft contacts take; those solve it
-/// from the next step on.
+/// Two a substep, as soft contacts take; those solve it from the next step on.
 void ConeGroup::go_on_by_sweeps(Velocities& to) {
-  if (rest_.gave_up)
-    solve_by_sweeps(problem_);
-  else
-    sweep(problem_, 2);
+  sweep(problem_, 2);
   solution_ = {};
   solution_.residual = residual(problem_);
   rest_.is_far_off = is_far_off();
@@ -302,21 +314,19 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
     return account_work();
   }
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
-    if (has_ring(problem_, link_row_)) {
-      shed_self_stress(problem_);
-      if (!is_jerked(world_, problem_, link_row_, h)) break;
-    }
     for (ConeLink& link : problem_.links) link.next_p = link.p;
     keep_links(world_, problem_, link_row_);
     start(h);
+    const std::uint32_t taken = solution_.factorisations;
+    solution_ = {};
+    solution_.residual = residual(problem_);
     find(goal, most_steps);
+    solution_.factorisations += taken;
   }
-  refuse_throw(goal, most_steps);
-  refuse_gain(goal, most_steps);
   account_work();
   rest_.is_close = solution_.residual < world_.scene.dials[Dial::velocity_tolerance];
   rest_.is_far_off = is_far_off();
-  rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_joined() && rest_.is_far_off;
+  rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_few() && !is_joined() && rest_.is_far_off;
 }
 
 bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && problem_.stood; }
@@ -331,7 +341,7 @@ void ConeGroup::hold() {
 }
 
 void ConeGroup::finish(Velocities& to) {
-  if (solution_.is_wedged || solution_.is_by_sweeps)
+  if ((solution_.is_wedged || solution_.is_rejected) && !is_joined())
     start_from_nothing(problem_);
   else if (solution_.is_held)
     for (ConeContact& c : problem_.contacts) c.next_p = c.p;
@@ -340,7 +350,8 @@ void ConeGroup::finish(Velocities& to) {
   keep(to);
   rest_.is_first = false, ++rest_.substeps;
   rest_.lasts = !is_joined() && !solution_.is_held && solution_.factorisations == 0 && rest_.least >= -1 &&
-                !rest_.resists && fastest_any_way(problem_) < kRest * tolerance();
+                !rest_.resists && fastest_any_way(problem_) < kRest * tolerance() &&
+                std::ranges::none_of(bodies_of(problem_), &ConeBody::is_led_back);
   rest_.has_moved = rest_.lasts;  // or part() measures
 }
 

@@ -19,8 +19,12 @@ class ConeGroup {
   /// the solved velocities were to make good, are not asked twice.
   void settle(Velocities& to, Real h);
   void end();
+  /// Spins of bodies that turn far, and that the solution has changed, led on to the end of the substep.
+  /// @param scratch  of one participant
+  void lead_on(Velocities& to, Real h, Participants& scratch);
 
   bool is_joined() const { return !problem_.links.empty(); }
+  bool is_few() const { return problem_.last - problem_.first <= kFew; }
   /// Whether joints gape still, by less than half of what they did before they were parted: once more is worth it.
   bool is_nearer() const;
 
@@ -41,9 +45,12 @@ class ConeGroup {
   /// The record of a row's pair, if its ground leads bodies of the group; else null.
   const TurningPair* led_by(std::uint32_t row) const;
   void take_along(Real h);
+  bool turns_far(const ConeBody& b, Real h) const;
+  void lead_back(Real h);
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
-  void find_from_nothing(Real goal, std::uint32_t most_steps);
+  void find_yielding(Real goal, std::uint32_t most_steps);
+  void yield_more(Real goal, std::uint32_t most_steps);
   void find_closer(Real goal, std::uint32_t most_steps);
   Real tolerance() const;
   Real goal(bool is_bounded) const;
@@ -59,8 +66,8 @@ class ConeGroup {
   void hold();
   bool is_still_at_rest(Real goal);
   bool comes_to_rest(Real goal);
-  void refuse_throw(Real goal, std::uint32_t most_steps);
-  void refuse_gain(Real goal, std::uint32_t most_steps);
+  bool gives_energy();
+  bool is_sound();
   void keep(Velocities& to);
   bool is_parted_roughly(Real by) const;
   Real asked() const;
@@ -68,8 +75,8 @@ class ConeGroup {
   void let_displacements_yield();
   void turn_frames();
   Real measure();
-  void load(ConeBody& b) const { b.v = {s_.v[b.slot], s_.omega[b.slot]}; }
-  void store(Velocities& to, const ConeBody& b);
+  void load(ConeBody& b) const { b.v = {s_.v[b.slot], b.is_led_back ? b.begun : s_.omega[b.slot]}; }
+  void store(Velocities& to, ConeBody& b);
 
   const World& world_;
   Contacts& c_;
@@ -80,7 +87,6 @@ class ConeGroup {
   const std::uint32_t* row_;
   const DirectGroups::LinkRow* link_row_;
   std::uint64_t work_;
-  bool still_;
   bool was_held_ = false;  // all its bodies were at rest, to the bit, as the substep began
   bool is_led_ = false;    // by ground that turns
   bool lasts_ = false;     // contacts start the next substep from impulses that balance its loads

@@ -75,9 +75,12 @@ inline constexpr Constant<std::uint32_t> kExpectedOfMoving{
     "that a group that moves is expected to take in a step: where all of them together would take more than there is, all "
     "have less",
     "fewer: many groups that move stall the step together; more: what moves is slowed by groups far away"};
-inline constexpr Constant<std::uint64_t> kWorkOfJoined{
-    "direct_work_of_joined", 20000, "block products",
-    "of a step, for a group of joints and contacts, whatever the others take: what is cut short there throws bodies",
+inline constexpr Constant<std::uint32_t> kFew{
+    "direct_few", 32, "bodies", "of a group that is solved directly whatever it does, with work of its own",
+    "more: heaps of so many cost more than sweeps over them; fewer: ragdolls and short chains stretch, few blocks sag"};
+inline constexpr Constant<std::uint64_t> kWorkOfFew{
+    "direct_work_of_few", 20000, "block products",
+    "of a step, for a group of few bodies, whatever the others take: what is cut short there throws bodies",
     "more: ragdolls in a heap stall; fewer: light bodies on joints are thrown"};
 inline constexpr Constant<std::uint32_t> kFromNothing{
     "direct_from_nothing", 40, "steps of Newton",
@@ -99,9 +102,8 @@ inline constexpr Constant<Real> kBends{
     "larger: what spins fast is thrown by the square of it; smaller: coins and wheels lose energy as they go round"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {
-    kFineShare, kConeShare,           kRest,         kJerks,       kLongestTurn,    kJointPush,
-    kGap,       kGiveOfDisplacements, kAlways,       kMostSteps,   kWorkOfContact,  kWorkOfPoint,
-    kLeastWork, kExpectedOfMoving,    kWorkOfJoined, kFromNothing, kExpectedAtRest, kUnborne,
-    kBends,     kFewInManySubsteps};
+    kFineShare,           kConeShare,   kRest,           kJerks,         kLongestTurn, kJointPush, kGap,
+    kGiveOfDisplacements, kAlways,      kMostSteps,      kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving,
+    kWorkOfFew,           kFromNothing, kExpectedAtRest, kUnborne,       kFew,         kBends,     kFewInManySubsteps};
 
 }  // namespace carom::dynamics

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "dynamics/solver/direct/cone.h"
-#include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/solver/direct/round.h"
 
 namespace carom::dynamics {
@@ -66,8 +65,7 @@ bool is_borne(const ConeProblem& problem) {
 /// What there is to undo is so little beside what the group bears that hardly a contact will begin or cease to stick.
 bool is_little(const ConeProblem& problem, Real offence) {
   constexpr Real kLittle = 1e-3;
-  if (!problem.stood && !problem.goes_on) return false;
-  return offence < (problem.goes_on ? kGoesOn * kGiveOfContacts : kLittle) * most_borne(problem);
+  return problem.stood && offence < kLittle * most_borne(problem);
 }
 
 /// Rounds at one slip until the offence with that slip is small.

@@ -36,17 +36,18 @@ struct ConeContact {
   Vec3 r_a, r_b;        // m, world axes: where friction acts; zero where the body does not rotate
   Vec3 n_a, n_b;        // m, moment about there of a unit of normal impulse; set only where it is spread
   Real friction;
-  Vec3 surface;  // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
-  Real want;     // m/s
-  Vec3 start_p;  // N s, p as the substep began
-  Vec3 curve;    // m/s, of `surface`: @see ConeGroup::bend_ways()
-  Vec3 apart;    // m, the arm of A less that of B, on ground that turns
-  Vec3 next_p;   // N s, p as the next one begins
-  Real k;        // 1/kg, mean velocity at the point per impulse there
-  Real give;     // 1/kg, by which it yields while forces are undetermined: @see least_force.h
-  Vec3 least_p;  // N s, of the solution with that
-  Vec3 p;        // N s, on B, world
-  Vec3 u;        // m/s, relative velocity with p and all others acting
+  Vec3 surface;        // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
+  Real want;           // m/s
+  Vec3 start_p;        // N s, p as the substep began
+  Vec3 curve;          // m/s, of `surface`: @see ConeGroup::bend_ways()
+  Vec3 apart;          // m, the arm of A less that of B, on ground that turns
+  Vec3 next_p;         // N s, p as the next one begins
+  Real k;              // 1/kg, mean velocity at the point per impulse there
+  Real give;           // 1/kg, by which it yields: @see yielding.h
+  Real most_friction;  // N s, where friction is known: of its impulse
+  Vec3 yielding_p;     // N s, of the solution with that
+  Vec3 p;              // N s, on B, world
+  Vec3 u;              // m/s, relative velocity with p and all others acting
 
   // of a solve
   Real slip;                  // m/s, what stands for mu |u_t|
@@ -62,15 +63,18 @@ struct ConeContact {
 
 struct ConeBody {
   std::uint32_t slot;
-  Real mass, inv_mass;          // kg, 1/kg
-  Mat3 held_back;               // @see held_arms.h
-  Mat3 inertia, inv_inertia;    // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
-  std::uint8_t locks = 0;       // @see Scene::locks
-  bool turns = false;           // it rotates
-  bool is_taken_along = false;  // scratch: @see ConeGroup::take_along()
-  Vec6 v;                       // m/s, rad/s
-  Vec6 before;                  // without any impulse of this substep
-  Vec6 start, gained;           // with the impulses that the substep starts from; since the last substep, with them
+  Real mass, inv_mass;                          // kg, 1/kg
+  Mat3 held_back;                               // @see held_arms.h
+  Mat3 inertia, inv_inertia;                    // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
+  std::uint8_t locks = 0;                       // @see Scene::locks
+  bool turns = false;                           // it rotates
+  bool is_taken_along = false;                  // scratch: @see ConeGroup::take_along()
+  bool rolls = false;                           // on a point of its own that goes round as on a ball
+  bool is_led_back = false, is_led_on = false;  // @see ConeGroup::lead_back()
+  Vec3 begun, ended;                            // rad/s, if led back: where the substep begins, and where it ends
+  Vec6 v;                                       // m/s, rad/s
+  Vec6 before;                                  // without any impulse of this substep
+  Vec6 start, gained;  // with the impulses that the substep starts from; since the last substep, with them
 
   Mat3 swing;  // kg m^2, scratch: @see stiffen()
 
@@ -92,8 +96,7 @@ struct ConeProblem {
   Real factored = 0;  // softness of the round that the factor is for, with curvatures as they stand; 0: another matrix
   Real locked_softness = 0;  // of the locks in BlockFactor::common(); 0: that is of another solve
   std::span<ConeLink> links{};
-  bool stood = false;    // no body was faster, before this substep, than its loads alone make it
-  bool goes_on = false;  // it differs by as little from its last solution as from that in which contacts yield
+  bool stood = false;  // no body was faster, before this substep, than its loads alone make it
 };
 
 // ---- small parts that all files of this folder share ----
@@ -202,8 +205,8 @@ inline Real speed2(const ConeBody& b, const Vec6& v) {
 struct ConeSolution {
   Real residual = 0;                 // m/s, @see residual()
   bool reached = false;              // it is within the tolerance
-  bool is_wedged = false;            // no velocity obeys the law: @see least_force.h
-  bool is_by_sweeps = false;         // the solver's own would have given energy
+  bool is_wedged = false;            // no velocity obeys the law: contacts yield
+  bool is_rejected = false;          // that would have thrown bodies, or given energy: contacts yield
   bool is_held = false;              // all lies as it lay, for want of a solution
   std::uint32_t rounds = 0;          // proximal
   std::uint32_t factorisations = 0;  // Newton steps

@@ -27,11 +27,12 @@ void reserve_groups(DirectGroups& d) {
 void gather(const World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
   reserve_groups(d);
+  for (const ConeBody& b : d.bodies)  // those of the last step, which may have ended for want of memory
+    if (b.slot < d.body.size()) d.body[b.slot] = kInvalid;
   d.links.clear(), d.link_row.clear();
   d.rest.clear(), d.row.clear(), d.begin.clear();
   d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
-  d.body.resize(world.scene.bodies.slots());
-  for (const std::uint32_t slot : c.bodies) d.body[slot] = kInvalid;
+  d.body.resize(world.scene.bodies.slots(), kInvalid);
   // Contacts of the last step are written over: to make 400 bytes of zeros of each first costs more than to fill it.
   std::size_t points = 0;
   for (std::size_t g = 0; g < c.groups(); ++g)
@@ -47,7 +48,7 @@ void gather(const World& world, DirectGroups& d) {
   for (std::size_t g = 0; g < c.groups(); ++g) {
     if (!c.solved_directly(g)) continue;
     mark();
-    d.rest.emplace_back().is_to_be_still = !c.direct.empty() && c.direct[g] == Contacts::kStill;
+    d.rest.emplace_back();
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
       const std::uint32_t i = c.group_rows[k];
       const Row& row = c.rows[i];

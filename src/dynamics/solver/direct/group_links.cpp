@@ -202,14 +202,6 @@ void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkR
   }
 }
 
-// As many joints as bodies make a tree that hangs on what does not move; each further one closes a ring.
-bool has_ring(const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
-  std::size_t joints = 0;
-  for (std::size_t i = 0; i < problem.links.size(); ++i)
-    joints += i == 0 || rows[i].joint != rows[i - 1].joint || rows[i].lane != rows[i - 1].lane;
-  return joints > problem.last - problem.first;
-}
-
 void measure_links(ConeProblem& problem) {
   for (ConeLink& c : problem.links) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
 }

@@ -6,8 +6,8 @@
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
-#include "dynamics/solver/direct/least_force_constants.h"
 #include "dynamics/solver/direct/load.h"
+#include "dynamics/solver/far_turns.h"
 
 namespace carom::dynamics {
 
@@ -81,9 +81,10 @@ void ConeGroup::part(Poses& to, Real h) {
   load_links(world_, problem_, link_row_, LinkPhase::part, h);
   measure_links(problem_);
   const Real most_asked = asked();
-  if (is_joined()) {
+  if (is_joined() || is_few()) {
     let_displacements_yield();
-    const Real goal = is_parted_roughly(most_asked) ? kGiveOfDisplacements * most_asked : 0.1 * kGap;
+    const Real fine = is_joined() ? 0.1 * kGap : 0.01 * tolerance;
+    const Real goal = is_parted_roughly(most_asked) ? kGiveOfDisplacements * most_asked : fine;
     solution_ = solve_cones(problem_, goal, kMostSteps);
     for (ConeContact& c : problem_.contacts) c.give = 0;
   } else {
@@ -92,7 +93,8 @@ void ConeGroup::part(Poses& to, Real h) {
   }
   const Real share = displacement_share(most_asked, h);
   for (const ConeBody& b : bodies_of(problem_)) {
-    const Vec3 turn = share * b.v.angular();
+    Vec3 turn = share * b.v.angular();
+    if (!is_joined() && may_turn_far(world_, b.slot) && turns_too_far(world_, b.slot, turn)) turn.set_zero();
     correct_pose(to, b.slot, share * b.v.linear(), turn);
     if (turn == Vec3::zero()) continue;
     world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();
@@ -111,7 +113,7 @@ void ConeGroup::settle(Velocities& to, Real h) {
   const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
   solution_.factorisations += solution.factorisations;
   accumulate_links(world_, problem_, link_row_);
-  for (const ConeBody& b : bodies_of(problem_)) store(to, b);
+  for (ConeBody& b : bodies_of(problem_)) b.is_led_back = false, store(to, b);
 }
 
 void ConeGroup::end() {

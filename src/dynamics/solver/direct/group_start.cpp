@@ -4,11 +4,13 @@
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/contact/turning_ground.h"
+#include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
-#include "dynamics/solver/direct/least_force.h"
 #include "dynamics/solver/direct/load.h"
+#include "dynamics/solver/direct/yielding.h"
+#include "dynamics/solver/far_turns.h"
 
 namespace carom::dynamics {
 
@@ -98,6 +100,29 @@ void ConeGroup::take_along(Real h) {
   for (ConeBody& b : bodies_of(problem_)) b.is_taken_along = false;
 }
 
+/// What rolls may spin about its axis as fast as it likes.
+bool ConeGroup::turns_far(const ConeBody& b, Real h) const {
+  if (!may_turn_far(world_, b.slot) || !turns_by_method(*world_.plan, b.slot) || s_.held_out[b.slot]) return false;
+  return b.rolls ? turns_too_far(world_, b.slot, h * s_.omega[b.slot]) : turns_far_for_its_shape(world_, b.slot, h);
+}
+
+/// Spins that a rotation method has led on to the end of the substep are led back to where it begins, of what turns far
+/// for its shape: there are its masses and arms (far_turns.h). Of what is joined that is done for all in lanes.
+void ConeGroup::lead_back(Real h) {
+  for (ConeBody& b : bodies_of(problem_)) b.rolls = false;
+  each([&](const ConeContact& contact, std::uint32_t i) {
+    if (!c_.rows[i].rolls) return;
+    if (contact.a != kInvalid) problem_.bodies[contact.a].rolls = true;
+    if (contact.b != kInvalid) problem_.bodies[contact.b].rolls = true;
+  });
+  for (ConeBody& b : bodies_of(problem_)) {
+    b.is_led_back = !is_joined() && turns_far(b, h);
+    if (!b.is_led_back) continue;
+    b.ended = s_.omega[b.slot];
+    b.begun = led_back(world_, b.slot, b.ended);
+  }
+}
+
 /// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
 Real ConeGroup::start(Real h) {
   Real least = kInfinity;
@@ -106,6 +131,7 @@ Real ConeGroup::start(Real h) {
   for (ConeBody& b : bodies_of(problem_)) {
     was_held_ &= b.v.linear() == Vec3::zero() && b.v.angular() == Vec3::zero();
   }
+  lead_back(h);
   is_led_ = find_leads();
   take_along(h);
   for (ConeBody& b : bodies_of(problem_)) {

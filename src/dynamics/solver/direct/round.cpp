@@ -3,14 +3,17 @@
 
 #include <algorithm>
 
-#include "dynamics/solver/direct/cone.h"
-
 namespace carom::dynamics {
 
 Round::Round(ConeProblem& problem, Real softness) : problem_(problem), softness_(softness) {
   for (ConeContact& c : problem_.contacts) c.p0 = c.p, c.u0 = c.u;
   for (ConeLink& c : problem_.links) c.p0 = c.p, c.u0 = c.u;
   for (ConeBody& b : bodies_of(problem_)) b.change.set_zero();
+}
+
+Round::Round(ConeProblem& problem) : Round(problem, 0) {
+  is_known_ = true;
+  save_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
 }
 
 void Round::take_back() {
@@ -22,11 +25,13 @@ void Round::take_back() {
 std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   constexpr Real kFalls = 0.5;  // where it is quadratic a step leaves nothing, or rounding
   std::uint32_t steps = 0;
+  bool is_reached = false;
   Real left = kInfinity;
   bool whole = false;  // the last step was
   for (; steps < most_steps; ++steps) {
     const Real now = find_gradient();
-    if (now <= tolerance) break;
+    is_reached = now <= tolerance;
+    if (is_reached) break;
     const NextFactor factor = find_factor(steps == 0 ? tolerance : 0);
     if (factor == NextFactor::none) break;
     if (factor == NextFactor::same && whole && !(now < kFalls * left)) break;
@@ -38,18 +43,44 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
       is_stuck_ = true;
       break;
     }
+    if (is_known_) trace(length);
     for (ConeBody& b : bodies_of(problem_)) b.change += length * b.step;
     for (ConeContact& c : problem_.contacts) c.u += length * c.du;
     for (ConeLink& c : problem_.links) c.u += length * c.du;
   }
+  if (is_known_ && !is_reached)
+    for (ConeContact& c : problem_.contacts) c.p = c.yielding_p;
+  if (is_known_ && !is_reached)
+    for (ConeLink& c : problem_.links) c.p = c.yielding_p;
   accept();
   return steps;
+}
+
+// M change = J^T (q - p0) holds before and after a step L: its M step = J^T (p - q - W du), W the slope of p by -u.
+void Round::trace(Real length) {
+  for (ConeContact& c : problem_.contacts) {
+    Vec3 next = c.p;
+    if (c.curvature == ConeCurvature::alike) next -= c.du / resistance(c);
+    if (c.curvature == ConeCurvature::slope) next -= slope(c) * c.du;
+    c.yielding_p += length * (next - c.yielding_p);
+  }
+  for (ConeLink& c : problem_.links) {
+    const Real next = c.p - (c.is_held ? c.du / (resistance(c) + c.give) : 0);
+    c.yielding_p += length * (next - c.yielding_p);
+  }
+}
+
+Mat3 Round::slope(const ConeContact& c) const {
+  const Vec3 z = pull(c, c.u);
+  const Mat3 slope =
+      is_known_ ? slope_of_projection_on_cylinder(z, c.n, c.most_friction) : slope_of_projection(z, c.n, c.friction);
+  return slope / resistance(c);
 }
 
 Real Round::find_gradient() {
   for (ConeBody& b : bodies_of(problem_)) b.gradient = momentum_of(b, b.change);
   for (ConeContact& c : problem_.contacts) {
-    c.p = project_on_cone(pull(c, c.u), c.n, c.friction);
+    c.p = project(c, pull(c, c.u));
     add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
   for (ConeLink& c : problem_.links) {
@@ -69,11 +100,11 @@ Real Round::find_gradient() {
 
 Round::NextFactor Round::find_factor(Real still) {
   const bool is_same = find_curvatures(still);
-  if (is_same && problem_.factored == softness_) return NextFactor::same;
+  if (is_same && problem_.factored == factored_as()) return NextFactor::same;
   problem_.factored = 0;
   assemble();
   if (!factor(*problem_.elimination, problem_.first, problem_.last, *problem_.factor)) return NextFactor::none;
-  problem_.factored = softness_;
+  problem_.factored = factored_as();
   return NextFactor::another;
 }
 
@@ -119,7 +150,7 @@ ConeLine line_of(const ConeContact& c, const Vec3& z0, const Vec3& z1) {
 }
 
 /// J, du . (P_K(z) - p0): as project_on_cone() has it, in numbers.
-Real gain_along(const ConeLine& line, Real mu, Real length) {
+Real gain_in_cone(const ConeLine& line, Real mu, Real length) {
   const Real n = line.n0 + length * line.n1, u_t = line.ut0 + length * line.ut1;
   const Real t = std::sqrt(std::max(Real(0), line.t00 + length * (2 * line.t01 + length * line.t11)));
   if (n <= -mu * t) return -line.start;
@@ -128,7 +159,18 @@ Real gain_along(const ConeLine& line, Real mu, Real length) {
   return along * (mu > 0 ? line.u_n + mu / t * u_t : line.u_n) - line.start;
 }
 
+/// As project_on_cylinder() has it.
+Real gain_in_cylinder(const ConeLine& line, Real most, Real length) {
+  const Real n = line.n0 + length * line.n1, u_t = line.ut0 + length * line.ut1;
+  const Real t = std::sqrt(std::max(Real(0), line.t00 + length * (2 * line.t01 + length * line.t11)));
+  return line.u_n * std::max(n, Real(0)) + (t <= most ? u_t : most / t * u_t) - line.start;
+}
+
 }  // namespace
+
+Real Round::gain_along(const ConeContact& c, Real length) const {
+  return is_known_ ? gain_in_cylinder(c.line, c.most_friction, length) : gain_in_cone(c.line, c.friction, length);
+}
 
 Round::Slope Round::find_slope() {
   Slope slope = {0, 0, 0};
@@ -156,7 +198,7 @@ Round::Slope Round::find_slope() {
 
 Real Round::derivative(const Slope& slope, Real length) const {
   Real d = slope.start + length * slope.grows;
-  for (const ConeContact& c : problem_.contacts) d -= gain_along(c.line, c.friction, length);
+  for (const ConeContact& c : problem_.contacts) d -= gain_along(c, length);
   for (const ConeLink& c : problem_.links)
     if (c.k > 0 && !c.is_lock()) d -= c.du * (c.pulled(c.u + length * c.du, resistance(c), c.p0) - c.p0);
   return d;

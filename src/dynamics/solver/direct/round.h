@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dynamics/solver/direct/cone.h"
 #include "dynamics/solver/direct/cone_problem.h"
 
 namespace carom::dynamics {
@@ -10,9 +11,13 @@ namespace carom::dynamics {
 /// Minimises over velocities v
 ///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(z)|^2 / 2,   z = p0 - (y + give p0) / R,   R = softness * k + give,
 /// whose gradient is nought where momentum and the impulses P_K(z) agree.
+/// Where contacts yield and friction is known, that is the whole problem (yielding.h): R = give at contacts, whose last
+/// impulses it does not keep to, and K the half of a cylinder.
 class Round {
  public:
   Round(ConeProblem& problem, Real softness);
+  /// Where friction is known.
+  explicit Round(ConeProblem& problem);
 
   /// @param tolerance  m/s, of contact velocities   @return Newton steps taken
   std::uint32_t minimise(Real tolerance, std::uint32_t most_steps);
@@ -23,8 +28,18 @@ class Round {
 
  private:
   Real resistance(const ConeContact& c) const { return softness_ * c.k + c.give; }
-  Real resistance(const ConeLink& c) const { return (c.is_lock() ? softness_of_locks() : softness_) * c.k; }
-  Real softness_of_locks() const { return std::min(kSoftnessOfLocks, softness_); }
+  Real resistance(const ConeLink& c) const { return (c.is_lock() ? softness_of_locks() : softness_of_drives()) * c.k; }
+  Real softness_of_locks() const { return is_known_ ? kSoftnessOfLocks : std::min(kSoftnessOfLocks, softness_); }
+  Real softness_of_drives() const { return is_known_ ? kSoftnessOfLocks : softness_; }
+  /// What tells the factor of this round from others: softness where that differs, -1 where contacts yield.
+  Real factored_as() const { return is_known_ ? -1 : softness_; }
+  Vec3 project(const ConeContact& c, const Vec3& z) const {
+    return is_known_ ? project_on_cylinder(z, c.n, c.most_friction) : project_on_cone(z, c.n, c.friction);
+  }
+  Mat3 slope(const ConeContact& c) const;
+  Real gain_along(const ConeContact& c, Real length) const;
+  /// Impulses that have given the bodies the velocities of the steps taken, along with one more.
+  void trace(Real length);
   /// Impulse before it is projected, at velocity u.
   Vec3 pull(const ConeContact& c, const Vec3& u) const {
     return c.p0 - (u - (c.want - c.slip) * c.n + c.give * c.p0) / resistance(c);
@@ -66,6 +81,7 @@ class Round {
 
   ConeProblem& problem_;
   Real softness_;
+  bool is_known_ = false;  // friction
   bool is_stuck_ = false;
 };
 
@@ -79,11 +95,5 @@ void add_sticking(ConeProblem& problem, const ConeContact& c, Real w);
 void hold_locked(ConeProblem& problem);
 /// ConeBody::step from the gradient and the factor.
 void solve_for_steps(ConeProblem& problem, Real sign);
-
-/// Impulses of locks that do what they do and are no larger than that takes. A ring of joints may hold itself more than
-/// once; what its joints then bear against each other moves no body, is whatever rounds have left of it, and grows from
-/// substep to substep. Those that bear little of that keep theirs.
-/// @accuracy  impulses: 1e-5, relative; velocities of bodies stay as they are
-void shed_self_stress(ConeProblem& problem);
 
 }  // namespace carom::dynamics

@@ -176,7 +176,7 @@ void Round::assemble() {
       add_sticking(problem_, c, 1 / resistance(c));
       continue;
     }
-    const Mat3 w = slope_of_projection(pull(c, c.u), c.n, c.friction) / resistance(c);
+    const Mat3 w = slope(c);
     const Turning on_a(c, c.r_a, c.n_a), on_b(c, c.r_b, c.n_b);
     const Mat3 w_a = w * on_a.x, w_b = w * on_b.x;
     if (c.a != kInvalid) add_own(f.diagonal[e.place[c.a]], w, on_a, w_a);
@@ -192,36 +192,6 @@ void Round::assemble() {
   for (const ConeLink& c : problem_.links)
     if (c.is_held && !c.is_lock()) add_link(e, f, c, 1 / (resistance(c) + c.give));
   hold_locked(problem_);
-}
-
-// With momentum g = J^T p given, p' = J y / R and (M + J^T J / R) y = g: J^T p' = g - M y, and y is as small as R.
-void shed_self_stress(ConeProblem& problem) {
-  // kSoftness: what yields less counts as self-stress; at 1e-7 four-bar windows that pass the line in which all bars
-  // lie are stopped there. kMuch: of the impulses; less is left as it is.
-  constexpr Real kSoftness = 1e-5, kMuch = 1e-3;
-  problem.factored = 0;
-  for (ConeBody& b : bodies_of(problem)) b.gradient.set_zero();
-  assemble_masses(problem, problem.factor->all());
-  for (const ConeLink& c : problem.links) {
-    if (!c.is_lock()) continue;
-    add_impulse<&ConeBody::gradient>(problem, c, c.p);
-    add_link(*problem.elimination, problem.factor->all(), c, 1 / (kSoftness * c.k));
-  }
-  hold_locked(problem);
-  if (!factor(*problem.elimination, problem.first, problem.last, *problem.factor)) return;
-  solve_for_steps(problem, 1);
-  const auto needed = [&](const ConeLink& c) {
-    return relative<&ConeBody::step>(problem.bodies, c) / (kSoftness * c.k);
-  };
-  Real shed2 = 0, borne2 = 0;
-  for (const ConeLink& c : problem.links) {
-    if (!c.is_lock()) continue;
-    const Real shed = c.p - needed(c);
-    shed2 += c.k * shed * shed, borne2 += c.k * c.p * c.p;
-  }
-  if (!(shed2 > kMuch * kMuch * borne2)) return;
-  for (ConeLink& c : problem.links)
-    if (c.is_lock()) c.p = needed(c);
 }
 
 }  // namespace carom::dynamics

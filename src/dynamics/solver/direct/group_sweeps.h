@@ -1,0 +1,12 @@
+// Sweeps over the rows of a group that is too large to be factored, or could not be solved within its work.
+#pragma once
+
+#include "dynamics/solver/direct/cone_problem.h"
+
+namespace carom::dynamics {
+
+/// Row by row, from the impulses that act already: each takes energy or leaves it, with contacts as soft as those of
+/// solver soft_step.
+void sweep(ConeProblem& problem, int times);
+
+}  // namespace carom::dynamics

@@ -1,0 +1,141 @@
+#include "dynamics/solver/direct/yielding.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dynamics/joint/energy_bound.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/direct/round.h"
+#include "dynamics/solver/direct/yielding_constants.h"
+
+namespace carom::dynamics {
+namespace {
+
+/// Velocities at contacts and joints, from the bodies'.
+void measure(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
+  for (ConeLink& c : problem.links) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
+}
+
+/// J, at most, that a drive gives. Joints give none.
+Real given_by_drive(const ConeProblem& problem, const ConeLink& c) {
+  if (c.bends) return 0;
+  if (c.is_lock()) return std::fabs(c.p * c.low);  // a motor without bound
+  const Real before = c.surface + relative<&ConeBody::before>(problem.bodies, c);
+  return std::max(Real(0), c.p * (before + c.u) / 2);
+}
+
+}  // namespace
+
+Real borne(const ConeProblem& problem) {
+  Real sum = 0;
+  for (const ConeContact& c : problem.contacts) sum += c.k * c.p.squared_norm();
+  return sum;
+}
+
+bool is_wedged(const ConeProblem& problem) {
+  const Real bears = borne(problem);
+  if (!(bears > 0)) return false;
+  Real needed = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    const Vec6 change = b.v - b.before;
+    needed += change.dot(momentum_of(b, change));
+  }
+  return needed < kWedged * bears;
+}
+
+ConeSolution solve_yielding(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps) {
+  for (ConeContact& c : problem.contacts) {
+    const Real borne = c.start_p.dot(c.n),
+               closing = (c.want - c.u.dot(c.n)) / c.k;  // N s; what begins to bear: as alone
+    c.give = give * c.k;
+    c.slip = 0, c.most_friction = c.friction * std::max(Real(0), borne > 0 ? borne : closing);
+  }
+  problem.factored = problem.locked_softness = 0;
+  ConeSolution solution;
+  Round round(problem);
+  solution.factorisations = round.minimise(tolerance, most_steps);
+  solution.rounds = 1;
+  for (ConeContact& c : problem.contacts) c.give = 0;
+  solution.residual = residual(problem);
+  return solution;
+}
+
+bool throws(const ConeProblem& problem) {
+  if (problem.contacts.empty()) return false;
+  Real surface2 = 0;
+  for (const ConeContact& c : problem.contacts) surface2 = std::max(surface2, c.surface.squared_norm());
+  for (const ConeLink& c : problem.links) surface2 = std::max(surface2, c.surface * c.surface);
+  if (!(surface2 > 0)) return false;
+  Real before = 0, after = 0, mass = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    before += b.before.dot(momentum_of(b, b.before)) / 2;
+    after += b.v.dot(momentum_of(b, b.v)) / 2;
+    mass += b.inv_mass > 0 ? 1 / b.inv_mass : 0;
+  }
+  for (const ConeLink& c : problem.links) before += given_by_drive(problem, c);
+  return after > before + kThrow * kThrow * surface2 * mass / 2;
+}
+
+// Over a share s they take -(s p.u + s^2 p.A p / 2) of the energy of relative motion: least at s = -p.u / p.A p, and
+// more at 1 than at 0 where that is below a half. A spring's u counts from what it asks for, and its give is in A: it
+// may give energy.
+Real share_that_helps(const ConeProblem& problem) {
+  if (problem.contacts.empty()) return 1;
+  Real along = 0, size2 = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    along += b.gradient.dot(b.before);
+    size2 += b.gradient.dot(velocity_of(b, b.gradient));
+  }
+  for (const ConeContact& c : problem.contacts) along += c.p.dot(c.surface);
+  for (const ConeLink& c : problem.links) {
+    along += c.p * c.surface;
+    if (c.is_spring()) along -= c.p * c.low, size2 += c.give * c.p * c.p;
+  }
+  const Real best = size2 > 0 ? -along / size2 : 1;
+  return best < 0.5 ? std::max(best, Real(0)) : 1;
+}
+
+// Bodies gain G.(v + v')/2 by a momentum G, of which surfaces give -p.surface. Contacts and joints are
+// taken together: what a joint pulls into a contact would else have its energy from there. What a drive gives is its
+// business. What bends give by a turn t of an arm in a substep is t^2/4 of the energy, and comes back after the move.
+bool gives_energy(ConeProblem& problem, Real residual) {
+  find_momentum(problem);
+  Real gained = 0, before = 0, after = 0;
+  for (const ConeBody& b : bodies_of(problem)) {
+    const Vec6 mean = 0.5 * (b.before + b.v);
+    gained += b.gradient.dot(mean);
+    before += b.before.dot(momentum_of(b, b.before)) / 2;
+    after += b.v.dot(momentum_of(b, b.v)) / 2;
+  }
+  Real inexact = 0, driven = 0;  // J
+  for (const ConeContact& c : problem.contacts) {
+    gained += c.p.dot(c.surface);
+    inexact += c.p.norm() * residual;
+  }
+  bool bends = false;
+  for (const ConeLink& c : problem.links) {
+    gained += c.p * c.surface;
+    inexact += std::fabs(c.p) * residual, driven += given_by_drive(problem, c);
+    bends |= c.bends;
+  }
+  const Real turns = bends ? kBends * kBends / 2 : 0;
+  // Loads without bound, as of a taut chain, would let any residual give any energy.
+  return gained > driven + std::min(inexact, before) + (turns + 2e3 * kEpsilon) * (before + after);
+}
+
+bool drop_bends(ConeProblem& problem) {
+  bool any = false;
+  for (ConeLink& c : problem.links)
+    if (std::exchange(c.bends, false)) c.low = c.high = 0, any = true;
+  return any;
+}
+
+void drop_impulses(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.p.set_zero();
+  for (ConeLink& c : problem.links) c.p = 0;
+  for (ConeBody& b : bodies_of(problem)) b.v = b.before;
+  measure(problem);
+}
+
+}  // namespace carom::dynamics

@@ -1,0 +1,46 @@
+// The convex problem of a substep: every row yields a little, so that it has one solution, whatever touches and is joined.
+//
+//     least over v of  |v - v_free|^2_M / 2 + sum over contacts of give/2 |p|^2 + sum over locks of R/2 |p - p_last|^2
+//
+// Contacts yield by `give` of their response, and bear friction up to mu times the normal impulse of the last substep:
+// that is known, so friction and normal impulses do not ask for each other. At fixed poses kinetic energy is no more
+// after than before, but for what drives and springs give (README.md has the proof). It shares out what the law leaves
+// undetermined, as what a door that hangs and stands bears at its hinge, and has a solution where the law has none, as
+// where surfaces close on a body. The exact law is then solved from there, where it can be (ConeGroup::find()).
+#pragma once
+
+#include "dynamics/solver/direct/cone_problem.h"
+
+namespace carom::dynamics {
+
+/// Newton's method on it, from the impulses that act. One that is cut short keeps the impulses of its steps: what they
+/// do to the bodies is what was found, to the bit.
+/// @param give  of a contact's response   @param tolerance  m/s   @param most_steps  of Newton
+/// @return      its residual is that of the exact law
+ConeSolution solve_yielding(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps);
+
+/// Sum of k p^2 of contacts, kg m^2/s^2.
+Real borne(const ConeProblem& problem);
+
+/// Whether impulses are far larger than what they do to the bodies asks for.
+bool is_wedged(const ConeProblem& problem);
+
+/// Whether bodies leave faster than surfaces that meet them could throw them (kThrow).
+bool throws(const ConeProblem& problem);
+
+/// Whether contacts and joints gave energy, beyond what a solution within a residual may.
+/// @param residual  m/s
+bool gives_energy(ConeProblem& problem, Real residual);
+
+/// How much of the impulses that a substep starts from is worth keeping: all, unless they would give energy where the
+/// bodies are by now; then as much as takes the most.
+/// @param problem  gradient: momentum that contacts give each body; before: velocities without   @return 0 to 1
+Real share_that_helps(const ConeProblem& problem);
+
+/// Locks no longer ask for the bend of their arms.   @return whether any did
+bool drop_bends(ConeProblem& problem);
+
+/// As if nothing touched and nothing were joined.
+void drop_impulses(ConeProblem& problem);
+
+}  // namespace carom::dynamics

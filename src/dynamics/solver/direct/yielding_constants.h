@@ -1,0 +1,40 @@
+// Numbers of the convex problem in which contacts yield, and of what may stand beside it.
+#pragma once
+
+#include "core/constant.h"
+
+namespace carom::dynamics {
+
+inline constexpr Constant<Real> kGiveOfContacts{
+    "direct_give", 1e-3, "1",
+    "of a contact's response to an impulse: by so much it yields while it is found how joints and contacts share a "
+    "load; far above what locks are anchored by, so that impulses that no load requires vanish",
+    "larger: shares are those of softer contacts, and the exact law is farther away; smaller: what is wedged bears more, "
+    "without end at 0"};
+inline constexpr Constant<Real> kGiveOfSweeps{
+    "direct_last_give", 0.06, "1",
+    "of a contact's response: softness in sweeps, and the most that contacts of a pinch yield; that of solver soft_step "
+    "at 30 Hz and 1/240 s",
+    "larger: bodies sink deeper in such a step; smaller: what is wedged bears more"};
+inline constexpr Constant<Real> kOfYielding{
+    "direct_of_yielding", 0.03, "1", "of what a solution may be off, to which that with contacts that yield is found",
+    "larger: what joints bear is off by more; smaller: steps of Newton for nothing"};
+inline constexpr Constant<std::uint32_t> kStepsOfYielding{
+    "direct_steps_of_yielding", 10, "steps of Newton",
+    "in which contacts that yield are found where the work did not suffice for the exact law",
+    "fewer: what is cut short there sinks; more: impacts through heaps take as much longer"};
+inline constexpr Constant<Real> kWedged{
+    "direct_wedged", 1e-10, "1",
+    "of the sum of k p^2 of contacts, what they do to bodies: less is impulses that cancel each other; a cube under a "
+    "million times its mass has 1e-6, stacks of n cubes n^-2",
+    "larger: what bears a heavy load counts as wedged, and starts from nothing in each step; smaller: bodies that "
+    "surfaces close on keep impulses that throw them in the next step"};
+inline constexpr Constant<Real> kFarMore{
+    "direct_far_more", 10, "1",
+    "times what contacts bear that yield: where the exact law is not reached by as much more, it has no solution",
+    "larger: what is wedged bears more; smaller: an impact that could not be solved in time counts as wedged"};
+
+inline constexpr ConstantRow kYieldingConstants[] = {kGiveOfContacts,  kGiveOfSweeps, kOfYielding,
+                                                     kStepsOfYielding, kWedged,       kFarMore};
+
+}  // namespace carom::dynamics
