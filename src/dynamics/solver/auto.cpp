@@ -170,8 +170,9 @@ bool look_at(const World& world, std::size_t group, Real w2, Real h, Real weight
 /// In SolverMemory::cooldown_steps, of who was in a group of joints in the last step that the direct solver solved.
 constexpr std::uint8_t kJoinedDirectly = 255;
 
+bool cools_down(std::uint8_t rest) { return rest > 0 && rest != kJoinedDirectly; }
 void count_down(std::uint8_t& rest) {
-  if (rest > 0 && rest != kJoinedDirectly) --rest;
+  if (cools_down(rest)) --rest;
 }
 
 struct GroupMemory {
@@ -191,7 +192,7 @@ GroupMemory remember(const World& world, SolverMemory& of, const Seen& seen, boo
     else if (steps > 0)
       --steps;
     memory.bears |= steps >= kBorneFor;
-    memory.cools_down |= rest > 0 && rest != kJoinedDirectly;
+    memory.cools_down |= cools_down(rest);
     count_down(rest);
     c.load[body] = Contacts::kUnseen;
   }
@@ -216,10 +217,8 @@ bool is_solved_directly(GroupReason reason) {
 
 bool any_cools_down(const World& world, std::size_t group) {
   bool any = false;
-  each_body(*world.contacts, group, [&](const Row&, std::uint32_t body) {
-    const std::uint8_t rest = world.state.cooldown_steps[body];
-    any |= rest > 0 && rest != kJoinedDirectly;
-  });
+  each_body(*world.contacts, group,
+            [&](const Row&, std::uint32_t body) { any |= cools_down(world.state.cooldown_steps[body]); });
   return any;
 }
 
@@ -293,8 +292,8 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
 void start_cooldowns(const World& world, SolverMemory& memory) {
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    const bool is_few = d.begin[g + 1].body - d.begin[g].body <= kFew, joined = d.begin[g].link < d.begin[g + 1].link;
-    const bool gives_up = !(is_few && joined) && !d.rest[g].waits && !d.rest[g].lies && d.rest[g].is_far_off;
+    const bool joined = d.is_joined(g);
+    const bool gives_up = !(d.is_few(g) && joined) && !d.rest[g].waits && !d.rest[g].lies && d.rest[g].is_far_off;
     if (!gives_up && !joined) continue;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
       memory.cooldown_steps[d.bodies[i].slot] = gives_up ? kCooldown.value : kJoinedDirectly;

@@ -48,8 +48,7 @@ void direct_end(const World& world, Poses&, const StepTime&) {
 /// more than there is, then all as much less; those at rest one after the other, the worst first, until there is none
 /// left. What is left out goes on as it is: it takes a while until anybody sees that.
 static void share_out(DirectGroups& d, std::uint64_t work) {
-  const auto is_joined = [&](std::uint32_t g) { return d.begin[g].link < d.begin[g + 1].link; };
-  const auto shares = [&](std::uint32_t g) { return d.rest[g].asks && d.rest[g].is_bounded && !is_joined(g); };
+  const auto shares = [&](std::uint32_t g) { return d.rest[g].asks && d.rest[g].is_bounded && !d.is_joined(g); };
   Array<std::uint32_t>& urgent = d.elimination.scratch().member;
   urgent.clear();
   std::uint64_t expected = 0;

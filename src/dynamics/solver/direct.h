@@ -138,6 +138,8 @@ struct DirectGroups {
     return products[group] + kWorkOfContact * (begin[group + 1].contact - begin[group].contact);
   }
 
+  bool is_few(std::size_t group) const { return begin[group + 1].body - begin[group].body <= kFew; }
+  bool is_joined(std::size_t group) const { return begin[group].link < begin[group + 1].link; }
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
   ConeProblem problem(std::size_t group) {
     const Begin &from = begin[group], &to = begin[group + 1];

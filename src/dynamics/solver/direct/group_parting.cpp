@@ -113,7 +113,7 @@ void ConeGroup::settle(Velocities& to, Real h) {
   const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
   solution_.factorisations += solution.factorisations;
   accumulate_links(world_, problem_, link_row_);
-  for (ConeBody& b : bodies_of(problem_)) b.is_led_back = false, store(to, b);
+  for (ConeBody& b : bodies_of(problem_)) store(to, b);
 }
 
 void ConeGroup::end() {

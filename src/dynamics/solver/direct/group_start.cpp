@@ -109,14 +109,15 @@ bool ConeGroup::turns_far(const ConeBody& b, Real h) const {
 /// Spins that a rotation method has led on to the end of the substep are led back to where it begins, of what turns far
 /// for its shape: there are its masses and arms (far_turns.h). Of what is joined that is done for all in lanes.
 void ConeGroup::lead_back(Real h) {
-  for (ConeBody& b : bodies_of(problem_)) b.rolls = false;
+  for (ConeBody& b : bodies_of(problem_)) b.rolls = b.is_led_back = false;
+  if (is_joined() || !world_.plan->rotation_method) return;
   each([&](const ConeContact& contact, std::uint32_t i) {
     if (!c_.rows[i].rolls) return;
     if (contact.a != kInvalid) problem_.bodies[contact.a].rolls = true;
     if (contact.b != kInvalid) problem_.bodies[contact.b].rolls = true;
   });
   for (ConeBody& b : bodies_of(problem_)) {
-    b.is_led_back = !is_joined() && turns_far(b, h);
+    b.is_led_back = turns_far(b, h);
     if (!b.is_led_back) continue;
     b.ended = s_.omega[b.slot];
     b.begun = led_back(world_, b.slot, b.ended);

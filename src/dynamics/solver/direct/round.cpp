@@ -48,10 +48,10 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
     for (ConeContact& c : problem_.contacts) c.u += length * c.du;
     for (ConeLink& c : problem_.links) c.u += length * c.du;
   }
-  if (is_known_ && !is_reached)
+  if (is_known_ && !is_reached) {
     for (ConeContact& c : problem_.contacts) c.p = c.yielding_p;
-  if (is_known_ && !is_reached)
     for (ConeLink& c : problem_.links) c.p = c.yielding_p;
+  }
   accept();
   return steps;
 }

@@ -1,3 +1,4 @@
+// The problem in which contacts yield, and what may not stand beside it: what wedges, throws, or gives energy.
 #include "dynamics/solver/direct/yielding.h"
 
 #include <algorithm>
