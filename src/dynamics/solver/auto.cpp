@@ -1,12 +1,13 @@
 // The solver that chooses: the direct solver for few bodies, and for those of which soft contacts would not hold more.
 //
-// A group of up to direct_few bodies goes to the direct solver, a larger one where
+// A group of up to direct_few couplings, pairs and joints, goes to the direct solver, a larger one where
 //  - bodies that touch have masses further apart than direct_ratio, or
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
 //    thickness, or by more than is borne where an accuracy is set: that is what a tall stack and a heavy load on a light
 //    body have in common, and it is known before anything is solved;
 // unless something strikes it (an impact sends the direct solver through all of a heap, and passes), it is too large, or
-// could not be solved within direct_work lately: then it moves so much that soft contacts will do.
+// could not be solved within direct_work lately: then it moves so much that soft contacts will do. Few couplings without
+// joints that could not be solved rest from it for some steps, too.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -167,10 +168,11 @@ bool look_at(const World& world, std::size_t group, Real w2, Real h, Real weight
   return is_under_impact;
 }
 
-/// In SolverMemory::cooldown_steps, of who was in a group of joints in the last step that the direct solver solved.
-constexpr std::uint8_t kJoinedDirectly = 255;
+/// In SolverMemory::cooldown_steps, beside the steps that are left: its impulses of the last step are the direct
+/// solver's, of joints or of what came nowhere near a solution, and no start for soft contacts.
+constexpr std::uint8_t kOfDirect = 0x80;
 
-bool cools_down(std::uint8_t rest) { return rest > 0 && rest != kJoinedDirectly; }
+bool cools_down(std::uint8_t rest) { return (rest & ~kOfDirect) > 0; }
 void count_down(std::uint8_t& rest) {
   if (cools_down(rest)) --rest;
 }
@@ -240,7 +242,7 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
     view.reason = GroupReason::too_much;
     return view;
   }
-  if (view.bodies <= kFew) {
+  if (is_few(c, group)) {
     view.reason = !c.has_joints(group) && any_cools_down(world, group) ? GroupReason::too_much : GroupReason::few;
     return view;
   }
@@ -257,15 +259,16 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
   return view;
 }
 
-bool is_looked_at(std::uint32_t bodies) { return bodies > kFew && bodies <= kMostDirectBodies; }
+bool is_looked_at(const Contacts& c, std::size_t group) {
+  return !is_few(c, group) && c.group_bodies[group] <= kMostDirectBodies;
+}
 
 /// Bodies of groups that are not looked at: what they remember of another one passes all the same.
 void count_down_elsewhere(const World& world, SolverMemory& of) {
   Contacts& c = *world.contacts;
-  if (std::ranges::all_of(c.group_bodies, is_looked_at)) return;
   for (const std::uint32_t body : c.bodies) {
     std::uint8_t &steps = of.loaded_steps[body], &rest = of.cooldown_steps[body];
-    if ((steps | rest) == 0 || is_looked_at(c.group_bodies[group_of(c, body)])) continue;
+    if ((steps | rest) == 0 || is_looked_at(c, group_of(c, body))) continue;
     if (steps > 0) --steps;
     count_down(rest);
   }
@@ -295,16 +298,14 @@ void start_cooldowns(const World& world, SolverMemory& memory) {
     const bool joined = d.is_joined(g);
     const bool gives_up = !(d.is_few(g) && joined) && !d.rest[g].waits && !d.rest[g].lies && d.rest[g].is_far_off;
     if (!gives_up && !joined) continue;
+    const int rest = !gives_up ? 0 : d.is_few(g) ? kCooldownOfFew.value : kCooldown.value;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
-      memory.cooldown_steps[d.bodies[i].slot] = gives_up ? kCooldown.value : kJoinedDirectly;
+      memory.cooldown_steps[d.bodies[i].slot] = static_cast<std::uint8_t>(kOfDirect | rest);
   }
 }
 
-/// Whether the direct solver gave up this body's group in the last step, or solved it with joints, and soft contacts take
-/// it over.
 bool is_taken_over(const World& world, bool moves, std::uint32_t body) {
-  return moves &&
-         (world.state.cooldown_steps[body] == kCooldown - 1 || world.state.cooldown_steps[body] == kJoinedDirectly);
+  return moves && world.state.cooldown_steps[body] & kOfDirect;
 }
 
 /// Rows of those start from nothing: impulses that all but cancel each other, as where surfaces close on a body, or as
@@ -335,7 +336,7 @@ void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   drop_impulses_of_joints(world);
   SolverMemory& memory = to;
   for (const std::uint32_t body : world.contacts->bodies)
-    if (memory.cooldown_steps[body] == kJoinedDirectly) memory.cooldown_steps[body] = 0;
+    memory.cooldown_steps[body] &= static_cast<std::uint8_t>(~kOfDirect);
   gather_groups(world, to, kMostFactor);
 }
 

@@ -22,8 +22,17 @@ inline std::uint64_t steps_worth(const World& world) {
   return static_cast<std::uint64_t>(std::clamp(world.plan->substeps / usual, 1, kMost));
 }
 
+/// Whether a step of Newton's method over a group costs little, whatever its bodies do.
+inline bool is_few(const Contacts& c, std::size_t group) {
+  constexpr std::uint32_t kPointsOfPair = 4;
+  const std::uint32_t points = c.group_begin[group + 1] - c.group_begin[group];
+  const std::uint32_t joints = c.has_joints(group) ? c.group_link_begin[group + 1] - c.group_link_begin[group] : 0;
+  return joints + points / kPointsOfPair <= kFew;
+}
+
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
+  bool is_few = false;         // @see dynamics::is_few()
   bool is_first = true;        // substep
   std::uint32_t substeps = 0;  // that were solved in this step
   bool is_too_large = false;   // to be factored
@@ -138,7 +147,7 @@ struct DirectGroups {
     return products[group] + kWorkOfContact * (begin[group + 1].contact - begin[group].contact);
   }
 
-  bool is_few(std::size_t group) const { return begin[group + 1].body - begin[group].body <= kFew; }
+  bool is_few(std::size_t group) const { return rest[group].is_few; }
   bool is_joined(std::size_t group) const { return begin[group].link < begin[group + 1].link; }
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
   ConeProblem problem(std::size_t group) {

@@ -82,7 +82,8 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
 /// Of Newton's method.   @param work  block products, beyond those of kAlways
 std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
   if (!rest_.is_bounded) return kMostSteps;
-  if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, kFromNothing * work_);
+  const std::uint32_t from_nothing = is_few() ? kFromNothing.value : kStepsOfYielding.value;
+  if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, from_nothing * work_);
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
 }
 
@@ -150,7 +151,8 @@ void ConeGroup::keep(Velocities& to) {
 }
 
 /// Impulses, by the exact law as far as the work goes. What joints and contacts share is undetermined by it, and so is
-/// found where contacts yield first. So are few bodies, where the work does not suffice: in few steps, and bounded.
+/// found where contacts yield first. Few bodies for which the work does not suffice are swept from where they began: what
+/// was found in part may be anything. Where surfaces drive them they yield, since sweeps have no bound of energy.
 void ConeGroup::find(Real goal, std::uint32_t most_steps) {
   const bool shares = is_joined() && !problem_.contacts.empty();
   if (shares) find_yielding(goal, most_steps);
@@ -164,7 +166,12 @@ void ConeGroup::find(Real goal, std::uint32_t most_steps) {
     if (shares) return_to_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
     if (!shares || throws(problem_)) yield_more(goal, most_steps);
   } else if (is_few() && !shares && !solution_.reached && solution_.residual > kGiveOfContacts * most_borne(problem_)) {
-    find_yielding(goal, kStepsOfYielding);
+    if (is_driven(problem_)) {
+      find_yielding(goal, kStepsOfYielding);
+    } else {
+      return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
+      sweep(problem_, kSweepsInstead);
+    }
     if (throws(problem_)) yield_more(goal, most_steps);
   }
   solution_.residual = residual(problem_), solution_.reached = solution_.residual <= goal;

@@ -24,7 +24,7 @@ class ConeGroup {
   void lead_on(Velocities& to, Real h, Participants& scratch);
 
   bool is_joined() const { return !problem_.links.empty(); }
-  bool is_few() const { return problem_.last - problem_.first <= kFew; }
+  bool is_few() const { return rest_.is_few; }
   /// Whether joints gape still, by less than half of what they did before they were parted: once more is worth it.
   bool is_nearer() const;
 
@@ -69,10 +69,10 @@ class ConeGroup {
   bool gives_energy();
   bool is_sound();
   void keep(Velocities& to);
-  bool is_parted_roughly(Real by) const;
+  Real tolerable_gap() const;
   Real asked() const;
   Real displacement_share(Real asked, Real h) const;
-  void let_displacements_yield();
+  void let_locks_yield();
   void turn_frames();
   Real measure();
   void load(ConeBody& b) const { b.v = {s_.v[b.slot], b.is_led_back ? b.begun : s_.omega[b.slot]}; }

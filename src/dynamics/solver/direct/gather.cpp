@@ -48,7 +48,7 @@ void gather(const World& world, DirectGroups& d) {
   for (std::size_t g = 0; g < c.groups(); ++g) {
     if (!c.solved_directly(g)) continue;
     mark();
-    d.rest.emplace_back();
+    d.rest.emplace_back().is_few = is_few(c, g);
     for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
       const std::uint32_t i = c.group_rows[k];
       const Row& row = c.rows[i];

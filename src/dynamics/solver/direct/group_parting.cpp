@@ -7,19 +7,26 @@
 #include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/load.h"
+#include "dynamics/solver/direct/yielding.h"
+#include "dynamics/solver/direct/yielding_constants.h"
 #include "dynamics/solver/far_turns.h"
 
 namespace carom::dynamics {
 
-/// Where work counts, and contacts may be in the way of what joints ask for.   @param by  m or rad
-bool ConeGroup::is_parted_roughly(Real by) const {
-  return rest_.is_bounded && !problem_.contacts.empty() && by > world_.scene.dials[Dial::position_tolerance];
+/// m or rad, of a joint that needs no correction. Where work counts and contacts bear against joints: a share of what
+/// contacts are let overlap by.
+Real ConeGroup::tolerable_gap() const {
+  return rest_.is_bounded && !problem_.contacts.empty()
+             ? std::max<Real>(kGap, kFineShare * world_.scene.dials[Dial::position_tolerance])
+             : kGap;
 }
 
 bool ConeGroup::is_nearer() const {
   constexpr Real kNearer = 0.5;
   const Real gap = worst_error(world_, problem_, link_row_);
-  return gap > kGap && (!is_parted_roughly(gap) || gap < kNearer * rest_.gap);
+  const bool bears = rest_.is_bounded && !problem_.contacts.empty() &&  // contacts may be in the way
+                     gap > world_.scene.dials[Dial::position_tolerance];
+  return gap > tolerable_gap() && (!bears || gap < kNearer * rest_.gap);
 }
 
 /// To where the bodies are by now.
@@ -41,7 +48,8 @@ Real ConeGroup::measure() {
 Real ConeGroup::asked() const {
   Real asked = 0;
   for (const ConeContact& c : problem_.contacts) asked = std::max(asked, c.want);
-  for (const ConeLink& c : problem_.links) asked = std::max(asked, std::min(std::fabs(c.low), std::fabs(c.high)));
+  for (const ConeLink& c : problem_.links)
+    if (c.most > 0) asked = std::max({asked, c.low, -c.high});
   return asked;
 }
 
@@ -54,10 +62,9 @@ Real ConeGroup::displacement_share(Real asked, Real h) const {
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
 
-/// Displacements of what is joined yield, contacts and locks alike: what contradicts itself has one then, found in few
-/// steps, and a chain that is pulled straight is not moved by metres.
-void ConeGroup::let_displacements_yield() {
-  for (ConeContact& c : problem_.contacts) c.give = kGiveOfDisplacements * c.k;
+/// Displacements yield, contacts and locks alike: what contradicts itself has one then, found in few steps, and a chain
+/// that is pulled straight is not moved by metres.
+void ConeGroup::let_locks_yield() {
   for (ConeLink& c : problem_.links)
     if (c.is_lock()) c.give = kGiveOfDisplacements * c.k;
 }
@@ -69,7 +76,7 @@ void ConeGroup::part(Poses& to, Real h) {
   solution_ = {};
   rest_.gap = is_joined() ? worst_error(world_, problem_, link_row_) : 0;
   const bool overlaps = measure() < -1;
-  if (!overlaps && !(rest_.gap > kGap)) return;
+  if (!overlaps && !(rest_.gap > tolerable_gap())) return;
   each([&](ConeContact& contact, std::uint32_t row) {
     contact.p.set_zero(), contact.u.set_zero();
     contact.friction = 0;
@@ -81,16 +88,11 @@ void ConeGroup::part(Poses& to, Real h) {
   load_links(world_, problem_, link_row_, LinkPhase::part, h);
   measure_links(problem_);
   const Real most_asked = asked();
-  if (is_joined() || is_few()) {
-    let_displacements_yield();
-    const Real fine = is_joined() ? 0.1 * kGap : 0.01 * tolerance;
-    const Real goal = is_parted_roughly(most_asked) ? kGiveOfDisplacements * most_asked : fine;
-    solution_ = solve_cones(problem_, goal, kMostSteps);
-    for (ConeContact& c : problem_.contacts) c.give = 0;
-  } else {
-    solution_ = solve_cones(problem_, 0.01 * tolerance, allowed_steps(rest_.work));
-    account_work();
-  }
+  let_locks_yield();
+  const Real goal = is_joined() ? std::max(0.1 * tolerable_gap(), kGiveOfDisplacements * most_asked) : 0.01 * tolerance;
+  const auto most_steps = static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(kLeastWork / work_, 2 * kAlways.value, kStepsOfYielding.value));
+  solution_ = solve_yielding(problem_, kGiveOfDisplacements, goal, most_steps);
   const Real share = displacement_share(most_asked, h);
   for (const ConeBody& b : bodies_of(problem_)) {
     Vec3 turn = share * b.v.angular();

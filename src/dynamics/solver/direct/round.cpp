@@ -28,13 +28,14 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   bool is_reached = false;
   Real left = kInfinity;
   bool whole = false;  // the last step was
+  const Real rounding = this->rounding();
   for (; steps < most_steps; ++steps) {
     const Real now = find_gradient();
     is_reached = now <= tolerance;
     if (is_reached) break;
     const NextFactor factor = find_factor(steps == 0 ? tolerance : 0);
     if (factor == NextFactor::none) break;
-    if (factor == NextFactor::same && whole && !(now < kFalls * left)) break;
+    if (factor == NextFactor::same && (whole || now <= rounding) && !(now < kFalls * left)) break;
     left = now;
     find_step();
     const Real length = search();
@@ -54,6 +55,14 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   }
   accept();
   return steps;
+}
+
+/// m/s, of the gradient: of velocities that locks resist.
+Real Round::rounding() const {
+  constexpr Real kSome = 10;
+  Real most2 = 0;
+  for (const ConeBody& b : bodies_of(problem_)) most2 = std::max(most2, speed2(b, b.v));
+  return kSome * kEpsilon * std::sqrt(most2) / softness_of_locks();
 }
 
 // M change = J^T (q - p0) holds before and after a step L: its M step = J^T (p - q - W du), W the slope of p by -u.

@@ -36,6 +36,7 @@ class Round {
   Vec3 project(const ConeContact& c, const Vec3& z) const {
     return is_known_ ? project_on_cylinder(z, c.n, c.most_friction) : project_on_cone(z, c.n, c.friction);
   }
+  Real rounding() const;
   Mat3 slope(const ConeContact& c) const;
   Real gain_along(const ConeContact& c, Real length) const;
   /// Impulses that have given the bodies the velocities of the steps taken, along with one more.

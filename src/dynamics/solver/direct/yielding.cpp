@@ -45,6 +45,10 @@ bool is_wedged(const ConeProblem& problem) {
   return needed < kWedged * bears;
 }
 
+bool is_driven(const ConeProblem& problem) {
+  return std::ranges::any_of(problem.contacts, [](const ConeContact& c) { return c.surface != c.curve; });
+}
+
 ConeSolution solve_yielding(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps) {
   for (ConeContact& c : problem.contacts) {
     const Real borne = c.start_p.dot(c.n),

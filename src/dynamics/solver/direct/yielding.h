@@ -25,6 +25,9 @@ Real borne(const ConeProblem& problem);
 /// Whether impulses are far larger than what they do to the bodies asks for.
 bool is_wedged(const ConeProblem& problem);
 
+/// Whether surfaces that impulses do not move give energy to it.
+bool is_driven(const ConeProblem& problem);
+
 /// Whether bodies leave faster than surfaces that meet them could throw them (kThrow).
 bool throws(const ConeProblem& problem);
 

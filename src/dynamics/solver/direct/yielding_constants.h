@@ -21,8 +21,11 @@ inline constexpr Constant<Real> kOfYielding{
     "larger: what joints bear is off by more; smaller: steps of Newton for nothing"};
 inline constexpr Constant<std::uint32_t> kStepsOfYielding{
     "direct_steps_of_yielding", 10, "steps of Newton",
-    "in which contacts that yield are found where the work did not suffice for the exact law",
-    "fewer: what is cut short there sinks; more: impacts through heaps take as much longer"};
+    "in which displacements are found at most, and what a large group bears that bore nothing",
+    "fewer: overlaps last for longer, tracks gape; more: what is built overlapping stalls its first step"};
+inline constexpr Constant<int> kSweepsInstead{
+    "direct_sweeps_instead", 20, "sweeps", "over few bodies, in a substep for which the work did not suffice",
+    "fewer: a wave through a row of blocks runs too fast; more: time for nothing"};
 inline constexpr Constant<Real> kWedged{
     "direct_wedged", 1e-10, "1",
     "of the sum of k p^2 of contacts, what they do to bodies: less is impulses that cancel each other; a cube under a "
@@ -34,7 +37,7 @@ inline constexpr Constant<Real> kFarMore{
     "times what contacts bear that yield: where the exact law is not reached by as much more, it has no solution",
     "larger: what is wedged bears more; smaller: an impact that could not be solved in time counts as wedged"};
 
-inline constexpr ConstantRow kYieldingConstants[] = {kGiveOfContacts,  kGiveOfSweeps, kOfYielding,
-                                                     kStepsOfYielding, kWedged,       kFarMore};
+inline constexpr ConstantRow kYieldingConstants[] = {kGiveOfContacts, kGiveOfSweeps, kOfYielding, kStepsOfYielding,
+                                                     kSweepsInstead,  kWedged,       kFarMore};
 
 }  // namespace carom::dynamics
