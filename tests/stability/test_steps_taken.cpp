@@ -39,8 +39,8 @@ double worst_of(const Rope& of) {
 
 }  // namespace
 
-/// Two rounds of Newton's method solve what is but for a motor linear, and few more where the motor is at its bound; it
-/// went on at rounding, 60 to 210 steps a substep. Ten steps, and four solutions where a rope is jerked (kJerks).
+/// But for a motor a rope is linear: two steps of Newton's method solve it, and some more where the motor is at its bound.
+/// It went on at rounding, 60 to 210 steps a substep. Ten steps, and four solutions where a rope is jerked (kJerks).
 static void ropes_take_few_steps(void**) {
   for (const Rope& rope : {Rope{5, 0.4, 60, 0.3, 30}, Rope{9, 0.3, 150, -0.5, 60}, Rope{12, 0.25, 20, 0.2, 50},
                            Rope{3, 1, 1000, 1, 120}, Rope{20, 0.1, 5, 2, 60}}) {

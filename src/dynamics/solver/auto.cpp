@@ -1,6 +1,6 @@
 // The solver that chooses: the direct solver for few bodies, and for those of which soft contacts would not hold more.
 //
-// A group of up to direct_few couplings, pairs and joints, goes to the direct solver, a larger one where
+// A group of up to direct_few couplings, joints and fours of points, goes to the direct solver, a larger one where
 //  - bodies that touch have masses further apart than direct_ratio, or
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
 //    thickness, or by more than is borne where an accuracy is set: that is what a tall stack and a heavy load on a light
@@ -171,6 +171,7 @@ bool look_at(const World& world, std::size_t group, Real w2, Real h, Real weight
 /// In SolverMemory::cooldown_steps, beside the steps that are left: its impulses of the last step are the direct
 /// solver's, of joints or of what came nowhere near a solution, and no start for soft contacts.
 constexpr std::uint8_t kOfDirect = 0x80;
+static_assert(kCooldown < kOfDirect && kCooldownOfFew < kOfDirect);
 
 bool cools_down(std::uint8_t rest) { return (rest & ~kOfDirect) > 0; }
 void count_down(std::uint8_t& rest) {
@@ -304,11 +305,12 @@ void start_cooldowns(const World& world, SolverMemory& memory) {
   }
 }
 
+/// Of what soft contacts solve now: whether the direct solver solved it in the last step.
 bool is_taken_over(const World& world, bool moves, std::uint32_t body) {
   return moves && world.state.cooldown_steps[body] & kOfDirect;
 }
 
-/// Rows of those start from nothing: impulses that all but cancel each other, as where surfaces close on a body, or as
+/// Rows of what is taken over start from nothing: impulses that all but cancel each other, as where surfaces close on a body, or as
 /// joints of a ring bear against each other, would throw it. Others of a group that they have come to be in keep theirs.
 void drop_impulses_of_contacts(const World& world) {
   Contacts& c = *world.contacts;

@@ -151,8 +151,7 @@ void ConeGroup::keep(Velocities& to) {
 }
 
 /// Impulses, by the exact law as far as the work goes. What joints and contacts share is undetermined by it, and so is
-/// found where contacts yield first. Few bodies for which the work does not suffice are swept from where they began: what
-/// was found in part may be anything. Where surfaces drive them they yield, since sweeps have no bound of energy.
+/// found where contacts yield first.
 void ConeGroup::find(Real goal, std::uint32_t most_steps) {
   const bool shares = is_joined() && !problem_.contacts.empty();
   if (shares) find_yielding(goal, most_steps);
@@ -166,15 +165,21 @@ void ConeGroup::find(Real goal, std::uint32_t most_steps) {
     if (shares) return_to_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
     if (!shares || throws(problem_)) yield_more(goal, most_steps);
   } else if (is_few() && !shares && !solution_.reached && solution_.residual > kGiveOfContacts * most_borne(problem_)) {
-    if (is_driven(problem_)) {
-      find_yielding(goal, kStepsOfYielding);
-    } else {
-      return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
-      sweep(problem_, kSweepsInstead);
-    }
-    if (throws(problem_)) yield_more(goal, most_steps);
+    find_without_work(goal, most_steps);
   }
   solution_.residual = residual(problem_), solution_.reached = solution_.residual <= goal;
+}
+
+/// Few bodies for which the work did not suffice are swept from where they began: what was found in part may be anything.
+/// Where surfaces drive them they yield, since sweeps have no bound of energy.
+void ConeGroup::find_without_work(Real goal, std::uint32_t most_steps) {
+  if (is_driven(problem_)) {
+    find_yielding(goal, kStepsOfYielding);
+  } else {
+    return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
+    sweep(problem_, kSweepsInstead);
+  }
+  if (throws(problem_)) yield_more(goal, most_steps);
 }
 
 void ConeGroup::find_yielding(Real goal, std::uint32_t most_steps) {

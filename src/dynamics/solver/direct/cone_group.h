@@ -49,6 +49,7 @@ class ConeGroup {
   void lead_back(Real h);
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
+  void find_without_work(Real goal, std::uint32_t most_steps);
   void find_yielding(Real goal, std::uint32_t most_steps);
   void yield_more(Real goal, std::uint32_t most_steps);
   void find_closer(Real goal, std::uint32_t most_steps);
@@ -69,6 +70,7 @@ class ConeGroup {
   bool gives_energy();
   bool is_sound();
   void keep(Velocities& to);
+  bool may_contradict() const;
   Real tolerable_gap() const;
   Real asked() const;
   Real displacement_share(Real asked, Real h) const;

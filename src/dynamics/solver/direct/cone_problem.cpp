@@ -24,7 +24,7 @@ namespace {
 
 /// How far a contact is from the law, (m/s)^2: (k |p - P_K(p - y / k)|)^2. Of many only the largest needs its root.
 Real offence2(const ConeContact& c, Real slip) {
-  const Vec3 y = c.u - (c.want - slip) * c.n + c.give * c.p;
+  const Vec3 y = c.u - (c.want - slip) * c.n;
   return (c.k * (c.p - project_on_cone(c.p - y / c.k, c.n, c.friction))).squared_norm();
 }
 

@@ -13,20 +13,19 @@
 
 namespace carom::dynamics {
 
-/// m or rad, of a joint that needs no correction. Where work counts and contacts bear against joints: a share of what
-/// contacts are let overlap by.
+/// Where work counts, and contacts may be in the way of what joints ask for.
+bool ConeGroup::may_contradict() const { return rest_.is_bounded && !problem_.contacts.empty(); }
+
+/// m or rad, of a joint that needs no correction: in contact a share of what contacts are let overlap by.
 Real ConeGroup::tolerable_gap() const {
-  return rest_.is_bounded && !problem_.contacts.empty()
-             ? std::max<Real>(kGap, kFineShare * world_.scene.dials[Dial::position_tolerance])
-             : kGap;
+  return may_contradict() ? std::max<Real>(kGap, kFineShare * world_.scene.dials[Dial::position_tolerance]) : kGap;
 }
 
 bool ConeGroup::is_nearer() const {
   constexpr Real kNearer = 0.5;
   const Real gap = worst_error(world_, problem_, link_row_);
-  const bool bears = rest_.is_bounded && !problem_.contacts.empty() &&  // contacts may be in the way
-                     gap > world_.scene.dials[Dial::position_tolerance];
-  return gap > tolerable_gap() && (!bears || gap < kNearer * rest_.gap);
+  const bool is_hindered = may_contradict() && gap > world_.scene.dials[Dial::position_tolerance];
+  return gap > tolerable_gap() && (!is_hindered || gap < kNearer * rest_.gap);
 }
 
 /// To where the bodies are by now.

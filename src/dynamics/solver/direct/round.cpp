@@ -28,14 +28,13 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   bool is_reached = false;
   Real left = kInfinity;
   bool whole = false;  // the last step was
-  const Real rounding = this->rounding();
   for (; steps < most_steps; ++steps) {
     const Real now = find_gradient();
     is_reached = now <= tolerance;
     if (is_reached) break;
     const NextFactor factor = find_factor(steps == 0 ? tolerance : 0);
     if (factor == NextFactor::none) break;
-    if (factor == NextFactor::same && (whole || now <= rounding) && !(now < kFalls * left)) break;
+    if (factor == NextFactor::same && !(now < kFalls * left) && (whole || now <= rounding())) break;
     left = now;
     find_step();
     const Real length = search();
@@ -57,9 +56,8 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   return steps;
 }
 
-/// m/s, of the gradient: of velocities that locks resist.
 Real Round::rounding() const {
-  constexpr Real kSome = 10;
+  constexpr Real kSome = 10;  // roundings: the velocity of a row is a sum of twelve products
   Real most2 = 0;
   for (const ConeBody& b : bodies_of(problem_)) most2 = std::max(most2, speed2(b, b.v));
   return kSome * kEpsilon * std::sqrt(most2) / softness_of_locks();

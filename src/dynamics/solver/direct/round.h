@@ -36,6 +36,7 @@ class Round {
   Vec3 project(const ConeContact& c, const Vec3& z) const {
     return is_known_ ? project_on_cylinder(z, c.n, c.most_friction) : project_on_cone(z, c.n, c.friction);
   }
+  /// m/s, of the gradient: velocities of bodies are rounded, and what locks resist them by is that over their softness.
   Real rounding() const;
   Mat3 slope(const ConeContact& c) const;
   Real gain_along(const ConeContact& c, Real length) const;

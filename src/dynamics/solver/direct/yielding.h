@@ -25,7 +25,8 @@ Real borne(const ConeProblem& problem);
 /// Whether impulses are far larger than what they do to the bodies asks for.
 bool is_wedged(const ConeProblem& problem);
 
-/// Whether surfaces that impulses do not move give energy to it.
+/// Whether surfaces move by themselves where contacts are: those of what impulses do not move, belts, and patches that
+/// slide (spread() reckons what their spin does as the surface's).
 bool is_driven(const ConeProblem& problem);
 
 /// Whether bodies leave faster than surfaces that meet them could throw them (kThrow).
