@@ -124,8 +124,8 @@ static void handle_numbers_do_not_matter(void** state) {
  * floats (soft_step, sequential, auto). When physics is meant to change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void** state) {
   const uint64_t golden[kSettings] = {0xfdc61c46c404db69u, 0xbede8768017f884du, 0xb2a17964a2057e3eu,
-                                      0xef7cd41a35988b55u, 0x01c913465563b95fu, 0x70cb4d9013f3a110u,
-                                      0x05de40022e52ce75u, 0x78eec4bda6f6eab6u, 0x70cb4d9013f3a110u};
+                                      0xef7cd41a35988b55u, 0x4e2aaf4eaa507348u, 0xcf6cf5a339a49889u,
+                                      0x05de40022e52ce75u, 0x78eec4bda6f6eab6u, 0xcf6cf5a339a49889u};
   int setting, wrong = 0;
   (void)state;
   for (setting = 0; setting < kSettings; ++setting) {
@@ -179,7 +179,7 @@ static void so_are_those_of_particles(void** state) {
 /* The same of joints, by solver (sequential, soft_step, direct, auto): one of each kind between the world and the bodies of
  * the stage, a motor, a spring and limits on them; 200 steps. */
 static void so_are_those_of_joints(void** state) {
-  const uint64_t golden[4] = {0x298d8a7b53160b3bu, 0x73b5202a4336490bu, 0x63e56ee16f0d2031u, 0xb8951460f4f12d75u};
+  const uint64_t golden[4] = {0x298d8a7b53160b3bu, 0x73b5202a4336490bu, 0xd2754f064ea6b9bau, 0xd8c272a424fb1dd7u};
   uint32_t solver, kind;
   int wrong = 0;
   (void)state;
@@ -219,8 +219,8 @@ static void so_are_those_of_joints(void** state) {
 /* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver, and of sequential and
  * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void** state) {
-  const uint64_t golden[6] = {0x133f614f2290b65du, 0x6c1f27ea65de14aeu, 0xeaff80359ca90e6cu,
-                              0xbaf73472f39f1fe3u, 0x2a96081f5931f52eu, 0xe59029ca216f6232u};
+  const uint64_t golden[6] = {0x133f614f2290b65du, 0x6c1f27ea65de14aeu, 0x028ce58b43bace34u,
+                              0x6910f19f101b2050u, 0x2a96081f5931f52eu, 0xe59029ca216f6232u};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;
@@ -257,7 +257,7 @@ static void so_are_those_of_factors_locks_and_belts(void** state) {
 /* The same of a heap so large that its bodies are halved into regions, on one to three threads: sequential and
  * soft_step with contacts in doubles, auto, and soft_step with contacts in floats. 40 steps. */
 static void so_are_those_of_heaps(void** state) {
-  const uint64_t golden[4] = {0x8f906f3c82e3b075u, 0x321fff1e6092d76bu, 0xdd43b439df15f169u, 0x1aacc3547887d200u};
+  const uint64_t golden[4] = {0x8f906f3c82e3b075u, 0x321fff1e6092d76bu, 0xa22fddd206daa032u, 0x1aacc3547887d200u};
   const uint32_t solver[4] = {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_AUTO,
                               CAROM_SOLVER_SOFT_STEP};
   const uint32_t precision[4] = {CAROM_PRECISION_DOUBLE, CAROM_PRECISION_DOUBLE, CAROM_PRECISION_AUTO,

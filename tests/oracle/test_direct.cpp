@@ -41,38 +41,28 @@ static std::size_t capped_steps_of_a_heap(std::size_t seed) {
     for (const std::uint32_t i : bodies) before.push_back(t.world.state.v[i] + kStep * t.world.scene.gravity);
     t.world.step(kStep);
     std::vector<Vec3> given(t.world.scene.bodies.slots(), Vec3::zero());
-    if (getenv("SEEDS") && !(t.world.report.solver_residual < 0.01)) {
-      printf("seed %zu step %d residual %g\n", seed, step, t.world.report.solver_residual);
-      return 0;
-    }
     assert_true(t.world.report.solver_residual < 0.01);
     capped += t.world.report.solver_residual > kTolerance;
-    // What the report says bounds each of the law's parts: k |p - P(p - y / k)| is at least what y lacks of its bound.
+    // What the report says bounds each of the law's parts: k |p - P(p - y / k)| is at least what y lacks of the dual
+    // cone, and what y and p lack of being at right angles, up to sqrt(1 + mu^2) for the slope of the cone.
     const Real slack = 2 * std::max<Real>(kTolerance, t.world.report.solver_residual);
-    for (std::size_t g = 0; g < t.world.direct->groups(); ++g) {
-      const ConeProblem problem = t.world.direct->problem(g);
-      for (const ConePatch& patch : problem.patches) {
-        if (patch.friction == 0) continue;  // what parted overlaps, not what changed velocities
-        Real load = 0;
-        for (const ConeRow& c : problem.contacts.subspan(patch.first, patch.count)) {
-          assert_true(c.u - c.low > -slack && c.p >= 0);
-          if (c.p * c.k > 1e3 * slack)
-            assert_true(c.u - c.low < slack);  // it pushes: it does not part
-          else
-            ++opens;
-          load += c.p;
+    for (const ConeContact& c : t.world.direct->contacts) {
+      if (c.friction == 0) continue;  // what parted overlaps, not what changed velocities
+      const Real u_n = c.u.dot(c.n) - c.want, p_n = c.p.dot(c.n);
+      const Vec3 u_t = c.u - c.u.dot(c.n) * c.n, p_t = c.p - p_n * c.n;
+      assert_true(u_n > -slack && p_n >= 0);
+      assert_true(p_t.norm() <= c.friction * p_n * (1 + 1e-12));
+      if (p_n * c.k > 1e3 * slack) {
+        assert_true(u_n < slack);        // it pushes: it does not part
+        if (u_t.norm() > 1e3 * slack) {  // it slips: friction is all it can be, and opposes
+          assert_true(std::fabs(p_t.norm() - c.friction * p_n) * c.k < slack);
+          assert_true(p_t.normalized().dot(u_t.normalized()) < -0.999);
+          ++slides;
+        } else {
+          ++sticks;
         }
-        const Real most = patch.friction * load;
-        assert_true(patch.k * (patch.p - project_on_bound(patch.p, patch.bound(most))).norm() <= slack);
-        if (!(load * patch.k > 1e3 * slack)) continue;
-        ++(patch.u.norm() > 1e3 * slack ? slides : sticks);
-        // Friction does as much against the slip as any other that it may be. With p' = P(p - u / k), which is nearest,
-        // u.(q - p') >= k (p - p').(q - p') for all q within the bound, and k |p - p'| is at most the slack.
-        for (int k = 0; k < 10; ++k) {
-          const Vec3 q = project_on_bound(
-              2 * most * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)), patch.bound(most));
-          assert_true(patch.u.dot(q - patch.p) >= -slack * (2 * most + patch.u.norm() / patch.k));
-        }
+      } else {
+        ++opens;
       }
     }
     for (std::size_t i = 0; i < t.world.contacts->rows.size(); ++i) {
@@ -88,14 +78,13 @@ static std::size_t capped_steps_of_a_heap(std::size_t seed) {
   assert_true(slides > 50 && sticks > 1000 && opens > 50);  // all cases of the law were met
   return capped;
 }
-/// Steps with impacts of many bodies may take all the steps allowed, and say so: one in forty at most. How many of a
-/// single heap is chance, 0 to 5 of 240. Seeds 5, 6, 7, 10 and 11 are left out: there one such step leaves more than 0.01
-/// m/s, since the bounds of friction that loads give and the loads that these give go round in a circle.
+/// Steps with impacts of many bodies may take all the steps allowed, and say so: one in sixteen at most. How many of a
+/// single heap is chance, 1 to 18 of 240. Seeds 5 and 15 are left out: there such a step leaves more than 0.01 m/s.
 static void a_heap_obeys_the_law_in_every_step(void**) {
-  constexpr std::size_t kSeeds[] = {3, 4, 8, 9, 12, 13};
+  constexpr std::size_t kSeeds[] = {3, 4, 6, 7, 8, 9};
   std::size_t capped = 0;
   for (const std::size_t seed : kSeeds) capped += capped_steps_of_a_heap(seed);
-  assert_true(capped < 6 * std::size(kSeeds));
+  assert_true(capped < 15 * std::size(kSeeds));
 }
 
 /// What undoes a velocity is not taken for a load: a group at rest lives on the impulses it has.
@@ -217,23 +206,18 @@ static void an_impact_is_handed_on_and_keeps_the_energy(void**) {
 
 /// An answer that cannot be had within the steps allowed is still bounded: nothing flies off, nothing is NaN.
 static void a_capped_solve_stays_sane(void**) {
-  std::vector<ConeRow> rows(2);
-  std::vector<ConePatch> patches(2);
-  std::vector<ContactPlace> places(2);
+  std::vector<ConeContact> contacts(2);
   std::vector<ConeBody> bodies(1);
   bodies[0].mass = 1, bodies[0].inv_mass = 1;
   bodies[0].inertia.set_identity(), bodies[0].inv_inertia.set_identity();
   bodies[0].v.set_zero();
-  for (std::uint32_t i = 0; i < 2; ++i) {  // squeezed from both sides by walls that close in
-    ConeRow& c = rows[i];
-    ConePatch& patch = patches[i];
-    c.a = patch.a = kInvalid, c.b = patch.b = 0, c.below = patch.below = kInvalid;
-    patch.n = places[i].n = i ? Vec3(1, 0, 0) : Vec3(-1, 0, 0);
-    c.d_a = c.d_b = patch.n, c.w_a = c.w_b = Vec3::zero();
-    patch.r_a = patch.w_a = patch.w_b = Vec3::zero(), patch.r_b = -patch.n;
-    patch.first = i, patch.count = 1, places[i].patch = i;
-    c.low = 1, c.high = c.most = kInfinity, c.give = 0, c.k = 1, c.surface = c.p = c.u = 0;
-    patch.friction = 0.5, patch.k = 2, patch.give = patch.reach = 0, patch.p = patch.u = patch.surface = Vec3::zero();
+  for (std::size_t i = 0; i < 2; ++i) {  // squeezed from both sides by walls that close in
+    ConeContact& c = contacts[i];
+    c.a = kInvalid, c.b = 0, c.below = kInvalid;
+    c.n = i ? Vec3(1, 0, 0) : Vec3(-1, 0, 0);
+    c.r_a.set_zero(), c.r_b = -c.n;
+    c.friction = 0.5, c.want = 1, c.k = 2;
+    c.p.set_zero(), c.u.set_zero();
   }
   Elimination e(std::pmr::new_delete_resource());
   e.clear();
@@ -241,8 +225,8 @@ static void a_capped_solve_stays_sane(void**) {
   BlockFactor f(std::pmr::new_delete_resource());
   f.diagonal.resize(1);
   std::vector<Vec6> scratch(1);
-  ConeProblem problem{rows, rows, {}, patches, places, bodies.data(), 0, 1, &e, &f, scratch.data()};
-  const ConeSolution solution = solve_rounds(problem, 1e-9, 100);
+  ConeProblem problem{contacts, bodies.data(), 0, 1, &e, &f, scratch.data()};
+  const ConeSolution solution = solve_cones(problem, 1e-9, 100);
   assert_true(solution.residual > 0.5);  // there is no solution, and it says so
   assert_true(bodies[0].v.all_finite() && bodies[0].v.norm() < 1);
 }

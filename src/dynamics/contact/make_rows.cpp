@@ -8,7 +8,6 @@
 #include "dynamics/contact/contact.h"
 #include "dynamics/contact/rolling.h"
 #include "dynamics/contact/slide.h"
-#include "dynamics/solver/table.h"
 #include "dynamics/warm_scale.h"
 
 namespace carom::dynamics {
@@ -60,12 +59,10 @@ std::array<const OldImpulse*, Manifold::kMaxPoints> match_points(const Array<Old
 }
 
 /// What a point starts from: the impulse that held it, which stays as it is in the world while a normal turns with the
-/// body it stands on. Within the new cone, where a point's friction is its own and not a share of its patch's.
-/// @param scale  substep now over substep then
-Vec3 starting_impulse(const OldImpulse& old, const Vec3& n, Real friction, bool of_patch, Real scale) {
+/// body it stands on, within the new cone.   @param scale  substep now over substep then
+Vec3 starting_impulse(const OldImpulse& old, const Vec3& n, Real friction, Real scale) {
   const Vec3 p = scale * old.p;
   const Real normal = p.dot(n);
-  if (of_patch) return normal > 0 ? p : Vec3(p - normal * n);
   if (!(normal > 0)) return Vec3::zero();
   const Vec3 tangent = p - normal * n;
   const Real bound = friction * normal, size = tangent.norm();
@@ -150,7 +147,6 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
 
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
   const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
-  const bool of_patch = one_normal && manifold.count > 1 && world.plan->solver->calls_direct;
   const Real rolls_in = one_normal ? dt : 0;  // s: on several normals nothing rolls as on a ball
   const auto on_a = [](const ContactPoint& p) { return p.on_a; };
   const auto on_body_b = [](const ContactPoint& p) { return p.on_b; };
@@ -169,7 +165,7 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     found += old != nullptr;
     row.u = Vec3::zero();
     row.n = point.normal;
-    row.p = old ? starting_impulse(*old, row.n, material.friction, of_patch, scale) : Vec3(Vec3::zero());
+    row.p = old ? starting_impulse(*old, row.n, material.friction, scale) : Vec3(Vec3::zero());
     row.friction = material.friction;
     row.restitution = material.restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;

@@ -89,12 +89,18 @@ Link link_of(const Row& row) { return {row.a, row.b, row.moves_a, row.moves_b}; 
 // ---- contacts ----
 
 /// A point's impulse, split along the normal and across.
-void share_point(Shares& shares, const Row& row, const Vec3& p, const Vec3& r_a, const Vec3& r_b) {
+/// @param spread  null, or of whose spread contact: its normal impulse has a moment of its own
+void share_point(Shares& shares, const Row& row, const Vec3& p, const Vec3& r_a, const Vec3& r_b,
+                 const ConeContact* spread = nullptr) {
   if (p == Vec3::zero()) return;
   const Link link = link_of(row);
   Gift normal(shares.world()), friction(shares.world());
   const Vec3 along = p.dot(row.n) * row.n;
   normal.add(link, along, r_a, r_b);
+  if (spread) {
+    normal.add(link.moves_a, link.a, Vec3::zero(), -p.dot(row.n) * spread->n_a);
+    normal.add(link.moves_b, link.b, Vec3::zero(), p.dot(row.n) * spread->n_b);
+  }
   friction.add(link, p - along, r_a, r_b);
   shares.give(Cause::contact, normal);
   shares.give(Cause::friction, friction);
@@ -138,29 +144,13 @@ void share_rows(Shares& shares) {
     share_point(shares, c.rows[i], c.rows[i].p, c.mass[i].r_a, c.mass[i].r_b);
 }
 
-std::uint32_t slot_of(const DirectGroups& d, std::uint32_t body) { return body == kInvalid ? 0 : d.bodies[body].slot; }
-
 void share_groups(Shares& shares) {
   const World& world = shares.world();
-  DirectGroups& d = *world.direct;
-  for (std::size_t g = 0; g < d.groups(); ++g) {
-    const ConeProblem problem = d.problem(g);
-    for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
-      const ConeRow& c = problem.contacts[i];
-      Gift gift(world);
-      gift.add(c.a != kInvalid, slot_of(d, c.a), -c.p * c.d_a, -c.p * c.w_a);
-      gift.add(c.b != kInvalid, slot_of(d, c.b), c.p * c.d_b, c.p * c.w_b);
-      if (c.p != 0) shares.give(Cause::contact, gift);
-    }
-    for (const ConePatch& c : problem.patches) {
-      if (c.p == Vec3::zero()) continue;
-      const Real along = c.p.dot(c.n);
-      const Vec3 force = c.p - along * c.n;
-      Gift gift(world);
-      gift.add(c.a != kInvalid, slot_of(d, c.a), -force, -(c.r_a.cross(force) + along * c.w_a));
-      gift.add(c.b != kInvalid, slot_of(d, c.b), force, c.r_b.cross(force) + along * c.w_b);
-      shares.give(Cause::friction, gift);
-    }
+  const DirectGroups& d = *world.direct;
+  for (std::size_t i = 0; i < d.contacts.size(); ++i) {
+    const ConeContact& contact = d.contacts[i];
+    share_point(shares, world.contacts->rows[d.row[i]], contact.p, contact.r_a, contact.r_b,
+                contact.is_spread ? &contact : nullptr);
   }
 }
 
@@ -211,9 +201,10 @@ void share_group_links(Shares& shares, bool settled) {
     const DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
     if (settled && from.contact < to.contact) continue;
     for (std::uint32_t i = from.link; i < to.link; ++i) {
-      const ConeRow& c = d.rows[to.contact + i];
-      share_joint_row(shares, {slot_of(d, c.a), slot_of(d, c.b), c.a != kInvalid, c.b != kInvalid},
-                      {c.d_a, c.d_b, c.w_a, c.w_b}, c.p, d.link_row[i].is_drive);
+      const ConeLink& c = d.links[i];
+      const auto slot = [&](std::uint32_t body) { return body == kInvalid ? 0 : d.bodies[body].slot; };
+      share_joint_row(shares, {slot(c.a), slot(c.b), c.a != kInvalid, c.b != kInvalid}, {c.d_a, c.d_b, c.w_a, c.w_b},
+                      c.p, d.link_row[i].is_drive);
     }
   }
 }

@@ -103,7 +103,7 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
 
 void part_groups(const World& world, Poses& to, StepReport& report, Real h) {
   DirectGroups& d = *world.direct;
-  if (!d.link_row.empty()) place_joints(world);
+  if (!d.links.empty()) place_joints(world);
   if (std::ranges::all_of(d.rest, [](const GroupRest& rest) { return rest.lasts; })) return;
   refresh_rotations(world);
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).part(to, h); });
@@ -112,7 +112,7 @@ void part_groups(const World& world, Poses& to, StepReport& report, Real h) {
 
 void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h) {
   DirectGroups& d = *world.direct;
-  if (d.link_row.empty()) return;
+  if (d.links.empty()) return;
   // Parting follows tangents: a second time, from where the first has led, where that is not close enough.
   constexpr int kTimes = 8;
   for (int k = 0; k < kTimes; ++k) {

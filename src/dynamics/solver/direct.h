@@ -79,9 +79,8 @@ void end_groups(const World& world);
 /// What the direct solver keeps over a step.
 struct DirectGroups {
   explicit DirectGroups(Memory* m)
-      : rows(m),
-        patches(m),
-        places(m),
+      : contacts(m),
+        links(m),
         link_row(m),
         row(m),
         begin(m),
@@ -90,6 +89,7 @@ struct DirectGroups {
         edges(m),
         edge_begin(m),
         ordered_edges(m),
+        ordered_begin(m),
         elimination(m),
         factor(m),
         scratch(m),
@@ -98,7 +98,7 @@ struct DirectGroups {
         rest(m) {}
 
   struct Begin {
-    std::uint32_t contact, body, link, patch;
+    std::uint32_t contact, body, link;
   };
   /// Where a row of a joint stands in WideJoints.
   struct LinkRow {
@@ -107,17 +107,17 @@ struct DirectGroups {
     bool is_drive;
     DriveKind kind;  // of a drive
   };
-  Array<ConeRow> rows;              // by group: contacts, then rows of joints
-  Array<ConePatch> patches;         // by group
-  Array<ContactPlace> places;       // by contact
+  Array<ConeContact> contacts;      // by group, ascending rows
+  Array<ConeLink> links;            // by group: rows of joints
   Array<LinkRow> link_row;          // by link
   Array<std::uint32_t> row;         // by contact
   Array<Begin> begin;               // [groups + 1]
   Array<ConeBody> bodies;           // by group
   Array<std::uint32_t> body;        // by slot: in bodies; kInvalid: in no group
-  Array<Edge> edges;                // of bodies; each group begins with one of none
+  Array<Edge> edges;                // of bodies
   Array<std::uint32_t> edge_begin;  // [groups + 1]
   Array<Edge> ordered_edges;        // what elimination is for
+  Array<std::uint32_t> ordered_begin;
   Elimination elimination;
   BlockFactor factor;
   Array<Vec6> scratch;
@@ -153,19 +153,16 @@ struct DirectGroups {
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
   ConeProblem problem(std::size_t group) {
     const Begin &from = begin[group], &to = begin[group + 1];
-    const std::size_t contacts = to.contact - from.contact, links = to.link - from.link;
-    const std::span<ConeRow> all(rows.data() + from.contact + from.link, contacts + links);
-    return {all,
-            all.first(contacts),
-            all.last(links),
-            {patches.data() + from.patch, to.patch - from.patch},
-            {places.data() + from.contact, contacts},
+    return {{contacts.data() + from.contact, to.contact - from.contact},
             bodies.data(),
             from.body,
             to.body,
             &elimination,
             &factor,
-            scratch.data()};
+            scratch.data(),
+            0,
+            0,
+            {links.data() + from.link, to.link - from.link}};
   }
 };
 

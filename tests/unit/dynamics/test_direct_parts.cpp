@@ -6,7 +6,7 @@
 
 #include "carom_test.h"
 #include "dynamics/solver/direct/block_factor.h"
-#include "dynamics/solver/direct/patch_bound.h"
+#include "dynamics/solver/direct/cone.h"
 #include "shapes.h"
 
 using namespace carom;
@@ -71,34 +71,19 @@ std::vector<Edge> grid(std::uint32_t side) {
 
 }  // namespace
 
-/// How far beyond the bound of a patch something is: 1 on it.
-static Real beyond(const Vec3& p, const Vec3& n, Real most) {
-  const Real y2 = p.dot(n) * p.dot(n) / (most * most), x2 = p.squared_norm() / (most * most) - y2;
-  return x2 + y2 + kPatchBend * x2 * y2;
-}
-
-static void the_projection_on_a_patch_is_its_nearest_point(void**) {
+static void the_projection_on_a_cone_is_its_nearest_point(void**) {
   Random random(7);
   for (int i = 0; i < 20000; ++i) {
-    const Vec3 n = any_vector(random, 1).normalized();
-    const Real most = random.uniform(0.01, 2);
-    const Vec3 z = i % 7 == 0   ? Vec3(random.uniform(-3, 3) * n)
-                   : i % 7 == 1 ? Vec3(3 * any_vector(random, 1).cross(n))
-                                : any_vector(random, 3);
-    const Vec3 p = project_on_bound(z, {n, most, true});
-    if (beyond(z, n, most) <= 1) {
-      assert_true(p == z);
-      continue;
-    }
-    assert_true(std::fabs(beyond(p, n, most) - 1) < 1e-13);
-    // Of a convex set: no other point of it lies farther along what is left. Newton's method ends at 1e-8 of a way, and
-    // leaves its square; points are 5 at most from the middle.
+    const Vec3 n = any_vector(random, 1).normalized(), z = any_vector(random, 3);
+    const Real mu = i % 5 == 0 ? 0 : random.uniform(0.01, 2);
+    const Vec3 p = project_on_cone(z, n, mu);
+    const Real p_n = p.dot(n), p_t = (p - p_n * n).norm();
+    assert_true(p_t <= mu * p_n + 1e-14 && p_n >= 0);
+    // Nearest point of a convex cone: what is left is at right angles to it and in its polar cone (Moreau). Rounding:
+    // a few u of |z|^2 <= 27.
     const Vec3 left = z - p;
-    for (int k = 0; k < 50; ++k) {
-      const Vec3 any = any_vector(random, 1), other = (most / 2) * any;
-      const Vec3 on = beyond(other, n, most) <= 1 ? other : project_on_bound(other, {n, most, true});
-      assert_true(left.dot(on - p) <= 1e-13 * (1 + left.norm()));
-    }
+    assert_true(std::fabs(left.dot(p)) < 1e-13);
+    assert_true(mu * (left - left.dot(n) * n).norm() <= -left.dot(n) + 1e-14 * 10);
   }
 }
 
@@ -106,20 +91,19 @@ static void the_slope_of_the_projection_is_what_differences_say(void**) {
   Random random(8);
   int judged = 0;
   for (int i = 0; i < 5000; ++i) {
-    const Vec3 n = any_vector(random, 1).normalized();
-    const Real most = random.uniform(0.05, 1);
-    const Vec3 z = i % 7 == 0 ? Vec3(random.uniform(-1, 1) * n) : any_vector(random, 1);
-    // Differences say nothing across an edge, and little where the bound bends much beside their length.
-    if (std::fabs(beyond(z, n, most) - 1) < 1e-2) continue;
-    const Mat3 slope = slope_on_bound(z, {n, most, true});
-    constexpr Real kH = 1e-5;  // error h^2 / most^2 ~ 4e-8 from curvature, u / h ~ 1e-11 from rounding
+    const Vec3 n = any_vector(random, 1).normalized(), z = any_vector(random, 1);
+    const Real mu = i % 5 == 0 ? 0 : random.uniform(0.05, 2);
+    const ConePart part = part_of(z, n, mu);
+    // Differences say nothing across an edge, and little where the cone's axis is near.
+    if (std::fabs(part.n + mu * part.t) < 1e-3 || std::fabs(part.t - mu * part.n) < 1e-3 || part.t < 0.1) continue;
+    const Mat3 slope = slope_of_projection(z, n, mu);
+    constexpr Real kH = 1e-5;  // error h^2 / t^2 ~ 1e-8 from curvature, u / h ~ 1e-11 from rounding
     for (int k = 0; k < 3; ++k) {
       const Vec3 d = kH * Vec3::unit(k);
-      const Vec3 difference =
-          (project_on_bound(z + d, {n, most, true}) - project_on_bound(z - d, {n, most, true})) / (2 * kH);
-      assert_true((difference - slope.col(k)).norm() < 1e-6);
+      const Vec3 difference = (project_on_cone(z + d, n, mu) - project_on_cone(z - d, n, mu)) / (2 * kH);
+      assert_true((difference - slope.col(k)).norm() < 1e-7);
     }
-    assert_true((slope - slope.transpose()).norm() < 1e-13);
+    assert_true((slope - slope.transpose()).norm() < 1e-14);
     ++judged;
   }
   assert_true(judged > 3000);
@@ -195,7 +179,7 @@ static void a_matrix_that_is_not_definite_is_refused(void**) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(the_projection_on_a_patch_is_its_nearest_point),
+      cmocka_unit_test(the_projection_on_a_cone_is_its_nearest_point),
       cmocka_unit_test(the_slope_of_the_projection_is_what_differences_say),
       cmocka_unit_test(an_order_of_elimination_names_every_node_once_and_has_room_for_all_fill),
       cmocka_unit_test(a_chain_fills_nothing_in_and_a_grid_little),

@@ -18,58 +18,49 @@ namespace {
 /// What contacts start from in the next substep. Impulses that are off let velocities grow, substep by substep, until
 /// the solver undoes all that has gathered. Taken over whole that would throw the bodies back in the next substep, and
 /// a group at rest would be solved for ever: what the loads need of it is as much as undoes what velocities gained in
-/// this substep alone.
-/// @param is_driven  by friction that slides or turns with its ground: what bodies gain by that says nothing of loads, what
-///                   they gain along the normals does
-void start_from_loads(ConeProblem& problem, bool is_driven) {
+/// this substep alone. It stays within the cones, which are convex.
+void start_from_loads(ConeProblem& problem) {
   Real along = 0, size2 = 0;
-  if (is_driven) {
-    for (const ConeRow& c : problem.contacts) {
-      const Real undone = relative<&ConeBody::start>(problem.bodies, c) - relative<&ConeBody::v>(problem.bodies, c);
-      along += undone * relative<&ConeBody::gained>(problem.bodies, c), size2 += undone * undone;
-    }
-  } else {
-    for (const ConeBody& b : bodies_of(problem)) {
-      const Vec6 undone = b.start - b.v, momentum = momentum_of(b, undone);
-      along += momentum.dot(b.gained), size2 += momentum.dot(undone);
-    }
+  for (const ConeBody& b : bodies_of(problem)) {
+    const Vec6 undone = b.start - b.v, momentum = momentum_of(b, undone);
+    along += momentum.dot(b.gained), size2 += momentum.dot(undone);
   }
   const Real share = size2 > 0 ? std::clamp(along / size2, Real(0), Real(1)) : 1;
-  for (ConeRow& c : problem.rows) c.next_p = c.start_p + share * (c.p - c.start_p);
-  for (ConePatch& c : problem.patches) c.next_p = is_driven ? c.p : Vec3(c.start_p + share * (c.p - c.start_p));
+  for (ConeContact& c : problem.contacts) c.next_p = c.start_p + share * (c.p - c.start_p);
+  for (ConeLink& c : problem.links) c.next_p = c.start_p + share * (c.p - c.start_p);
 }
 
 /// Impulses that all but cancel each other where bodies are now would throw them where they will be.
 void start_from_nothing(ConeProblem& problem) {
-  for (ConeRow& c : problem.rows) c.next_p = 0;
-  for (ConePatch& c : problem.patches) c.next_p.set_zero();
+  for (ConeContact& c : problem.contacts) c.next_p.set_zero();
+  for (ConeLink& c : problem.links) c.next_p = 0;
 }
 
 /// What was just built and stands takes the time it takes, once.
 bool starts_from_nothing(const ConeProblem& problem) {
-  return std::ranges::all_of(problem.rows, [](const ConeRow& c) { return c.start_p == 0; });
+  return std::ranges::all_of(problem.contacts, [](const ConeContact& c) { return c.start_p == Vec3::zero(); }) &&
+         std::ranges::all_of(problem.links, [](const ConeLink& c) { return c.start_p == 0; });
 }
 
 /// m/s, well above what rounding leaves of a residual.
 Real rounding(const ConeProblem& problem) {
   Real most = 0;
-  for (const ConeRow& c : problem.rows) most = std::max(most, c.k * std::fabs(c.p));
-  for (const ConePatch& c : problem.patches) most = std::max(most, c.k * c.p.norm());
+  for (const ConeContact& c : problem.contacts) most = std::max(most, c.k * c.p.norm());
+  for (const ConeLink& c : problem.links) most = std::max(most, c.k * std::fabs(c.p));
   return 1e3 * kEpsilon * most;
 }
 
 /// m/s, the most that two points close or part, with impulses as they are.
 Real fastest(const ConeProblem& problem) {
   Real most = 0;
-  for (const ConeRow& c : problem.contacts) most = std::max(most, std::fabs(c.u));
+  for (const ConeContact& c : problem.contacts) most = std::max(most, std::fabs(c.u.dot(c.n)));
   return most;
 }
 
 /// m/s, likewise, in any direction.
 Real fastest_any_way(const ConeProblem& problem) {
   Real most2 = 0;
-  for (std::size_t i = 0; i < problem.contacts.size(); ++i)
-    most2 = std::max(most2, velocity_at(problem, i).squared_norm());
+  for (const ConeContact& c : problem.contacts) most2 = std::max(most2, c.u.squared_norm());
   return std::sqrt(most2);
 }
 
@@ -105,8 +96,7 @@ void ConeGroup::account_work() {
 /// Impulses of substeps that repeated the one before, into those of the step.
 void ConeGroup::accumulate_repeats() {
   if (rest_.repeats == 0) return;
-  each_impulse<&ConeRow::p, &ConePatch::p>(
-      [&](const Vec3& p, std::size_t contact) { c_.geometry[row_[contact]].impulse += rest_.repeats * p; });
+  each([&](const ConeContact& contact, std::uint32_t row) { c_.geometry[row].impulse += rest_.repeats * contact.p; });
   rest_.repeats = 0;
 }
 
@@ -144,17 +134,17 @@ void ConeGroup::lead_on(Velocities& to, Real h, Participants& scratch) {
 /// after all flies on as if it had touched nothing. Not with joints: what they bear against each other is less exact.
 void ConeGroup::follow_impulses() {
   for (ConeBody& b : bodies_of(problem_)) b.gradient.set_zero();
-  each_part(problem_, [&](const auto& c) { add_impulse<&ConeBody::gradient>(problem_, c, c.p); });
+  for (const ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p);
   for (ConeBody& b : bodies_of(problem_)) load(b), b.v += velocity_of(b, b.gradient);
 }
 
 void ConeGroup::keep(Velocities& to) {
   if (solution_.factorisations > 0 && !is_joined() && !solution_.is_held) follow_impulses();
-  each_impulse<&ConeRow::next_p, &ConePatch::next_p>(
-      [&](const Vec3& p, std::size_t contact) { c_.rows[row_[contact]].p = p; });
-  each_impulse<&ConeRow::p, &ConePatch::p>(
-      [&](const Vec3& p, std::size_t contact) { c_.geometry[row_[contact]].impulse += p; });
-  for (std::size_t i = 0; i < problem_.contacts.size(); ++i) c_.rows[row_[i]].u = velocity_at(problem_, i);
+  each([&](const ConeContact& contact, std::uint32_t i) {
+    c_.rows[i].p = contact.next_p;
+    c_.rows[i].u = contact.u;
+    c_.geometry[i].impulse += contact.p;
+  });
   keep_links(world_, problem_, link_row_);
   accumulate_links(world_, problem_, link_row_);
   for (ConeBody& b : bodies_of(problem_)) store(to, b);
@@ -172,10 +162,9 @@ void ConeGroup::find(Real goal, std::uint32_t most_steps) {
   solution_.is_wedged = !solution_.reached && (shares ? borne(problem_) > kFarMore * bears : is_wedged(problem_));
   solution_.is_rejected = !is_sound();
   if (solution_.is_wedged || solution_.is_rejected) {
-    if (shares) return_to_impulses<&ConeRow::yielding_p, &ConePatch::yielding_p>(problem_);
+    if (shares) return_to_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
     if (!shares || throws(problem_)) yield_more(goal, most_steps);
-  } else if (is_few() && !shares && !solution_.reached &&
-             residual_of_rows(problem_) > kGiveOfContacts * most_borne(problem_)) {
+  } else if (is_few() && !shares && !solution_.reached && solution_.residual > kGiveOfContacts * most_borne(problem_)) {
     find_without_work(goal, most_steps);
   }
   solution_.residual = residual(problem_), solution_.reached = solution_.residual <= goal;
@@ -187,16 +176,15 @@ void ConeGroup::find_without_work(Real goal, std::uint32_t most_steps) {
   if (is_driven(problem_)) {
     find_yielding(goal, kStepsOfYielding);
   } else {
-    return_to_impulses<&ConeRow::start_p, &ConePatch::start_p>(problem_);
+    return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
     sweep(problem_, kSweepsInstead);
   }
   if (throws(problem_)) yield_more(goal, most_steps);
 }
 
 void ConeGroup::find_yielding(Real goal, std::uint32_t most_steps) {
-  find_first_bounds(problem_);
   solution_.factorisations += solve_yielding(problem_, kGiveOfContacts, kOfYielding * goal, most_steps).factorisations;
-  save_impulses<&ConeRow::yielding_p, &ConePatch::yielding_p>(problem_);
+  save_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
 }
 
 /// Where no velocity obeys the law, as where surfaces close on a body, or it would shoot it out, which no machine does:
@@ -205,7 +193,6 @@ void ConeGroup::yield_more(Real goal, std::uint32_t most_steps) {
   if (is_few()) most_steps = std::max(most_steps, kFromNothing.value);
   for (Real give = kGiveOfContacts;; give = std::min(10 * give, kGiveOfSweeps.value)) {
     drop_impulses(problem_);
-    find_first_bounds(problem_);
     solution_.factorisations += solve_yielding(problem_, give, kOfYielding * goal, most_steps).factorisations;
     if (give >= kGiveOfSweeps || !throws(problem_)) return;
   }
@@ -214,7 +201,7 @@ void ConeGroup::yield_more(Real goal, std::uint32_t most_steps) {
 /// From the solution on: what is off by a little gives a little.
 void ConeGroup::find_closer(Real goal, std::uint32_t most_steps) {
   const ConeSolution was = solution_;
-  solution_ = solve_rounds(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
+  solution_ = solve_cones(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
   solution_.factorisations += was.factorisations, solution_.rounds += was.rounds;
 }
 
@@ -278,7 +265,6 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   solution_ = {};
   solution_.residual = residual(problem_);
   solution_.reached = solution_.residual <= rest_.goal;
-  rest_.waits &= solution_.residual < kRest * tolerance();  // what sways grows tenfold in a step
   if (was_held_ && !solution_.reached && may_be_held() && solution_.residual < kRest * tolerance()) hold();
   rest_.asks = is_joined() || !solution_.reached;
   if (!rest_.asks) finish(to);
@@ -305,13 +291,12 @@ void ConeGroup::go_on_by_sweeps(Velocities& to) {
   finish(to);
 }
 
-/// Whether its solution came nowhere near the law, as its rows have it: what friction is off by neither sinks nor gapes. Of what stood, or hangs on joints: if it leaves more of the loads
+/// Whether its solution came nowhere near the law. Of what stood, or hangs on joints: if it leaves more of the loads
 /// than soft contacts and joints would, which are what would solve it then.
 bool ConeGroup::is_far_off() const {
   const Real tolerable = world_.scene.dials[Dial::velocity_tolerance];
   return !solution_.reached &&
-         residual_of_rows(problem_) >
-             (problem_.stood || is_joined() ? std::max(tolerable, kUnborne * rest_.load) : tolerable);
+         solution_.residual > (problem_.stood || is_joined() ? std::max(tolerable, kUnborne * rest_.load) : tolerable);
 }
 
 /// Block products that this substep may take. With joints, where a solve that is cut short tears them: what there is
@@ -341,7 +326,7 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
     return account_work();
   }
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
-    for (ConeRow& link : problem_.links) link.next_p = link.p;
+    for (ConeLink& link : problem_.links) link.next_p = link.p;
     keep_links(world_, problem_, link_row_);
     start(h);
     const std::uint32_t taken = solution_.factorisations;
@@ -363,22 +348,17 @@ bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && p
 /// up, grow by as much again in each substep, and throw down what stood.
 void ConeGroup::hold() {
   for (ConeBody& b : bodies_of(problem_)) b.v = Vec6::zero();
-  for (ConeRow& c : problem_.contacts) c.u = 0;
-  for (ConePatch& c : problem_.patches) c.u.set_zero();
+  for (ConeContact& c : problem_.contacts) c.u.set_zero();
   solution_.reached = solution_.is_held = true;
-}
-
-bool ConeGroup::slides() const {
-  return std::ranges::any_of(problem_.patches, [](const ConePatch& c) { return c.slides && c.most > 0; });
 }
 
 void ConeGroup::finish(Velocities& to) {
   if ((solution_.is_wedged || solution_.is_rejected) && !is_joined())
     start_from_nothing(problem_);
   else if (solution_.is_held)
-    each_part(problem_, [](auto& c) { c.next_p = c.p; });
+    for (ConeContact& c : problem_.contacts) c.next_p = c.p;
   else if (!comes_to_rest(rest_.goal))
-    start_from_loads(problem_, is_led_ || slides());
+    start_from_loads(problem_);
   keep(to);
   rest_.is_first = false, ++rest_.substeps;
   rest_.lasts = !is_joined() && !solution_.is_held && solution_.factorisations == 0 && rest_.least >= -1 &&

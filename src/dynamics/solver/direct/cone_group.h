@@ -2,7 +2,6 @@
 #pragma once
 
 #include "dynamics/solver/direct.h"
-#include "dynamics/solver/direct/friction_shares.h"
 
 namespace carom::dynamics {
 
@@ -32,18 +31,7 @@ class ConeGroup {
  private:
   template <class F>
   void each(F&& f) {
-    for (std::size_t i = 0; i < problem_.contacts.size(); ++i) f(problem_.contacts[i], problem_.places[i], row_[i]);
-  }
-  /// f(N s, contact) for all contacts, each with its share of its patch's friction.
-  template <Real ConeRow::*kRow, Vec3 ConePatch::*kPatch, class F>
-  void each_impulse(F&& f) {
-    for (const ConePatch& patch : problem_.patches) {
-      const FrictionShares<kRow> shares(problem_, patch, patch.*kPatch);
-      for (std::uint32_t i = patch.first; i < patch.first + patch.count; ++i)
-        f(Vec3(problem_.contacts[i].*kRow * problem_.places[i].n +
-               shares.at(problem_.places[i], problem_.contacts[i].*kRow)),
-          i);
-    }
+    for (std::size_t i = 0; i < problem_.contacts.size(); ++i) f(problem_.contacts[i], row_[i]);
   }
   std::uint32_t allowed_steps(std::uint64_t work) const;
   void account_work();
@@ -74,7 +62,6 @@ class ConeGroup {
   void find_solution(Real h, std::uint32_t most_steps);
   void finish(Velocities& to);
   bool lies_still() const;
-  bool slides() const;
   bool is_far_off() const;
   bool may_be_held() const;
   void hold();

@@ -1,66 +1,64 @@
-// A group of bodies that hang together, as one problem: rows, which are contacts, limits, locks, motors, springs
-// (cone_row.h), and patches of friction. Find impulses within their bounds and velocities such that
+// Contacts of bodies that hang together, as one problem: find impulses in the friction cones and velocities such that
 //
-//     M (v - v_free) = sum J^T p,    and each row and patch has its law:
+//     M (v - v_free) = sum J^T p,    K  contains p,    y = u - want n + mu |u_t| n  lies in the dual of K,    p.y = 0,
 //
-// a row bears what keeps its velocity within bounds, a patch sticks or bears all that it may against its slip. What a
-// patch may bear is Coulomb's law for the loads that its contacts bear. Without friction the same finds displacements.
+// Coulomb's law with a least normal velocity `want` [DeSaxce1998]. Without friction the same finds displacements. Rows
+// of joints (cone_link.h) are part of it: their cone is a line or a half of one.
 #pragma once
 
 #include <span>
 
 #include "core/invalid.h"
 #include "dynamics/solver/direct/block_factor.h"
-#include "dynamics/solver/direct/cone_row.h"
-#include "dynamics/solver/direct/coupled_patch.h"
+#include "dynamics/solver/direct/cone_link.h"
 
 namespace carom::dynamics {
 
-/// How the impulse of a patch changes with its velocity: not, alike in all directions, or otherwise.
-enum class PatchCurvature : std::uint8_t { none, sticks, slides };
+/// How impulses of a contact change with its velocity: not, alike in all directions, or otherwise.
+enum class ConeCurvature : std::uint8_t { none, alike, slope };
 
-/// Friction of the contacts of a pair that have one normal, or of one contact: a force in the plane and a twist about the
-/// normal, as one vector, @see patch_bound.h
-struct ConePatch {
-  std::uint32_t a, b, below;  // as of a row
-  bool a_later;
-  bool is_curved;              // a shape is not known to be a polytope: @see ConeGroup::follow_bodies()
-  std::uint32_t first, count;  // its contacts, in ConeProblem::contacts
-  Vec3 n;                      // unit, world, A to B
-  Vec3 r_a, r_b;               // m, world axes: where its force acts; zero where the body does not rotate
-  Vec3 w_a, w_b;               // m, reach times n: moment of a unit along n; zero where the body does not rotate
-  Real reach;                  // m
-  Real friction;
-  Vec3 surface;                // m/s, of B relative to A where impulses do not change the bodies' velocities
-  Vec3 curve;                  // m/s, of `surface`: @see ConeGroup::bend_ways()
-  Real k;                      // 1/kg, mean velocity per impulse
-  Real give;                   // 1/kg, by which it yields: @see yielding.h
-  bool is_coupled = false;     // to the loads of its contacts, @see coupled_patch.h
-  Real most;                   // N s, that its force may be
-  bool slides;                 // as the step began: force and twist are bounded together
-  bool bears_all;              // it slides, and starts from known loads and most of its friction, @see bear_all()
-  Real old_given, old_change;  // of a solve: N s, the last bound that loads gave, and how far that was from `most`
-  Vec3 p;                      // N s, on B, world
-  Vec3 u;                      // m/s, with p and all others acting
-  Vec3 start_p, next_p, yielding_p, best, p0, u0, du;  // as of a row
-  PatchBound bound(Real for_most) const { return {n, for_most, slides}; }
-  PatchBound bound() const { return bound(most); }
-  PatchCurvature curvature = PatchCurvature::none;  // of the factor
-  BoundLine line;                                   // along a Newton step
-  PatchCoupling coupling;                           // of the factor, where it slides and is coupled
+/// A contact along a Newton step: z, the impulse before it is projected, is z0 + length z1.
+struct ConeLine {
+  Real n0, n1;         // N s, of z along n
+  Real t00, t01, t11;  // (N s)^2, squares and product across n
+  Real u_n;            // m/s, of du along n
+  Real ut0, ut1;       // J, of du and z across n
+  Real start;          // J, du . p0
 };
 
-/// Of a contact, beside its row.
-struct ContactPlace {
-  Vec3 r_a, r_b;        // m, world axes: arms to the point; zero where the body does not rotate
-  Vec3 d;               // m, from where the friction of its patch acts
+struct ConeContact {
+  std::uint32_t a, b;   // bodies of the problem, or kInvalid: not moved by impulses
+  std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kInvalid where there is none
+  bool a_later;         // a is eliminated after b
+  bool is_curved;       // a shape is not known to be a polytope: @see ConeGroup::follow_bodies()
+  bool is_spread;       // of a patch that slides: its friction acts beside its normal impulses, @see spread()
   Vec3 n;               // unit, world, A to B
-  Vec3 apart;           // m, the arm of A less that of B, on ground that turns
-  Real response;        // 1/kg, mean velocity at the point per impulse there, in any direction
-  Real curve;           // m/s, of the row's surface
-  Real weight;          // of all of its patch: where friction acts is the mean of its points by weight
-  std::uint32_t patch;  // in ConeProblem::patches
-  bool is_curved;       // as of a patch
+  Vec3 r_a, r_b;        // m, world axes: where friction acts; zero where the body does not rotate
+  Vec3 n_a, n_b;        // m, moment about there of a unit of normal impulse; set only where it is spread
+  Real friction;
+  Vec3 surface;        // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
+  Real want;           // m/s
+  Vec3 start_p;        // N s, p as the substep began
+  Vec3 curve;          // m/s, of `surface`: @see ConeGroup::bend_ways()
+  Vec3 apart;          // m, the arm of A less that of B, on ground that turns
+  Vec3 next_p;         // N s, p as the next one begins
+  Real k;              // 1/kg, mean velocity at the point per impulse there
+  Real give;           // 1/kg, by which it yields: @see yielding.h
+  Real most_friction;  // N s, where friction is known: of its impulse
+  Vec3 yielding_p;     // N s, of the solution with that
+  Vec3 p;              // N s, on B, world
+  Vec3 u;              // m/s, relative velocity with p and all others acting
+
+  // of a solve
+  Real slip;                  // m/s, what stands for mu |u_t|
+  Real old_slip, old_change;  // m/s, what the last slip but one gave, and how far that was from it
+  Vec3 best;                  // N s, of the best solution so far
+
+  // of a round
+  Vec3 p0, u0;                                    // as it began
+  Vec3 du;                                        // m/s, of a Newton step
+  ConeCurvature curvature = ConeCurvature::none;  // of the factor
+  ConeLine line;
 };
 
 struct ConeBody {
@@ -86,13 +84,10 @@ struct ConeBody {
   Vec6 step;
 };
 
-/// One system: runs of rows, patches and bodies; indices in a row count from the first body of all systems, as do places
-/// of the elimination.
+/// One system: runs of contacts and of bodies; indices in a contact count from the first body of all systems, as do
+/// places of the elimination.
 struct ConeProblem {
-  std::span<ConeRow> rows;             // contacts, then rows of joints
-  std::span<ConeRow> contacts, links;  // of them
-  std::span<ConePatch> patches;
-  std::span<ContactPlace> places;  // by contact
+  std::span<ConeContact> contacts;
   ConeBody* bodies;
   std::uint32_t first, last;  // bodies
   const Elimination* elimination;
@@ -100,37 +95,60 @@ struct ConeProblem {
   Vec6* scratch;      // by place
   Real factored = 0;  // softness of the round that the factor is for, with curvatures as they stand; 0: another matrix
   Real locked_softness = 0;  // of the locks in BlockFactor::common(); 0: that is of another solve
-  bool stood = false;        // no body was faster, before this substep, than its loads alone make it
+  std::span<ConeLink> links{};
+  bool stood = false;  // no body was faster, before this substep, than its loads alone make it
 };
 
 // ---- small parts that all files of this folder share ----
 
+/// What add_impulse() and relative() leave out where a contact is spread: moments of its normal impulse, and normal
+/// velocity by spins.
+template <Vec6 ConeBody::*kMomentum>
+void add_moments(ConeBody* bodies, const ConeContact& c, Real normal) {
+  if (c.a != kInvalid) (bodies[c.a].*kMomentum) -= {Vec3::zero(), normal * c.n_a};
+  if (c.b != kInvalid) (bodies[c.b].*kMomentum) += {Vec3::zero(), normal * c.n_b};
+}
+template <Vec6 ConeBody::*kVelocity>
+Vec3 by_moments(const ConeBody* bodies, const ConeContact& c) {
+  Real normal = 0;
+  if (c.b != kInvalid) normal += (bodies[c.b].*kVelocity).angular().dot(c.n_b);
+  if (c.a != kInvalid) normal -= (bodies[c.a].*kVelocity).angular().dot(c.n_a);
+  return normal * c.n;
+}
+
 /// Impulse p on B and -p on A, as changes of the bodies' momentum.
 template <Vec6 ConeBody::*kMomentum>
-void add_impulse(const ConeProblem& problem, const ConePatch& c, const Vec3& p) {
-  const Real along = p.dot(c.n);
-  const Vec3 force = p - along * c.n;
-  if (c.a != kInvalid) (problem.bodies[c.a].*kMomentum) -= {force, c.r_a.cross(force) + along * c.w_a};
-  if (c.b != kInvalid) (problem.bodies[c.b].*kMomentum) += {force, c.r_b.cross(force) + along * c.w_b};
+void add_impulse(const ConeProblem& problem, const ConeContact& c, const Vec3& p) {
+  if (c.a != kInvalid) {
+    Vec6& m = problem.bodies[c.a].*kMomentum;
+    m -= {p, c.r_a.cross(p)};
+  }
+  if (c.b != kInvalid) {
+    Vec6& m = problem.bodies[c.b].*kMomentum;
+    m += {p, c.r_b.cross(p)};
+  }
+  if (c.is_spread) [[unlikely]]
+    add_moments<kMomentum>(problem.bodies, c, p.dot(c.n));
 }
 
 template <Vec6 ConeBody::*kVelocity>
-Vec3 relative(const ConeBody* bodies, const ConePatch& c) {
+Vec3 relative(const ConeBody* bodies, const ConeContact& c) {
   Vec3 u = Vec3::zero();
-  Real twist = 0;
   if (c.b != kInvalid) {
     const Vec6& v = bodies[c.b].*kVelocity;
-    u += v.linear() + v.angular().cross(c.r_b), twist += v.angular().dot(c.w_b);
+    u += v.linear() + v.angular().cross(c.r_b);
   }
   if (c.a != kInvalid) {
     const Vec6& v = bodies[c.a].*kVelocity;
-    u -= v.linear() + v.angular().cross(c.r_a), twist -= v.angular().dot(c.w_a);
+    u -= v.linear() + v.angular().cross(c.r_a);
   }
-  return u + (twist - u.dot(c.n)) * c.n;
+  if (c.is_spread) [[unlikely]]
+    u += by_moments<kVelocity>(bodies, c);
+  return u;
 }
 
 template <Vec6 ConeBody::*kMomentum>
-void add_impulse(const ConeProblem& problem, const ConeRow& c, Real p) {
+void add_impulse(const ConeProblem& problem, const ConeLink& c, Real p) {
   if (c.a != kInvalid) {
     Vec6& m = problem.bodies[c.a].*kMomentum;
     m -= {p * c.d_a, p * c.w_a};
@@ -142,7 +160,7 @@ void add_impulse(const ConeProblem& problem, const ConeRow& c, Real p) {
 }
 
 template <Vec6 ConeBody::*kVelocity>
-Real relative(const ConeBody* bodies, const ConeRow& c) {
+Real relative(const ConeBody* bodies, const ConeLink& c) {
   Real u = 0;
   if (c.b != kInvalid) {
     const Vec6& v = bodies[c.b].*kVelocity;
@@ -153,13 +171,6 @@ Real relative(const ConeBody* bodies, const ConeRow& c) {
     u -= c.d_a.dot(v.linear()) + c.w_a.dot(v.angular());
   }
   return u;
-}
-
-/// f(row or patch) for all.
-template <class F>
-void each_part(const ConeProblem& problem, const F& f) {
-  for (ConeRow& c : problem.rows) f(c);
-  for (ConePatch& c : problem.patches) f(c);
 }
 
 /// What is locked keeps its velocity, which is 0.
@@ -179,6 +190,11 @@ inline Vec6 momentum_of(const ConeBody& body, const Vec6& velocity) {
 inline std::span<ConeBody> bodies_of(const ConeProblem& problem) {
   return {problem.bodies + problem.first, problem.last - problem.first};
 }
+/// m/s, mu |u_t|
+inline Real slip_of(const ConeContact& c) {
+  return c.friction > 0 ? c.friction * (c.u - c.u.dot(c.n) * c.n).norm() : Real(0);
+}
+
 /// (m/s)^2, of the points of a body that has velocity v, in the mean.
 inline Real speed2(const ConeBody& b, const Vec6& v) {
   return v.linear().squared_norm() + b.inertia.trace() * b.inv_mass * v.angular().squared_norm();
@@ -201,51 +217,34 @@ void find_momentum(ConeProblem& problem);
 /// Change velocities of bodies by impulses of contacts, and contacts' velocities with them.
 void apply_impulses(ConeProblem& problem);
 
-/// Velocities at rows and patches, from the bodies'.
-void measure(ConeProblem& problem);
-/// A bound whose square is a number.
-inline Real bearable(Real bound) { return bound * bound > 0 ? bound : 0; }
-/// What patches may bear, by the loads of their contacts. @param load  load(contact): N s
-template <class Load>
-void find_bounds(ConeProblem& problem, const Load& load) {
-  for (ConePatch& c : problem.patches) {
-    Real sum = 0;
-    for (const ConeRow& contact : problem.contacts.subspan(c.first, c.count)) sum += load(contact);
-    c.most = bearable(c.friction * sum);
-  }
-}
-
 /// Impulses put by, and back to those: bodies and rows move by the difference.
-template <Real ConeRow::*kRow, Vec3 ConePatch::*kPatch>
+template <Vec3 ConeContact::*kContact, Real ConeLink::*kLink>
 void save_impulses(ConeProblem& problem) {
-  for (ConeRow& c : problem.rows) c.*kRow = c.p;
-  for (ConePatch& c : problem.patches) c.*kPatch = c.p;
+  for (ConeContact& c : problem.contacts) c.*kContact = c.p;
+  for (ConeLink& c : problem.links) c.*kLink = c.p;
 }
-template <Real ConeRow::*kRow, Vec3 ConePatch::*kPatch>
+template <Vec3 ConeContact::*kContact, Real ConeLink::*kLink>
 void return_to_impulses(ConeProblem& problem) {
-  for (ConeRow& c : problem.rows) c.p = c.*kRow - c.p;
-  for (ConePatch& c : problem.patches) c.p = c.*kPatch - c.p;
+  for (ConeContact& c : problem.contacts) c.p = c.*kContact - c.p;
+  for (ConeLink& c : problem.links) c.p = c.*kLink - c.p;
   apply_impulses(problem);
-  for (ConeRow& c : problem.rows) c.p = c.*kRow;
-  for (ConePatch& c : problem.patches) c.p = c.*kPatch;
+  for (ConeContact& c : problem.contacts) c.p = c.*kContact;
+  for (ConeLink& c : problem.links) c.p = c.*kLink;
 }
 
 /// m/s, of the largest impulse that a contact bears.
 Real most_borne(const ConeProblem& problem);
-/// The largest offence of all rows, whatever friction does. @return m/s
-Real residual_of_rows(const ConeProblem& problem);
-/// The largest offence of all rows and patches, of these by the loads that contacts bear. @return m/s
+/// The largest offence of all contacts. @return m/s
 Real residual(const ConeProblem& problem);
 
 /// Solve from the impulses that act already, until the residual is below a tolerance.
 ///
-/// Proximal rounds on the impulses (p next = P(p - y / R) with R a small fraction of k: the solution is exact, however
-/// large R, and of many that redundant contacts allow the one near the start is found), each a smooth convex problem in
-/// the velocities for Newton's method with an exact line search. What patches may bear is that of the loads of the
-/// round before.
+/// Proximal rounds on the impulses (p next = P_K(p - y / R) with R a small fraction of k: the solution is exact,
+/// however large R, and of many that redundant contacts allow the one near the start is found), each a smooth convex
+/// problem in the velocities for Newton's method with an exact line search; mu |u_t| is that of the round's start.
 ///
 /// @param tolerance  m/s   @param most_steps  Newton steps in all; the solution of a capped solve is what it came to
-/// @source [Todorov2014] for the primal view; @oracle tests/oracle/test_direct
-ConeSolution solve_rounds(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
+/// @source [DeSaxce1998], [Todorov2014] for the primal view; @oracle tests/oracle/test_direct
+ConeSolution solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
 
 }  // namespace carom::dynamics

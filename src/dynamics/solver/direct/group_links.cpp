@@ -28,11 +28,11 @@ JointRowLanes& row_at(WideJoints& w, const DirectGroups::LinkRow& r) {
   return r.is_drive ? w.drives[r.row].row : w.rows[r.row];
 }
 
-void lock(ConeRow& c, Real at) { c.low = c.high = at, c.give = 0, c.most = kInfinity; }
-void leave(ConeRow& c) { c.low = c.high = 0, c.give = 0, c.most = 0; }
+void lock(ConeLink& c, Real at) { c.low = c.high = at, c.give = 0, c.most = kInfinity; }
+void leave(ConeLink& c) { c.low = c.high = 0, c.give = 0, c.most = 0; }
 
 /// What is asked of a limit, a motor, a spring.
-void ask(ConeRow& c, const JointDriveLanes& drive, const DirectGroups::LinkRow& row, LinkPhase phase, Real h) {
+void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow& row, LinkPhase phase, Real h) {
   const Real x = get(drive.row.error, row.lane), most = kJointPush * h;
   switch (row.kind) {
     case DriveKind::limit: {
@@ -93,7 +93,7 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
     const std::uint32_t a = d.node(link.moves_a, link.a), b = d.node(link.moves_b, link.b);
     if (a != kInvalid && b != kInvalid) d.edges.push_back({a, b});
     const auto add_row = [&](std::uint32_t row, bool is_drive, DriveKind kind) {
-      ConeRow& to = d.rows.emplace_back();
+      ConeLink& to = d.links.emplace_back();
       to.a = a, to.b = b;
       d.link_row.push_back({row, place.lane, place.lanes, is_drive, kind});
     };
@@ -110,7 +110,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
   // under loads feeds itself.
   const bool bends = phase == LinkPhase::move && problem.contacts.empty();
   for (std::size_t i = 0; i < problem.links.size(); ++i) {
-    ConeRow& c = problem.links[i];
+    ConeLink& c = problem.links[i];
     const DirectGroups::LinkRow& at_row = rows[i];
     const JointRowLanes& row = row_at(w, at_row);
     const JointLanes& joint = w.joints[at_row.joint];
@@ -202,10 +202,14 @@ void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkR
   }
 }
 
+void measure_links(ConeProblem& problem) {
+  for (ConeLink& c : problem.links) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
+}
+
 void accumulate_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
   for (std::size_t i = 0; i < problem.links.size(); ++i) {
-    const ConeRow& c = problem.links[i];
+    const ConeLink& c = problem.links[i];
     JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
     const Vec3 turn = get(row_at(w, rows[i]).w_b, lane) - get(joint.r_b, lane).cross(c.d_b);

@@ -27,6 +27,8 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
 void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h);
 /// Whether the impulses that were found are so much larger than those kept that somebody needs to be stiffer.
 bool is_jerked(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h);
+/// Velocities at rows, from the bodies'.
+void measure_links(ConeProblem& problem);
 /// Add the impulses to the step's.
 void accumulate_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// Keep what the next substep starts from.

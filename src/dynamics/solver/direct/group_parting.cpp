@@ -35,7 +35,7 @@ void ConeGroup::turn_frames() {
 
 Real ConeGroup::measure() {
   Real least = kInfinity;
-  each([&](const ConeRow&, const ContactPlace&, std::uint32_t row) {
+  each([&](const ConeContact&, std::uint32_t row) {
     Real& separation = c_.geometry[row].separation;
     separation = separation_of(world_, c_.rows[row], c_.geometry[row]);
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[row]));
@@ -46,7 +46,8 @@ Real ConeGroup::measure() {
 /// m or rad, the most that a contact or a joint is to be moved.
 Real ConeGroup::asked() const {
   Real asked = 0;
-  for (const ConeRow& c : problem_.rows)
+  for (const ConeContact& c : problem_.contacts) asked = std::max(asked, c.want);
+  for (const ConeLink& c : problem_.links)
     if (c.most > 0) asked = std::max({asked, c.low, -c.high});
   return asked;
 }
@@ -63,10 +64,7 @@ Real ConeGroup::displacement_share(Real asked, Real h) const {
 /// Displacements yield, contacts and locks alike: what contradicts itself has one then, found in few steps, and a chain
 /// that is pulled straight is not moved by metres.
 void ConeGroup::let_locks_yield() {
-  // Contacts beside joints by their response in the mean of all directions, which is more: joints come first.
-  for (std::size_t i = 0; is_joined() && i < problem_.contacts.size(); ++i)
-    problem_.contacts[i].give = kGiveOfDisplacements * problem_.places[i].response;
-  for (ConeRow& c : problem_.links)
+  for (ConeLink& c : problem_.links)
     if (c.is_lock()) c.give = kGiveOfDisplacements * c.k;
 }
 
@@ -78,16 +76,16 @@ void ConeGroup::part(Poses& to, Real h) {
   rest_.gap = is_joined() ? worst_error(world_, problem_, link_row_) : 0;
   const bool overlaps = measure() < -1;
   if (!overlaps && !(rest_.gap > tolerable_gap())) return;
-  for (ConePatch& patch : problem_.patches) patch.p.set_zero(), patch.u.set_zero(), patch.friction = patch.most = 0;
-  each([&](ConeRow& contact, const ContactPlace&, std::uint32_t row) {
-    contact.p = contact.u = contact.surface = 0;
+  each([&](ConeContact& contact, std::uint32_t row) {
+    contact.p.set_zero(), contact.u.set_zero();
+    contact.friction = 0;
     const Real depth = tolerable_depth(world_, c_.geometry[row]);
     tolerance = std::min(tolerance, depth);
-    contact.low = std::min(-(c_.geometry[row].separation + depth / 2), most);
+    contact.want = std::min(-(c_.geometry[row].separation + depth / 2), most);
   });
   for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
   load_links(world_, problem_, link_row_, LinkPhase::part, h);
-  for (ConeRow& link : problem_.links) link.u = link.surface + relative<&ConeBody::v>(problem_.bodies, link);
+  measure_links(problem_);
   const Real most_asked = asked();
   let_locks_yield();
   const Real goal = is_joined() ? std::max(0.1 * tolerable_gap(), kGiveOfDisplacements * most_asked) : 0.01 * tolerance;
@@ -112,8 +110,8 @@ void ConeGroup::settle(Velocities& to, Real h) {
   turn_frames();
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);
-  dynamics::measure(problem_);
-  const ConeSolution solution = solve_rounds(problem_, kFineShare * tolerance, kMostSteps);
+  measure_links(problem_);
+  const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
   solution_.factorisations += solution.factorisations;
   accumulate_links(world_, problem_, link_row_);
   for (ConeBody& b : bodies_of(problem_)) store(to, b);

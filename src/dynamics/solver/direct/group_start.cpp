@@ -21,7 +21,8 @@ void ConeGroup::follow_bodies() {
     if (b.turns) world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();  // others may have asked for it since, or not
     load_mass(world_, b);
   }
-  load_contacts(world_, {row_, problem_.contacts.size()}, problem_, LoadWhat::not_curved);
+  load_contacts(world_, {row_, problem_.contacts.size()}, problem_.bodies, problem_.contacts.data(),
+                LoadWhat::not_curved);
 }
 
 /// Where a body rolls, the middle of the ball that it rolls on leaves the tangent of its way. Velocities are to obey
@@ -40,20 +41,16 @@ void ConeGroup::bend_ways(Real h) {
     if (omega.squared_norm() * h * h > kBends * kBends) return Vec3(Vec3::zero());
     return of ? Vec3(bend(omega, arm) - bend(lead.spin, arm)) : bend(omega, arm);
   };
-  for (ConePatch& patch : problem_.patches) patch.surface -= patch.curve, patch.curve.set_zero();
-  each([&](ConeRow& contact, ContactPlace& place, std::uint32_t i) {
-    contact.surface -= place.curve, place.curve = 0;
+  each([&](ConeContact& contact, std::uint32_t i) {
     const TurningPair* const turning_pairs = led_by(i);
     if (!c_.rows[i].rolls && !turning_pairs) return;
+    contact.surface -= contact.curve;
+    contact.curve.set_zero();
     if (turning_pairs && turning_pairs != of) lead = lead_of(world_, *turning_pairs, h);
     of = turning_pairs;
-    Vec3 curve = Vec3::zero();
-    if (c_.rows[i].rolls) curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
-    if (turning_pairs) curve += lead.along(place.apart, place.n);
-    contact.surface += place.curve = curve.dot(place.n);
-    ConePatch& patch = problem_.patches[place.patch];
-    const Vec3 across = place.weight * (curve - place.curve * place.n);
-    patch.curve += across, patch.surface += across;
+    if (c_.rows[i].rolls) contact.curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
+    if (turning_pairs) contact.curve += lead.along(contact.apart, contact.n);
+    contact.surface += contact.curve;
   });
 }
 
@@ -69,9 +66,10 @@ bool ConeGroup::find_leads() {
   if (c_.turning_pairs.empty()) return false;
   bool stands = !is_joined(), is_led = false;
   for (const ConeBody& b : bodies_of(problem_)) stands &= speed2(b, b.v) <= loaded_speed2(b);
-  each([&](const ConeRow& contact, const ContactPlace& place, std::uint32_t i) {
+  each([&](const ConeContact& contact, std::uint32_t i) {
     const TurningPair* const pair = turning_pair_at(c_, i);
-    is_led |= pair && (!stands || pair->has_belts || place.is_curved || contact.a == kInvalid || contact.b == kInvalid);
+    is_led |=
+        pair && (!stands || pair->has_belts || contact.is_curved || contact.a == kInvalid || contact.b == kInvalid);
   });
   return is_led;
 }
@@ -82,13 +80,13 @@ void ConeGroup::take_along(Real h) {
   if (!is_led_) return;
   const TurningPair* ground = nullptr;
   Vec3 v = Vec3::zero();  // m/s, of the ground's middle
-  each([&](const ConeRow& contact, const ContactPlace&, std::uint32_t i) {
+  each([&](const ConeContact& contact, std::uint32_t i) {
     const TurningPair* const turning_pairs = turning_pair_at(c_, i);
     const Row& row = c_.rows[i];
     if (!turning_pairs || ground || (contact.a != kInvalid && contact.b != kInvalid)) return;
     ground = turning_pairs, v = s_.v[row.moves_a ? row.b : row.a];
   });
-  each([&](const ConeRow& contact, const ContactPlace&, std::uint32_t i) {
+  each([&](const ConeContact& contact, std::uint32_t i) {
     const TurningPair* const turning_pairs = turning_pair_at(c_, i);
     if (!turning_pairs) return;
     const Quat turn = exp_map(h * lead_of(world_, ground ? *ground : *turning_pairs, h).turn);
@@ -113,7 +111,7 @@ bool ConeGroup::turns_far(const ConeBody& b, Real h) const {
 void ConeGroup::lead_back(Real h) {
   for (ConeBody& b : bodies_of(problem_)) b.rolls = b.is_led_back = false;
   if (is_joined() || !world_.plan->rotation_method) return;
-  each([&](const ConeRow& contact, const ContactPlace&, std::uint32_t i) {
+  each([&](const ConeContact& contact, std::uint32_t i) {
     if (!c_.rows[i].rolls) return;
     if (contact.a != kInvalid) problem_.bodies[contact.a].rolls = true;
     if (contact.b != kInvalid) problem_.bodies[contact.b].rolls = true;
@@ -147,39 +145,33 @@ Real ConeGroup::start(Real h) {
   }
   if (!rest_.is_first) follow_bodies();
   bend_ways(h);
-  problem_.stood &= std::ranges::all_of(problem_.contacts, [](const ConeRow& c) { return c.surface == 0; }) &&
-                    std::ranges::all_of(problem_.patches, [](const ConePatch& c) { return c.surface == Vec3::zero(); });
+  problem_.stood &=
+      std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.surface == Vec3::zero(); });
   rest_.stood = problem_.stood;
   // Gaps of nanometres are none to what stands: else they would say which corners of a stack bear it.
   const Real closes_anyway = problem_.stood ? kRest * tolerance() : 0;  // m/s
-  for (ConePatch& patch : problem_.patches) patch.p.set_zero(), patch.friction = c_.rows[row_[patch.first]].friction;
-  each([&](ConeRow& contact, const ContactPlace& place, std::uint32_t i) {
+  each([&](ConeContact& contact, std::uint32_t i) {
     const Row& row = c_.rows[i];
     // Of what rolls as it stands: what is noted was measured before it was displaced, or after if others asked. What
     // bounces has its leeway noted there.
     const RowGeometry& g = c_.geometry[i];
     const Real separation = row.rolls && row.restitution == 0 ? separation_of(world_, row, g) : g.separation;
     least = std::min(least, separation / tolerable_depth(world_, c_.geometry[i]));
-    contact.low = std::min(Real(0), closes_anyway - separation / h);
+    contact.friction = row.friction;
+    contact.want = std::min(Real(0), closes_anyway - separation / h);
     const TurningPair* const turning_pairs = led_by(i);
-    const Vec3 p = turning_pairs ? lead_of(world_, *turning_pairs, h).taken_on(row.p, row.n, h) : row.p;
-    contact.p = contact.start_p = std::max(Real(0), p.dot(row.n));
-    add_friction(problem_.patches[place.patch], place, p - p.dot(row.n) * row.n);
+    contact.p = contact.start_p = turning_pairs ? lead_of(world_, *turning_pairs, h).taken_on(row.p, row.n, h) : row.p;
     add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
   });
-  for (ConePatch& patch : problem_.patches) {
-    if (patch.bears_all) bear_all(problem_, patch);
-    patch.start_p = patch.p;
-    add_impulse<&ConeBody::gradient>(problem_, patch, patch.p);
-  }
   if (is_joined()) stiffen(world_, problem_, link_row_, h);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
   for (ConeBody& b : bodies_of(problem_)) b.before = b.v;
-  for (ConeRow& link : problem_.links)
+  for (ConeLink& link : problem_.links)
     if (link.is_spring()) link.p = link.start_p = link.alone(relative<&ConeBody::before>(problem_.bodies, link));
-  for (const ConeRow& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
+  for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
   if (const Real share = share_that_helps(problem_); share < 1) {
-    each_part(problem_, [&](auto& c) { c.p *= share, c.start_p = c.p; });
+    for (ConeContact& contact : problem_.contacts) contact.p *= share, contact.start_p = contact.p;
+    for (ConeLink& link : problem_.links) link.p *= share, link.start_p = link.p;
     for (ConeBody& b : bodies_of(problem_)) b.gradient = share * b.gradient;
   }
   for (ConeBody& b : bodies_of(problem_)) {
@@ -187,7 +179,9 @@ Real ConeGroup::start(Real h) {
     b.start = b.v += b.change;
     b.gained += b.v;
   }
-  dynamics::measure(problem_);
+  for (ConeContact& contact : problem_.contacts)
+    contact.u = contact.surface + relative<&ConeBody::v>(problem_.bodies, contact);
+  measure_links(problem_);
   return least;
 }
 

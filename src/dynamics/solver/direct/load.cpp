@@ -38,6 +38,18 @@ bool is_curved(const World& world, const RowGeometry& g) {
   return turns_away(*shape[pair.a], g.radius_a) || turns_away(*shape[pair.b], g.radius_b);
 }
 
+/// Whether all points of a pair are as near as the nearest, to kTouching of their distance. What has some in the air is
+/// no patch: it tips, rolls or parts.
+bool lies_flat(const Contacts& c, const PairRows& pair, const Vec3* r) {
+  Real least = kInfinity, most = -kInfinity, width2 = 0;
+  for (std::uint32_t k = 0; k < pair.count; ++k) {
+    const Real gap = c.geometry[pair.row + k].separation;
+    least = std::min(least, gap), most = std::max(most, gap);
+    width2 = std::max(width2, (r[k] - r[0]).squared_norm());
+  }
+  return most - least <= kTouching * std::sqrt(width2);
+}
+
 /// rad/s, what surfaces of a pair turn of themselves.
 Vec3 surface_spin(const Contacts& c, std::uint32_t row) {
   const auto it = std::lower_bound(c.driven.begin(), c.driven.end(), row,
@@ -45,55 +57,31 @@ Vec3 surface_spin(const Contacts& c, std::uint32_t row) {
   return it != c.driven.end() && it->row == row ? it->spin : Vec3(Vec3::zero());
 }
 
-/// Whether a pair's patch does, by its first row. What rolls slips at points in the air alone.
-bool slides(const Row& first) { return first.slides && !first.rolls; }
-
-/// Weights of a pair's points in the middle where its friction acts: of what slides their loads, if they will stay. Else
-/// all that are as near as the nearest, to kTouching of their distance, alike: what hangs in the air, as under a cylinder
-/// that rolls, has no part in it, and what sticks keeps one place, whatever its loads do.
-void find_weights(const Contacts& c, const PairRows& pair, const Vec3* r, Real* weight) {
-  Real load[kPairPoints], whole = 0, least = kInfinity, width2 = 0, sum = 0;
+/// Let friction of a patch that slides act where its loads do: of each point nearer to their middle, or where they are
+/// not known to that of the points. Of what sticks it acts at the points.
+/// @param contacts  of the pair, which act at its points so far   @param r  m, from B's centre of mass
+void spread(const Contacts& c, const PairRows& pair, const GivenMotion& a, const GivenMotion& b, const Vec3* r,
+            ConeContact* contacts) {
+  const Row* const rows = &c.rows[pair.row];
+  if (!rows->one_normal || !lies_flat(c, pair, r)) return;
+  Real load[kPairPoints], whole = 0;
+  for (std::uint32_t k = 0; k < pair.count; ++k) whole += load[k] = std::max(Real(0), rows[k].p.dot(rows->n));
+  if (!(whole > 0)) return;
+  const Vec3 spin = surface_spin(c, pair.row) + b.omega - a.omega;
+  Vec3 middle = Vec3::zero();
+  for (std::uint32_t k = 0; k < pair.count; ++k)
+    middle += (rows->loads_known ? load[k] / whole : Real(1) / pair.count) * r[k];
   for (std::uint32_t k = 0; k < pair.count; ++k) {
-    whole += load[k] = std::max(Real(0), c.rows[pair.row + k].p.dot(c.rows[pair.row + k].n));
-    least = std::min(least, c.geometry[pair.row + k].separation);
-    width2 = std::max(width2, (r[k] - r[0]).squared_norm());
+    ConeContact& contact = contacts[k];
+    const Vec3 apart = (1 - rows->twist_share) * (r[k] - middle), moment = apart.cross(contact.n),
+               turned = spin.cross(apart);
+    if (a.turns) contact.r_a -= apart;
+    if (b.turns) contact.r_b -= apart;
+    contact.n_a = a.turns ? moment : Vec3::zero();
+    contact.n_b = b.turns ? moment : Vec3::zero();
+    contact.surface -= turned - turned.dot(contact.n) * contact.n;
+    contact.is_spread = true;
   }
-  const bool by_load = whole > 0 && c.rows[pair.row].slides_by_load;
-  const Real near = kTouching * std::sqrt(width2);
-  for (std::uint32_t k = 0; k < pair.count; ++k) {
-    weight[k] = by_load ? load[k] : c.geometry[pair.row + k].separation - least <= near ? 1 : 0;
-    sum += weight[k];
-  }
-  for (std::uint32_t k = 0; k < pair.count; ++k) weight[k] /= sum;
-}
-
-/// How far from the middle a patch presses, in the mean: of what slides by its loads.
-/// @param apart  m, how far points are from it, by weights
-Real reach_of(const Contacts& c, const PairRows& pair, std::span<const ContactPlace> places, Real apart) {
-  if (!slides(c.rows[pair.row])) return apart;
-  Real moment = 0, whole = 0;
-  for (std::uint32_t k = 0; k < pair.count; ++k) {
-    const Real load = std::max(Real(0), c.rows[pair.row + k].p.dot(c.rows[pair.row + k].n));
-    moment += load * places[k].d.norm(), whole += load;
-  }
-  return c.rows[pair.row].twist_share * (whole > 0 && moment > 0 ? moment / whole : apart);
-}
-
-/// 1/kg, mean velocity of a patch per impulse on it.
-Real response_of(const ConePatch& c, const ConeBody* bodies) {
-  Real sum = 0;
-  const Vec3 t = any_perpendicular(c.n).normalized(), s = c.n.cross(t);
-  const auto add = [&](std::uint32_t body, const Vec3& r, const Vec3& w) {
-    if (body == kInvalid) return;
-    const ConeBody& b = bodies[body];
-    for (const Vec3& axis : {t, s}) {
-      const Vec3 turn = r.cross(axis);
-      sum += b.inv_mass + turn.dot(b.inv_inertia * turn);
-    }
-    sum += w.dot(b.inv_inertia * w);
-  };
-  add(c.a, c.r_a, c.w_a), add(c.b, c.r_b, c.w_b);
-  return sum / (c.reach > 0 ? 3 : 2);
 }
 
 }  // namespace
@@ -110,12 +98,12 @@ void load_mass(const World& world, ConeBody& b) {
                                           : Mat3(r * world.scene.inv_inertia[b.slot] * r.transpose());
 }
 
-void load_contacts(const World& world, std::span<const std::uint32_t> rows, const ConeProblem& problem, LoadWhat what) {
+void load_contacts(const World& world, std::span<const std::uint32_t> rows, const ConeBody* bodies,
+                   ConeContact* contacts, LoadWhat what) {
   const Contacts& c = *world.contacts;
-  const ConeBody* const bodies = problem.bodies;
   const auto sources = [&](const PairRows& pair, PointSources& of) {
-    const ConeRow& contact = problem.contacts[pair.at];
-    if (what == LoadWhat::not_curved && problem.places[pair.at].is_curved) return false;
+    const ConeContact& contact = contacts[pair.at];
+    if (what == LoadWhat::not_curved && contact.is_curved) return false;
     of = point_sources(world, pair);
     const bool rolls = c.rows[pair.row].rolls;  // whose arms are those of the moment
     const auto put = [&](std::uint32_t body, const double*& held, const double*& inv_inertia, double& inv_mass) {
@@ -127,70 +115,32 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
     put(contact.b, of.held_b, of.inv_inertia_b, of.inv_mass_b);
     return true;
   };
-  each_pair(c, rows, sources, world.wide->kernels->points.place, [&](const PairRows& pair, const PointPlaces& at) {
+  each_pair(c, rows, sources, world.wide->kernels->points.place, [&](const PairRows& pair, const PointPlaces& places) {
     const Row& first = c.rows[pair.row];
-    const ConeRow& of = problem.contacts[pair.at];
+    const ConeContact& of = contacts[pair.at];
     const GivenMotion given_a(world, bodies, of.a, first.a), given_b(world, bodies, of.b, first.b);
-    const bool is_given = given_a.any() || given_b.any() || !c.surface.empty();
+    const bool is_given = given_a.any() || given_b.any();
     const bool curved = what == LoadWhat::all && is_curved(world, c.geometry[pair.row]);
-    Vec3 r_a[kPairPoints], r_b[kPairPoints];
-    Real weight[kPairPoints];
     for (std::uint32_t k = 0; k < pair.count; ++k) {
-      r_a[k] = Vec3(at.r_a.x[k], at.r_a.y[k], at.r_a.z[k]);
-      r_b[k] = Vec3(at.r_b.x[k], at.r_b.y[k], at.r_b.z[k]);
+      ConeContact& contact = contacts[pair.at + k];
+      const Vec3 r_a(places.r_a.x[k], places.r_a.y[k], places.r_a.z[k]),
+          r_b(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
+      contact.is_curved = curved;
+      contact.is_spread = false;
+      contact.n = c.rows[pair.row + k].n;
+      contact.r_a = given_a.turns ? r_a : Vec3::zero();
+      contact.r_b = given_b.turns ? r_b : Vec3::zero();
+      contact.k = places.response[k];
+      contact.give = 0;
+      contact.curve.set_zero();
+      contact.apart = r_a - r_b;
+      contact.surface = is_given ? Vec3(given_b.at(r_b) - given_a.at(r_a)) : Vec3::zero();
+      if (!c.surface.empty()) contact.surface += c.surface[pair.row + k];
     }
-    find_weights(c, pair, r_b, weight);
-    const auto surface_at = [&](std::uint32_t k) {
-      const Vec3 surface = given_b.at(r_b[k]) - given_a.at(r_a[k]);
-      return c.surface.empty() ? surface : Vec3(surface + c.surface[pair.row + k]);
-    };
-    for (std::uint32_t k = 0; k < pair.count; ++k) {
-      ConeRow& row = problem.contacts[pair.at + k];
-      ContactPlace& place = problem.places[pair.at + k];
-      const Vec3& n = c.rows[pair.row + k].n;
-      place.is_curved = curved;
-      place.n = n;
-      place.r_a = given_a.turns ? r_a[k] : Vec3::zero();
-      place.r_b = given_b.turns ? r_b[k] : Vec3::zero();
-      place.apart = r_a[k] - r_b[k];
-      place.response = at.response[k];
-      place.curve = 0;
-      row.d_a = row.d_b = n;
-      row.w_a = place.r_a.cross(n), row.w_b = place.r_b.cross(n);
-      row.k = 0;
-      for (const auto& [body, turn] : {std::pair(row.a, row.w_a), std::pair(row.b, row.w_b)})
-        if (body != kInvalid) row.k += bodies[body].inv_mass + turn.dot(bodies[body].inv_inertia * turn);
-      row.give = 0, row.high = row.most = kInfinity, row.bends = false;
-      row.surface = is_given ? surface_at(k).dot(n) : 0;
-    }
-    const bool alone = problem.patches[problem.places[pair.at].patch].count == 1;
-    for (std::uint32_t k = 0; k < pair.count; k += alone ? 1 : pair.count) {
-      ConePatch& patch = problem.patches[problem.places[pair.at + k].patch];
-      const std::span<ContactPlace> places = problem.places.subspan(pair.at + k, patch.count);
-      Vec3 middle_a = Vec3::zero(), middle_b = Vec3::zero(), surface = Vec3::zero();
-      for (std::uint32_t i = 0; i < patch.count; ++i) {
-        const Real share = places[i].weight = alone ? 1 : weight[i];
-        middle_a += share * r_a[k + i], middle_b += share * r_b[k + i];
-        if (is_given) surface += share * surface_at(k + i);
-      }
-      for (std::uint32_t i = 0; i < patch.count; ++i) places[i].d = r_b[k + i] - middle_b;
-      patch.n = c.rows[pair.row + k].n;
-      patch.is_curved = curved;
-      patch.slides = slides(first), patch.bears_all = first.slides_by_load;
-      constexpr Real kNoReach = 1e-9;  // of the arms: points that are one but for rounding bear no twist
-      Real apart = 0;
-      for (const ContactPlace& place : places) apart += place.weight * place.d.norm();
-      patch.reach = apart > kNoReach * (middle_a.norm() + middle_b.norm()) ? reach_of(c, pair, places, apart) : 0;
-      patch.r_a = given_a.turns ? middle_a : Vec3::zero();
-      patch.r_b = given_b.turns ? middle_b : Vec3::zero();
-      patch.w_a = given_a.turns ? Vec3(patch.reach * patch.n) : Vec3::zero();
-      patch.w_b = given_b.turns ? Vec3(patch.reach * patch.n) : Vec3::zero();
-      const Real spin = is_given ? (surface_spin(c, pair.row) + given_b.omega - given_a.omega).dot(patch.n) : 0;
-      patch.surface = surface + (patch.reach * spin - surface.dot(patch.n)) * patch.n;
-      patch.curve.set_zero();
-      patch.k = response_of(patch, bodies);
-      patch.give = 0;
-    }
+    if (!first.slides) return;
+    Vec3 at[kPairPoints];
+    for (std::uint32_t k = 0; k < pair.count; ++k) at[k] = Vec3(places.r_b.x[k], places.r_b.y[k], places.r_b.z[k]);
+    spread(c, pair, given_a, given_b, at, contacts + pair.at);
   });
 }
 
@@ -203,7 +153,8 @@ void load_groups(const World& world, SolverMemory& memory, DirectGroups& d) {
       load_mass(world, b);
       b.v = {world.state.v[b.slot], world.state.omega[b.slot]};
     }
-    load_contacts(world, {d.row.data() + from.contact, to.contact - from.contact}, d.problem(g), LoadWhat::all);
+    load_contacts(world, {d.row.data() + from.contact, to.contact - from.contact}, d.bodies.data(),
+                  d.contacts.data() + from.contact, LoadWhat::all);
   });
 }
 

@@ -9,8 +9,9 @@ namespace carom::dynamics {
 void load_mass(const World& world, ConeBody& body);
 enum class LoadWhat { all, not_curved };
 /// Where contacts are, and what depends on that. Bodies have the velocities of the state.
-/// @param rows  of its contacts, ascending
-void load_contacts(const World& world, std::span<const std::uint32_t> rows, const ConeProblem& problem, LoadWhat what);
+/// @param rows, contacts  ascending, all or none of a pair's
+void load_contacts(const World& world, std::span<const std::uint32_t> rows, const ConeBody* bodies,
+                   ConeContact* contacts, LoadWhat what);
 /// Bodies and contacts, as the step begins.
 void load_groups(const World& world, SolverMemory& memory, DirectGroups& d);
 

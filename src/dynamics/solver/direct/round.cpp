@@ -3,18 +3,23 @@
 
 #include <algorithm>
 
-#include "dynamics/solver/direct/patch_bound.h"
-
 namespace carom::dynamics {
 
 Round::Round(ConeProblem& problem, Real softness) : problem_(problem), softness_(softness) {
-  each_part(problem_, [](auto& c) { c.p0 = c.p, c.u0 = c.u; });
+  for (ConeContact& c : problem_.contacts) c.p0 = c.p, c.u0 = c.u;
+  for (ConeLink& c : problem_.links) c.p0 = c.p, c.u0 = c.u;
   for (ConeBody& b : bodies_of(problem_)) b.change.set_zero();
+}
+
+Round::Round(ConeProblem& problem) : Round(problem, 0) {
+  is_known_ = true;
+  save_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
 }
 
 void Round::take_back() {
   for (ConeBody& b : bodies_of(problem_)) b.v -= b.change;
-  each_part(problem_, [](auto& c) { c.p = c.p0, c.u = c.u0; });
+  for (ConeContact& c : problem_.contacts) c.p = c.p0, c.u = c.u0;
+  for (ConeLink& c : problem_.links) c.p = c.p0, c.u = c.u0;
 }
 
 std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
@@ -23,7 +28,6 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   bool is_reached = false;
   Real left = kInfinity;
   bool whole = false;  // the last step was
-  if (keeps_steps_) save_impulses<&ConeRow::yielding_p, &ConePatch::yielding_p>(problem_);
   for (; steps < most_steps; ++steps) {
     const Real now = find_gradient();
     is_reached = now <= tolerance;
@@ -39,11 +43,15 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
       is_stuck_ = true;
       break;
     }
-    if (keeps_steps_) trace(length);
+    if (is_known_) trace(length);
     for (ConeBody& b : bodies_of(problem_)) b.change += length * b.step;
-    each_part(problem_, [&](auto& c) { c.u += length * c.du; });
+    for (ConeContact& c : problem_.contacts) c.u += length * c.du;
+    for (ConeLink& c : problem_.links) c.u += length * c.du;
   }
-  if (keeps_steps_ && !is_reached) each_part(problem_, [](auto& c) { c.p = c.yielding_p; });
+  if (is_known_ && !is_reached) {
+    for (ConeContact& c : problem_.contacts) c.p = c.yielding_p;
+    for (ConeLink& c : problem_.links) c.p = c.yielding_p;
+  }
   accept();
   return steps;
 }
@@ -57,98 +65,72 @@ Real Round::rounding() const {
 
 // M change = J^T (q - p0) holds before and after a step L: its M step = J^T (p - q - W du), W the slope of p by -u.
 void Round::trace(Real length) {
-  for (ConePatch& c : problem_.patches) {
+  for (ConeContact& c : problem_.contacts) {
     Vec3 next = c.p;
-    if (c.curvature == PatchCurvature::sticks) next -= c.du / resistance(c);
-    if (c.curvature == PatchCurvature::slides) next -= slope(c) * c.du;
+    if (c.curvature == ConeCurvature::alike) next -= c.du / resistance(c);
+    if (c.curvature == ConeCurvature::slope) next -= slope(c) * c.du;
     c.yielding_p += length * (next - c.yielding_p);
   }
-  for (ConeRow& c : problem_.rows) {
+  for (ConeLink& c : problem_.links) {
     const Real next = c.p - (c.is_held ? c.du / (resistance(c) + c.give) : 0);
     c.yielding_p += length * (next - c.yielding_p);
   }
 }
 
-Mat3 Round::slope(const ConePatch& c) const { return slope_on_bound(pull(c, c.u), c.bound()) / resistance(c); }
+Mat3 Round::slope(const ConeContact& c) const {
+  const Vec3 z = pull(c, c.u);
+  const Mat3 slope =
+      is_known_ ? slope_of_projection_on_cylinder(z, c.n, c.most_friction) : slope_of_projection(z, c.n, c.friction);
+  return slope / resistance(c);
+}
 
 Real Round::find_gradient() {
   for (ConeBody& b : bodies_of(problem_)) b.gradient = momentum_of(b, b.change);
-  for (ConeRow& c : problem_.rows) c.p = c.k > 0 ? c.pulled(c.u, resistance(c), c.p0) : 0;
-  for (ConePatch& c : problem_.patches) {
-    if (!c.is_coupled) {
-      c.p = c.most > 0 ? project_on_bound(pull(c, c.u), c.bound()) : Vec3::zero();
-      continue;
-    }
-    const CoupledPatch both = project_coupled(c, 0);
-    c.p = both.friction, c.most = both.most;
-    for (std::uint32_t k = 0; k < c.count; ++k) problem_.contacts[c.first + k].p = both.normal[k];
+  for (ConeContact& c : problem_.contacts) {
+    c.p = project(c, pull(c, c.u));
+    add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
-  each_part(problem_, [&](const auto& c) { add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p); });
+  for (ConeLink& c : problem_.links) {
+    c.p = c.k > 0 ? c.pulled(c.u, resistance(c), c.p0) : 0;
+    add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
+  }
   for (ConeBody& b : bodies_of(problem_)) b.step = velocity_of(b, b.gradient);
-  Real most2 = 0;
-  for (const ConeRow& c : problem_.rows) {
+  Real most = 0;
+  for (const ConeContact& c : problem_.contacts)
+    most = std::max(most, relative<&ConeBody::step>(problem_.bodies, c).squared_norm());
+  for (const ConeLink& c : problem_.links) {
     const Real u = relative<&ConeBody::step>(problem_.bodies, c);
-    most2 = std::max(most2, u * u);
+    most = std::max(most, u * u);
   }
-  for (const ConePatch& c : problem_.patches)
-    most2 = std::max(most2, relative<&ConeBody::step>(problem_.bodies, c).squared_norm());
-  return std::sqrt(most2);
+  return std::sqrt(most);
 }
 
 Round::NextFactor Round::find_factor(Real still) {
   const bool is_same = find_curvatures(still);
-  if (is_same && problem_.factored == softness_) return NextFactor::same;
+  if (is_same && problem_.factored == factored_as()) return NextFactor::same;
   problem_.factored = 0;
   assemble();
   if (!factor(*problem_.elimination, problem_.first, problem_.last, *problem_.factor)) return NextFactor::none;
-  problem_.factored = softness_;
+  problem_.factored = factored_as();
   return NextFactor::another;
 }
 
-CoupledPatch Round::project_coupled(const ConePatch& c, Real length) const {
-  std::array<Real, kPairPoints> z{}, r{};
-  for (std::uint32_t k = 0; k < c.count; ++k) {
-    const ConeRow& row = problem_.contacts[c.first + k];
-    r[k] = resistance(row), z[k] = row.p0 - (row.u + length * row.du - row.low) / r[k];
-  }
-  return {std::span(z.data(), c.count),
-          std::span(r.data(), c.count),
-          pull(c, c.u + length * c.du),
-          resistance(c),
-          c.friction,
-          c.bound()};
-}
-
-/// Contacts that bear follow their velocities, and what the bound couples is noted.
-void Round::find_coupled_curvatures(ConePatch& c, Real still) {
-  const Vec3 z = pull(c, c.u);
-  const bool is_new = c.p0 == Vec3::zero() && resistance(c) * z.norm() <= still;
-  c.curvature = c.p == z || is_new ? PatchCurvature::sticks
-                : c.most > 0       ? PatchCurvature::slides
-                                   : PatchCurvature::none;
-  if (c.curvature != PatchCurvature::slides) return;
-  std::array<Real, kPairPoints> r{};
-  for (std::uint32_t k = 0; k < c.count; ++k) r[k] = resistance(problem_.contacts[c.first + k]);
-  CoupledPatch at = project_coupled(c, 0);
-  c.coupling = PatchCoupling(at, std::span(r.data(), c.count), z, resistance(c), c.friction, c.bound());
+ConeCurvature Round::curvature_of(const ConeContact& c, Real still) const {
+  const Vec3 pulled = pull(c, c.u);
+  if (c.p0 == Vec3::zero() && resistance(c) * pulled.norm() <= still) return ConeCurvature::alike;  // at the tip
+  if (c.p == Vec3::zero()) return ConeCurvature::none;
+  return c.p == pulled ? ConeCurvature::alike : ConeCurvature::slope;
 }
 
 bool Round::find_curvatures(Real still) {
   bool is_same = true;
-  for (ConePatch& c : problem_.patches) {
-    const PatchCurvature was = c.curvature;
-    if (c.is_coupled)
-      find_coupled_curvatures(c, still);
-    else
-      c.curvature = !(c.most > 0)         ? PatchCurvature::none
-                    : c.p == pull(c, c.u) ? PatchCurvature::sticks
-                                          : PatchCurvature::slides;
-    is_same &= was == c.curvature && was != PatchCurvature::slides;
+  for (ConeContact& c : problem_.contacts) {
+    const ConeCurvature now = curvature_of(c, still);
+    is_same &= now == c.curvature && now != ConeCurvature::slope;
+    c.curvature = now;
   }
-  for (ConeRow& c : problem_.rows) {
-    const bool is_contact = c.high == kInfinity;
-    bool is_held = c.k > 0 && (is_contact ? c.p > 0 : c.follows(c.u, resistance(c), c.p0));
-    if (is_contact && c.p0 == 0 && c.u - c.low <= still) is_held = c.k > 0;
+  for (ConeLink& c : problem_.links) {
+    const bool is_held = c.k > 0 && c.follows(c.u, resistance(c), c.p0);
     is_same &= is_held == c.is_held;
     c.is_held = is_held;
   }
@@ -157,7 +139,44 @@ bool Round::find_curvatures(Real still) {
 
 void Round::find_step() {
   solve_for_steps(problem_, -1);
-  each_part(problem_, [&](auto& c) { c.du = relative<&ConeBody::step>(problem_.bodies, c); });
+  for (ConeContact& c : problem_.contacts) c.du = relative<&ConeBody::step>(problem_.bodies, c);
+  for (ConeLink& c : problem_.links) c.du = relative<&ConeBody::step>(problem_.bodies, c);
+}
+
+namespace {
+
+/// @param z1  change of z with the step
+ConeLine line_of(const ConeContact& c, const Vec3& z0, const Vec3& z1) {
+  ConeLine line;
+  line.n0 = z0.dot(c.n), line.n1 = z1.dot(c.n), line.u_n = c.du.dot(c.n);
+  const Vec3 t0 = z0 - line.n0 * c.n, t1 = z1 - line.n1 * c.n;
+  line.t00 = t0.squared_norm(), line.t01 = t0.dot(t1), line.t11 = t1.squared_norm();
+  line.ut0 = c.du.dot(t0), line.ut1 = c.du.dot(t1);
+  line.start = c.du.dot(c.p0);
+  return line;
+}
+
+/// J, du . (P_K(z) - p0): as project_on_cone() has it, in numbers.
+Real gain_in_cone(const ConeLine& line, Real mu, Real length) {
+  const Real n = line.n0 + length * line.n1, u_t = line.ut0 + length * line.ut1;
+  const Real t = std::sqrt(std::max(Real(0), line.t00 + length * (2 * line.t01 + length * line.t11)));
+  if (n <= -mu * t) return -line.start;
+  if (t <= mu * n) return line.u_n * n + u_t - line.start;
+  const Real along = (n + mu * t) / (1 + mu * mu);
+  return along * (mu > 0 ? line.u_n + mu / t * u_t : line.u_n) - line.start;
+}
+
+/// As project_on_cylinder() has it.
+Real gain_in_cylinder(const ConeLine& line, Real most, Real length) {
+  const Real n = line.n0 + length * line.n1, u_t = line.ut0 + length * line.ut1;
+  const Real t = std::sqrt(std::max(Real(0), line.t00 + length * (2 * line.t01 + length * line.t11)));
+  return line.u_n * std::max(n, Real(0)) + (t <= most ? u_t : most / t * u_t) - line.start;
+}
+
+}  // namespace
+
+Real Round::gain_along(const ConeContact& c, Real length) const {
+  return is_known_ ? gain_in_cylinder(c.line, c.most_friction, length) : gain_in_cone(c.line, c.friction, length);
 }
 
 Round::Slope Round::find_slope() {
@@ -168,16 +187,15 @@ Round::Slope Round::find_slope() {
     slope.grows += b.step.dot(m);
   }
   slope.rounding = std::fabs(slope.start);
-  for (ConePatch& c : problem_.patches) {
-    slope.start += c.du.dot(c.p0);
-    if (!(c.most > 0) && !c.is_coupled) continue;
-    c.line = BoundLine(pull(c, c.u), (-1 / resistance(c)) * c.du, c.du, c.n);
-    slope.rounding += c.du.norm() * (c.p.norm() + c.p0.norm() + c.u.norm() / resistance(c));
+  for (ConeContact& c : problem_.contacts) {
+    const Real r = resistance(c);
+    c.line = line_of(c, pull(c, c.u), c.du / -r);
+    slope.rounding += c.du.norm() * (c.p.norm() + c.p0.norm() + (c.u.norm() + std::fabs(c.want - c.slip)) / r);
   }
-  for (const ConeRow& c : problem_.rows) {
+  for (const ConeLink& c : problem_.links) {
     if (!(c.k > 0)) continue;
-    const Real r = resistance(c) + c.give, asked = c.high == kInfinity ? std::fabs(c.low) : 0;
-    slope.rounding += std::fabs(c.du) * (std::fabs(c.p) + std::fabs(c.p0) + (std::fabs(c.u) + asked) / r);
+    const Real r = resistance(c) + c.give;
+    slope.rounding += std::fabs(c.du) * (std::fabs(c.p) + std::fabs(c.p0) + std::fabs(c.u) / r);
     if (c.is_lock()) slope.start -= c.du * (c.p - c.p0), slope.grows += c.du * c.du / r;
   }
   constexpr Real kOfAll = 0.1;  // of all roundings if each went the same way; with all, a drive's speed was off by some
@@ -187,20 +205,8 @@ Round::Slope Round::find_slope() {
 
 Real Round::derivative(const Slope& slope, Real length) const {
   Real d = slope.start + length * slope.grows;
-  for (const ConePatch& c : problem_.patches) {
-    if (!c.is_coupled) {
-      if (c.most > 0) d -= c.line.gain(c.bound(), length);
-      continue;
-    }
-    const CoupledPatch both = project_coupled(c, length);
-    d -= c.du.dot(both.friction);
-    for (std::uint32_t k = 0; k < c.count; ++k) {
-      const ConeRow& row = problem_.contacts[c.first + k];
-      d -= row.du * (both.normal[k] - row.p0);
-    }
-  }
-  const bool is_coupled = !problem_.patches.empty() && problem_.patches.front().is_coupled;
-  for (const ConeRow& c : is_coupled ? problem_.links : problem_.rows)
+  for (const ConeContact& c : problem_.contacts) d -= gain_along(c, length);
+  for (const ConeLink& c : problem_.links)
     if (c.k > 0 && !c.is_lock()) d -= c.du * (c.pulled(c.u + length * c.du, resistance(c), c.p0) - c.p0);
   return d;
 }
@@ -231,9 +237,11 @@ Real Round::search() {
 
 void Round::accept() {
   for (ConeBody& b : bodies_of(problem_)) b.gradient.set_zero();
-  each_part(problem_, [&](const auto& c) { add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0); });
+  for (ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
+  for (ConeLink& c : problem_.links) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
   for (ConeBody& b : bodies_of(problem_)) b.change = velocity_of(b, b.gradient), b.v += b.change;
-  each_part(problem_, [&](auto& c) { c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c); });
+  for (ConeContact& c : problem_.contacts) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
+  for (ConeLink& c : problem_.links) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
 }
 
 }  // namespace carom::dynamics

@@ -3,66 +3,73 @@
 
 #include <algorithm>
 
+#include "dynamics/solver/direct/cone.h"
 #include "dynamics/solver/direct/cone_problem.h"
 
 namespace carom::dynamics {
 
 /// Minimises over velocities v
-///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum (r + give) |P(z)|^2 / 2,   z = (r p0 - (u - asked)) / (r + give),
-/// r = softness * k, whose gradient is nought where momentum and the impulses P(z) agree. P is the nearest impulse that a
-/// row or a patch may bear.
+///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(z)|^2 / 2,   z = p0 - (y + give p0) / R,   R = softness * k + give,
+/// whose gradient is nought where momentum and the impulses P_K(z) agree.
+/// Where contacts yield and friction is known, that is the whole problem (yielding.h): R = give at contacts, whose last
+/// impulses it does not keep to, and K the half of a cylinder.
 class Round {
  public:
   Round(ConeProblem& problem, Real softness);
+  /// Where friction is known.
+  explicit Round(ConeProblem& problem);
 
-  /// @param tolerance  m/s, of velocities of rows   @return Newton steps taken
+  /// @param tolerance  m/s, of contact velocities   @return Newton steps taken
   std::uint32_t minimise(Real tolerance, std::uint32_t most_steps);
-  /// Where it is cut short rows bear what has given the bodies the velocities of the steps taken.
-  void keep_steps() { keeps_steps_ = true; }
   /// As it was before.
   void take_back();
   /// It ended where rounding decides which way to go: a softer round is better conditioned.
   bool is_stuck() const { return is_stuck_; }
 
  private:
-  Real resistance(const ConePatch& c) const { return softness_ * c.k + c.give; }
-  Real resistance(const ConeRow& c) const { return (c.is_lock() ? softness_of_locks() : softness_) * c.k; }
-  Real softness_of_locks() const { return std::min(kSoftnessOfLocks, softness_); }
+  Real resistance(const ConeContact& c) const { return softness_ * c.k + c.give; }
+  Real resistance(const ConeLink& c) const { return (c.is_lock() ? softness_of_locks() : softness_of_drives()) * c.k; }
+  Real softness_of_locks() const { return is_known_ ? kSoftnessOfLocks : std::min(kSoftnessOfLocks, softness_); }
+  Real softness_of_drives() const { return is_known_ ? kSoftnessOfLocks : softness_; }
+  /// What tells the factor of this round from others: softness where that differs, -1 where contacts yield.
+  Real factored_as() const { return is_known_ ? -1 : softness_; }
+  Vec3 project(const ConeContact& c, const Vec3& z) const {
+    return is_known_ ? project_on_cylinder(z, c.n, c.most_friction) : project_on_cone(z, c.n, c.friction);
+  }
   /// m/s, of the gradient: velocities of bodies are rounded, and what locks resist them by is that over their softness.
   Real rounding() const;
-  Mat3 slope(const ConePatch& c) const;
-  /// The contacts and the friction of a patch that is coupled, at velocities moved by a step of a length.
-  CoupledPatch project_coupled(const ConePatch& c, Real length) const;
-  std::span<ConeRow> contacts_of(const ConePatch& c) const { return problem_.contacts.subspan(c.first, c.count); }
-  void find_coupled_curvatures(ConePatch& c, Real still);
-  void add_coupling(const ConePatch& c);
+  Mat3 slope(const ConeContact& c) const;
+  Real gain_along(const ConeContact& c, Real length) const;
   /// Impulses that have given the bodies the velocities of the steps taken, along with one more.
   void trace(Real length);
-  /// Impulse of a patch before it is bounded, at velocity u.
-  Vec3 pull(const ConePatch& c, const Vec3& u) const { return (softness_ * c.k * c.p0 - u) / resistance(c); }
+  /// Impulse before it is projected, at velocity u.
+  Vec3 pull(const ConeContact& c, const Vec3& u) const {
+    return c.p0 - (u - (c.want - c.slip) * c.n + c.give * c.p0) / resistance(c);
+  }
   /// Impulses at the present velocities, and what is lacking in the bodies' momentum.
-  /// @return m/s, the most that a row's velocity would change if bodies had the momentum that impulses give
+  /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
   Real find_gradient();
   enum class NextFactor { none, same, another };  // same as of the last step: the function is quadratic between
   /// The factor for the next step.
   /// @param still  m/s, @see find_curvatures()
   NextFactor find_factor(Real still);
-  /// What a host has just built touches and bears nothing yet. Taken as parting its contacts would be found one layer a
-  /// step.
-  /// @param still  m/s: contacts that bear nothing and move no faster are taken to bear
+  /// What a host has just built touches and bears nothing yet: all its contacts are at the tips of their cones, where
+  /// dP/dz jumps. Taken as off the cones they would be found one layer a step.
+  /// @param still  m/s: contacts that bear nothing and move no faster are taken to stick
   /// @return whether the factor is that of these curvatures
   bool find_curvatures(Real still);
-  /// M + sum J^T (dP/dz / (r + give)) J. Locks are always in it, and hardly a round resists them otherwise than the last:
-  /// with the masses they are assembled once a solve.
+  ConeCurvature curvature_of(const ConeContact& c, Real still) const;
+  /// M + sum J^T (dP/dz / R) J. Locks are always in it, and hardly a round resists them otherwise than the last: with
+  /// the masses they are assembled once a solve.
   void assemble();
   void assemble_locked();
   void find_step();
   /// Where along the step the function is least, closely enough: a root of its derivative, which grows.
   /// @return 0 where the derivative at the start is but rounding
   Real search();
-  /// What of the derivative is linear: of bodies and locks, and of patches that stick all along.
+  /// Terms of the derivative that each contact has, @see ConeLine, and of all that is linear.
   struct Slope {
-    Real start, grows;  // J: start + length grows
+    Real start, grows;  // J, of bodies and locks: start + length grows
     Real rounding;      // J, of all
   };
   Slope find_slope();
@@ -76,7 +83,7 @@ class Round {
 
   ConeProblem& problem_;
   Real softness_;
-  bool keeps_steps_ = false;
+  bool is_known_ = false;  // friction
   bool is_stuck_ = false;
 };
 
@@ -84,10 +91,8 @@ class Round {
 
 /// M, without what couples bodies, in f.
 void assemble_masses(const ConeProblem& problem, const Blocks& f);
-/// J^T w J of a row.
-void add_row(const Elimination& e, const Blocks& f, const ConeRow& c, Real w);
-/// J^T w J of a patch.
-void add_patch(const Elimination& e, const Blocks& f, const ConePatch& c, const Mat3& w);
+/// J^T w J of a contact that resists in all directions alike.
+void add_sticking(ConeProblem& problem, const ConeContact& c, Real w);
 /// Rows and columns of what is locked: as if nothing touched there.
 void hold_locked(ConeProblem& problem);
 /// ConeBody::step from the gradient and the factor.

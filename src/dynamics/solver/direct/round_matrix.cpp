@@ -1,6 +1,7 @@
 // Newton's matrix: masses, and what joints and contacts add to them.
 #include <algorithm>
 
+#include "dynamics/solver/direct/cone.h"
 #include "dynamics/solver/direct/round.h"
 
 namespace carom::dynamics {
@@ -11,6 +12,53 @@ void add(Block& d, int row, int column, const Mat3& m) {
     for (int j = 0; j < 3; ++j) d.x[row + i][column + j] += m(i, j);
 }
 
+/// What a spin does at a contact: J = [1, -x] of one body.
+struct Turning {
+  Mat3 x, back;  // m; back is -x^T
+
+  Turning(const ConeContact& c, const Vec3& r, const Vec3& moment) : x(cross_matrix(r)), back(x) {
+    if (!c.is_spread) return;
+    x -= outer(c.n, moment);
+    back += outer(moment, c.n);
+  }
+};
+
+/// J^T w J of one body.
+void add_own(Block& d, const Mat3& w, const Turning& of, const Mat3& wx) {
+  add(d, 0, 0, w);
+  add(d, 0, 3, -wx);
+  add(d, 3, 0, of.back * w);
+  add(d, 3, 3, -(of.back * wx));
+}
+
+/// J_a^T w J_b = w [1, -x_b; x_a, -x_a x_b] with a number for w, x_a x_b = r_b r_a^T - r_a.r_b.
+void add_isotropic(Block& d, Real w, const Vec3& r_a, const Vec3& r_b) {
+  const Real along = w * r_a.dot(r_b);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    d.x[i][i] += w;
+    d.x[i][3 + j] += w * r_b[k], d.x[j][3 + i] -= w * r_b[k];
+    d.x[3 + i][j] -= w * r_a[k], d.x[3 + j][i] += w * r_a[k];
+    for (int l = 0; l < 3; ++l) d.x[3 + i][3 + l] -= w * (r_b[i] * r_a[l]);
+    d.x[3 + i][3 + i] += along;
+  }
+}
+
+/// Where a contact's impulses act on a body, @see ConeContact.
+struct ContactArms {
+  const Vec3 &r, &moment;
+};
+/// What add_isotropic() leaves out where a contact is spread.
+void add_moments(Block& d, Real w, const Vec3& n, const ContactArms& a, const ContactArms& b) {
+  const Vec3 turn = w * (a.r.cross(n) + a.moment), other = w * b.r.cross(n);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      d.x[i][3 + j] += w * n[i] * b.moment[j];
+      d.x[3 + i][j] += w * a.moment[i] * n[j];
+      d.x[3 + i][3 + j] += turn[i] * b.moment[j] + a.moment[i] * other[j];
+    }
+}
+
 /// A block without the rows and columns of what is locked.
 void strike_out(Block& d, std::uint8_t row_locks, std::uint8_t column_locks) {
   for (int i = 0; i < kDof; ++i)
@@ -19,20 +67,23 @@ void strike_out(Block& d, std::uint8_t row_locks, std::uint8_t column_locks) {
 }
 
 /// w (d, w_row) (d, w_column)^T.
-struct RowArms {
+struct LinkArms {
   const Vec3 &d, &w;
 };
-void add_outer(Block& b, Real w, const RowArms& r, const RowArms& c) {
+void add_outer(Block& b, Real w, const LinkArms& r, const LinkArms& c) {
   const Real row[kDof] = {w * r.d.x(), w * r.d.y(), w * r.d.z(), w * r.w.x(), w * r.w.y(), w * r.w.z()};
   const Real column[kDof] = {c.d.x(), c.d.y(), c.d.z(), c.w.x(), c.w.y(), c.w.z()};
   for (int i = 0; i < kDof; ++i)
     for (int j = 0; j < kDof; ++j) b.x[i][j] += row[i] * column[j];
 }
 
-/// What a body does at a patch: J = [1 - n n^T, -(1 - n n^T) x + n w^T].
-Mat3 turning(const ConePatch& c, const Vec3& r, const Vec3& w) {
-  const Mat3 x = cross_matrix(r);
-  return outer(c.n, Vec3(w + x.transpose() * c.n)) - x;
+/// J^T w J of a row.
+void add_link(const Elimination& e, const Blocks& f, const ConeLink& c, Real w) {
+  const LinkArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
+  if (c.a != kInvalid) add_outer(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kInvalid) add_outer(f.diagonal[e.place[c.b]], w, b, b);
+  if (c.below == kInvalid) return;
+  add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
 }
 
 }  // namespace
@@ -49,35 +100,18 @@ void assemble_masses(const ConeProblem& problem, const Blocks& f) {
   std::fill(f.below + e.column[problem.first], f.below + e.column[problem.last], Block{});
 }
 
-void add_row(const Elimination& e, const Blocks& f, const ConeRow& c, Real w) {
-  const RowArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
-  if (c.a != kInvalid) add_outer(f.diagonal[e.place[c.a]], w, a, a);
-  if (c.b != kInvalid) add_outer(f.diagonal[e.place[c.b]], w, b, b);
-  if (c.below == kInvalid) return;
-  add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
-}
-
-void add_patch(const Elimination& e, const Blocks& f, const ConePatch& c, const Mat3& w) {
-  const Mat3 across = Mat3::identity() - outer(c.n, c.n);
-  const Mat3 x_a = turning(c, c.r_a, c.w_a), x_b = turning(c, c.r_b, c.w_b);
-  const Mat3 w_t = w * across, w_a = w * x_a, w_b = w * x_b, t_w_t = across * w_t;
-  const auto add_own = [&](std::uint32_t body, const Mat3& x, const Mat3& w_x) {
-    if (body == kInvalid) return;
-    Block& d = f.diagonal[e.place[body]];
-    const Mat3 t_w_x = across * w_x;
-    add(d, 0, 0, t_w_t);
-    add(d, 0, 3, t_w_x);
-    add(d, 3, 0, t_w_x.transpose());
-    add(d, 3, 3, x.transpose() * w_x);
+void add_sticking(ConeProblem& problem, const ConeContact& c, Real w) {
+  const Elimination& e = *problem.elimination;
+  BlockFactor& f = *problem.factor;
+  const auto add = [&](Block& d, Real by, const ContactArms& a, const ContactArms& b) {
+    add_isotropic(d, by, a.r, b.r);
+    if (c.is_spread) add_moments(d, by, c.n, a, b);
   };
-  add_own(c.a, x_a, w_a), add_own(c.b, x_b, w_b);
+  const ContactArms a = {c.r_a, c.n_a}, b = {c.r_b, c.n_b};
+  if (c.a != kInvalid) add(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kInvalid) add(f.diagonal[e.place[c.b]], w, b, b);
   if (c.below == kInvalid) return;
-  Block& d = f.below[c.below];
-  const Mat3 &x_later = c.a_later ? x_a : x_b, &w_other = c.a_later ? w_b : w_a;
-  add(d, 0, 0, -t_w_t);
-  add(d, 0, 3, -(across * w_other));
-  add(d, 3, 0, -(x_later.transpose() * w_t));
-  add(d, 3, 3, -(x_later.transpose() * w_other));
+  add(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
 }
 
 void hold_locked(ConeProblem& problem) {
@@ -97,7 +131,8 @@ void hold_locked(ConeProblem& problem) {
     const std::uint32_t later = c.a_later ? c.a : c.b, other = c.a_later ? c.b : c.a;
     strike_out(f.below[c.below], problem.bodies[later].locks, problem.bodies[other].locks);
   };
-  each_part(problem, hold_below);
+  std::ranges::for_each(problem.contacts, hold_below);
+  std::ranges::for_each(problem.links, hold_below);
 }
 
 void solve_for_steps(ConeProblem& problem, Real sign) {
@@ -116,29 +151,9 @@ void Round::assemble_locked() {
   const Elimination& e = *problem_.elimination;
   const Blocks common = problem_.factor->common(e);
   assemble_masses(problem_, common);
-  for (const ConeRow& c : problem_.links)
-    if (c.k > 0 && c.is_lock()) add_row(e, common, c, 1 / resistance(c));
+  for (const ConeLink& c : problem_.links)
+    if (c.k > 0 && c.is_lock()) add_link(e, common, c, 1 / resistance(c));
   problem_.locked_softness = softness_of_locks();
-}
-
-void Round::add_coupling(const ConePatch& c) {
-  const Elimination& e = *problem_.elimination;
-  const Blocks f = problem_.factor->all();
-  ConeRow sum = problem_.contacts[c.first];
-  sum.d_a = sum.d_b = sum.w_a = sum.w_b = Vec3::zero();
-  for (const ConeRow& row : contacts_of(c)) {
-    if (!(row.p > 0)) continue;
-    const Real per = 1 / resistance(row);
-    sum.d_a += per * row.d_a, sum.d_b += per * row.d_b, sum.w_a += per * row.w_a, sum.w_b += per * row.w_b;
-  }
-  add_row(e, f, sum, -1 / c.coupling.between);
-  const Real per = 1 / resistance(c), along = c.coupling.q.dot(c.n), share = c.coupling.share;
-  const Vec3 force = c.coupling.q - along * c.n;
-  ConeRow both = sum;
-  both.d_a = per * force + share * sum.d_a, both.d_b = per * force + share * sum.d_b;
-  both.w_a = c.a == kInvalid ? Vec3::zero() : Vec3(per * (c.r_a.cross(force) + along * c.w_a) + share * sum.w_a);
-  both.w_b = c.b == kInvalid ? Vec3::zero() : Vec3(per * (c.r_b.cross(force) + along * c.w_b) + share * sum.w_b);
-  add_row(e, f, both, c.coupling.weight);
 }
 
 void Round::assemble() {
@@ -155,14 +170,27 @@ void Round::assemble() {
     copy(common.diagonal, problem_.first, problem_.last, f.diagonal);
     copy(common.below, e.column[problem_.first], e.column[problem_.last], f.below);
   }
-  for (const ConePatch& c : problem_.patches) {
-    if (c.curvature == PatchCurvature::none) continue;
-    add_patch(e, f, c, c.curvature == PatchCurvature::sticks ? (1 / resistance(c)) * Mat3::identity() : slope(c));
+  for (const ConeContact& c : problem_.contacts) {
+    if (c.curvature == ConeCurvature::none) continue;
+    if (c.curvature == ConeCurvature::alike) {
+      add_sticking(problem_, c, 1 / resistance(c));
+      continue;
+    }
+    const Mat3 w = slope(c);
+    const Turning on_a(c, c.r_a, c.n_a), on_b(c, c.r_b, c.n_b);
+    const Mat3 w_a = w * on_a.x, w_b = w * on_b.x;
+    if (c.a != kInvalid) add_own(f.diagonal[e.place[c.a]], w, on_a, w_a);
+    if (c.b != kInvalid) add_own(f.diagonal[e.place[c.b]], w, on_b, w_b);
+    if (c.below == kInvalid) continue;
+    Block& d = f.below[c.below];
+    const Mat3 &back = c.a_later ? on_a.back : on_b.back, &other = c.a_later ? w_b : w_a;
+    add(d, 0, 0, -w);
+    add(d, 0, 3, other);
+    add(d, 3, 0, -(back * w));
+    add(d, 3, 3, back * other);
   }
-  for (const ConePatch& c : problem_.patches)
-    if (c.is_coupled && c.curvature == PatchCurvature::slides) add_coupling(c);
-  for (const ConeRow& c : problem_.rows)
-    if (c.is_held && !c.is_lock()) add_row(e, f, c, 1 / (resistance(c) + c.give));
+  for (const ConeLink& c : problem_.links)
+    if (c.is_held && !c.is_lock()) add_link(e, f, c, 1 / (resistance(c) + c.give));
   hold_locked(problem_);
 }
 

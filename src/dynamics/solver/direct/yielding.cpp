@@ -12,8 +12,14 @@
 namespace carom::dynamics {
 namespace {
 
+/// Velocities at contacts and joints, from the bodies'.
+void measure(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
+  for (ConeLink& c : problem.links) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
+}
+
 /// J, at most, that a drive gives. Joints give none.
-Real given_by_drive(const ConeProblem& problem, const ConeRow& c) {
+Real given_by_drive(const ConeProblem& problem, const ConeLink& c) {
   if (c.bends) return 0;
   if (c.is_lock()) return std::fabs(c.p * c.low);  // a motor without bound
   const Real before = c.surface + relative<&ConeBody::before>(problem.bodies, c);
@@ -24,8 +30,7 @@ Real given_by_drive(const ConeProblem& problem, const ConeRow& c) {
 
 Real borne(const ConeProblem& problem) {
   Real sum = 0;
-  for (const ConeRow& c : problem.contacts) sum += c.k * c.p * c.p;
-  for (const ConePatch& c : problem.patches) sum += c.k * c.p.squared_norm();
+  for (const ConeContact& c : problem.contacts) sum += c.k * c.p.squared_norm();
   return sum;
 }
 
@@ -41,38 +46,31 @@ bool is_wedged(const ConeProblem& problem) {
 }
 
 bool is_driven(const ConeProblem& problem) {
-  for (std::size_t i = 0; i < problem.contacts.size(); ++i)
-    if (problem.contacts[i].surface != problem.places[i].curve) return true;
-  return std::ranges::any_of(problem.patches, [](const ConePatch& c) { return c.surface != c.curve; });
+  return std::ranges::any_of(problem.contacts, [](const ConeContact& c) { return c.surface != c.curve; });
 }
 
 ConeSolution solve_yielding(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps) {
-  constexpr Real kSoftness = 1e-7;  // of what is anchored: locks, drives
-  for (ConeRow& c : problem.contacts) c.give = std::max(c.give, give * c.k);
-  for (ConePatch& c : problem.patches) c.give = give * c.k;
+  for (ConeContact& c : problem.contacts) {
+    const Real borne = c.start_p.dot(c.n),
+               closing = (c.want - c.u.dot(c.n)) / c.k;  // N s; what begins to bear: as alone
+    c.give = give * c.k;
+    c.slip = 0, c.most_friction = c.friction * std::max(Real(0), borne > 0 ? borne : closing);
+  }
   problem.factored = problem.locked_softness = 0;
   ConeSolution solution;
-  Round round(problem, kSoftness);
-  round.keep_steps();
+  Round round(problem);
   solution.factorisations = round.minimise(tolerance, most_steps);
   solution.rounds = 1;
-  for (ConeRow& c : problem.contacts) c.give = 0;
-  for (ConePatch& c : problem.patches) c.give = 0;
+  for (ConeContact& c : problem.contacts) c.give = 0;
   solution.residual = residual(problem);
   return solution;
-}
-
-void find_first_bounds(ConeProblem& problem) {
-  find_bounds(problem, [](const ConeRow& c) {
-    return c.start_p > 0 ? c.start_p : std::max(Real(0), (c.low - c.u) / c.k);  // what begins to bear: as alone
-  });
 }
 
 bool throws(const ConeProblem& problem) {
   if (problem.contacts.empty()) return false;
   Real surface2 = 0;
-  for (const ConeRow& c : problem.rows) surface2 = std::max(surface2, c.surface * c.surface);
-  for (const ConePatch& c : problem.patches) surface2 = std::max(surface2, c.surface.squared_norm());
+  for (const ConeContact& c : problem.contacts) surface2 = std::max(surface2, c.surface.squared_norm());
+  for (const ConeLink& c : problem.links) surface2 = std::max(surface2, c.surface * c.surface);
   if (!(surface2 > 0)) return false;
   Real before = 0, after = 0, mass = 0;
   for (const ConeBody& b : bodies_of(problem)) {
@@ -80,7 +78,7 @@ bool throws(const ConeProblem& problem) {
     after += b.v.dot(momentum_of(b, b.v)) / 2;
     mass += b.inv_mass > 0 ? 1 / b.inv_mass : 0;
   }
-  for (const ConeRow& c : problem.links) before += given_by_drive(problem, c);
+  for (const ConeLink& c : problem.links) before += given_by_drive(problem, c);
   return after > before + kThrow * kThrow * surface2 * mass / 2;
 }
 
@@ -94,8 +92,8 @@ Real share_that_helps(const ConeProblem& problem) {
     along += b.gradient.dot(b.before);
     size2 += b.gradient.dot(velocity_of(b, b.gradient));
   }
-  for (const ConePatch& c : problem.patches) along += c.p.dot(c.surface);
-  for (const ConeRow& c : problem.rows) {
+  for (const ConeContact& c : problem.contacts) along += c.p.dot(c.surface);
+  for (const ConeLink& c : problem.links) {
     along += c.p * c.surface;
     if (c.is_spring()) along -= c.p * c.low, size2 += c.give * c.p * c.p;
   }
@@ -116,16 +114,12 @@ bool gives_energy(ConeProblem& problem, Real residual) {
     after += b.v.dot(momentum_of(b, b.v)) / 2;
   }
   Real inexact = 0, driven = 0;  // J
-  for (const ConeRow& c : problem.contacts) {
-    gained += c.p * c.surface;
-    inexact += c.p * residual;
-  }
-  for (const ConePatch& c : problem.patches) {
+  for (const ConeContact& c : problem.contacts) {
     gained += c.p.dot(c.surface);
     inexact += c.p.norm() * residual;
   }
   bool bends = false;
-  for (const ConeRow& c : problem.links) {
+  for (const ConeLink& c : problem.links) {
     gained += c.p * c.surface;
     inexact += std::fabs(c.p) * residual, driven += given_by_drive(problem, c);
     bends |= c.bends;
@@ -137,14 +131,14 @@ bool gives_energy(ConeProblem& problem, Real residual) {
 
 bool drop_bends(ConeProblem& problem) {
   bool any = false;
-  for (ConeRow& c : problem.links)
+  for (ConeLink& c : problem.links)
     if (std::exchange(c.bends, false)) c.low = c.high = 0, any = true;
   return any;
 }
 
 void drop_impulses(ConeProblem& problem) {
-  for (ConeRow& c : problem.rows) c.p = 0;
-  for (ConePatch& c : problem.patches) c.p.set_zero();
+  for (ConeContact& c : problem.contacts) c.p.set_zero();
+  for (ConeLink& c : problem.links) c.p = 0;
   for (ConeBody& b : bodies_of(problem)) b.v = b.before;
   measure(problem);
 }

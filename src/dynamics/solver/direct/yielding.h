@@ -13,12 +13,9 @@
 
 namespace carom::dynamics {
 
-/// What patches may bear by the impulses that the substep begins with.
-void find_first_bounds(ConeProblem& problem);
-
 /// Newton's method on it, from the impulses that act. One that is cut short keeps the impulses of its steps: what they
 /// do to the bodies is what was found, to the bit.
-/// @param give  of a contact's response, where it does not give more already   @param tolerance  m/s   @param most_steps  of Newton
+/// @param give  of a contact's response   @param tolerance  m/s   @param most_steps  of Newton
 /// @return      its residual is that of the exact law
 ConeSolution solve_yielding(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps);
 
@@ -28,7 +25,8 @@ Real borne(const ConeProblem& problem);
 /// Whether impulses are far larger than what they do to the bodies asks for.
 bool is_wedged(const ConeProblem& problem);
 
-/// Whether surfaces move by themselves where contacts are: those of what impulses do not move, and belts.
+/// Whether surfaces move by themselves where contacts are: those of what impulses do not move, belts, and patches that
+/// slide (spread() reckons what their spin does as the surface's).
 bool is_driven(const ConeProblem& problem);
 
 /// Whether bodies leave faster than surfaces that meet them could throw them (kThrow).

@@ -1,8 +1,9 @@
-// A row of the problem: a velocity that is to lie within bounds, by an impulse within bounds.
+// A row of a joint in the direct solver's problem: a velocity that is to lie within bounds, by an impulse within
+// bounds.
 //
 //     u + give p  lies in [low, high];   p > 0 only at low, p < 0 only at high;   |p| <= most.
 //
-// A contact has high = infinity; a lock low = high; a limit a range; a motor low = high and a bound on p; a spring gives.
+// A lock has low = high; a limit a range; a motor low = high and a bound on p; a spring gives.
 #pragma once
 
 #include <algorithm>
@@ -11,24 +12,24 @@
 
 namespace carom::dynamics {
 
-struct ConeRow {
+struct ConeLink {
   std::uint32_t a, b;   // bodies of the problem, or kInvalid
-  std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kInvalid where there is none
-  bool a_later;         // a is eliminated after b
-  Vec3 d_a, d_b;        // world; u = d_b.v_b - d_a.v_a + w_b.omega_b - w_a.omega_a
-  Vec3 w_a, w_b;        // m or 1; zero where the body does not rotate
-  Real low, high;       // m/s or rad/s
-  Real give;            // 1/kg or 1/(kg m^2)
-  Real most;            // N s or N m s
-  Real surface;         // m/s or rad/s, of bodies that impulses do not move
-  Real k;               // 1/kg or 1/(kg m^2), u per p
+  std::uint32_t below;  // as of a contact
+  bool a_later;
+  Vec3 d_a, d_b;   // world; u = d_b.v_b - d_a.v_a + w_b.omega_b - w_a.omega_a
+  Vec3 w_a, w_b;   // m or 1; zero where the body does not rotate
+  Real low, high;  // m/s or rad/s
+  Real give;       // 1/kg or 1/(kg m^2)
+  Real most;       // N s or N m s
+  Real surface;    // m/s or rad/s, of bodies that impulses do not move
+  Real k;          // 1/kg or 1/(kg m^2), u per p
   Real p, u;
   Real start_p, next_p;  // p as the substep began; as the next one begins
 
-  Real yielding_p;  // of the solution in which contacts yield
+  Real yielding_p;  // as of a contact
 
-  Real best;             // of a solve: of the best solution so far
-  Real p0, u0, du;       // of a round: as it began; of a Newton step
+  // of a solve, of a round: as of a contact
+  Real best, p0, u0, du;
   bool is_held = false;  // in the factor
   bool bends = false;    // a lock whose target is the bend of its arm over the substep
 
