@@ -48,7 +48,7 @@ class SharedTrees {
   Array<std::uint32_t>& parent_;
 };
 
-/// Contacts::pair_group and link_label by bodies that hang together; Contacts::group_bodies.   @return how many groups
+/// Contacts::pair_group and link_label by bodies that hang together; GroupSize::bodies.   @return how many groups
 std::uint32_t find_islands(Contacts& c, std::size_t body_slots, Jobs* jobs) {
   const std::size_t pairs = c.contact_pairs.size();
   c.parent.resize(body_slots), c.cursor.resize(body_slots);
@@ -79,8 +79,8 @@ std::uint32_t find_islands(Contacts& c, std::size_t body_slots, Jobs* jobs) {
   };
   for (std::uint32_t& of : c.pair_group) of = number(of);
   for (std::size_t i = 0; i < c.links.size(); ++i) c.link_label[i] = number(root(c.links[i]));
-  c.group_bodies.assign(groups, 0);
-  for (const std::uint32_t body : c.bodies) ++c.group_bodies[c.cursor[trees.root(body)]];
+  c.group_size.assign(groups, {});
+  for (const std::uint32_t body : c.bodies) ++c.group_size[c.cursor[trees.root(body)]].bodies;
   return groups;
 }
 
@@ -88,7 +88,10 @@ std::uint32_t find_islands(Contacts& c, std::size_t body_slots, Jobs* jobs) {
 void list_rows(Contacts& c, std::uint32_t groups, Jobs* jobs) {
   const std::size_t pairs = c.contact_pairs.size();
   c.group_begin.assign(groups + 1, 0);
-  for (std::size_t i = 0; i < pairs; ++i) c.group_begin[c.pair_group[i]] += c.contact_pairs[i].count;
+  for (std::size_t i = 0; i < pairs; ++i) {
+    c.group_begin[c.pair_group[i]] += c.contact_pairs[i].count;
+    ++c.group_size[c.pair_group[i]].pairs;
+  }
   for (std::uint32_t g = 0; g < groups; ++g) c.group_begin[g + 1] += c.group_begin[g];
   c.pair_begin.resize(pairs);
   for (std::size_t i = pairs; i-- > 0;) c.pair_begin[i] = c.group_begin[c.pair_group[i]] -= c.contact_pairs[i].count;
@@ -123,7 +126,7 @@ void partition_rows(Contacts& c, std::size_t body_slots, bool grouped, Jobs* job
   } else {
     std::ranges::fill(c.pair_group, 0), std::ranges::fill(c.link_label, 0);
     groups = c.contact_pairs.empty() && c.links.empty() ? 0 : 1;
-    c.group_bodies.assign(groups, static_cast<std::uint32_t>(c.bodies.size()));
+    c.group_size.assign(groups, {.bodies = static_cast<std::uint32_t>(c.bodies.size())});
   }
   list_rows(c, groups, jobs);
   c.group_link_begin.clear();

@@ -103,6 +103,11 @@ struct Link {
   bool moves_a, moves_b;
 };
 
+/// Of a group: bodies that its contacts and joints move; pairs that touch.
+struct GroupSize {
+  std::uint32_t bodies = 0, pairs = 0;
+};
+
 /// From the centre of mass to the surface point. m, world axes, by plan.rotation
 inline Vec3 arm_a(const World& world, const Row& row, const RowGeometry& g) {
   return world.plan->rotation[row.a] * g.l_a + g.radius_a * row.n;
@@ -232,7 +237,7 @@ struct Contacts {
         surface(m),
         group_rows(m),
         group_begin(m),
-        group_bodies(m),
+        group_size(m),
         direct(m),
         blocks(m),
         parent(m),
@@ -281,7 +286,7 @@ struct Contacts {
   // contact groups
   Array<std::uint32_t> group_rows;     // rows, ascending within a group
   Array<std::uint32_t> group_begin;    // [groups + 1]
-  Array<std::uint32_t> group_bodies;   // by group: how many contacts and joints move
+  Array<GroupSize> group_size;         // by group
   bool is_grouped = true;              // the dial
   bool any_rolls = false;              // Row::rolls
   std::uint32_t steps_with_spare = 0;  // @see give_back()

@@ -272,7 +272,8 @@ void find_small_groups(const World& world, Owned<MeanMotion>& mean_motion) {
   for (std::size_t g = 0; g < c.groups(); ++g) {
     const bool joined = c.has_joints(g);
     const std::uint32_t points = c.group_begin[g + 1] - c.group_begin[g];
-    if (!joined && points > 0 && points <= kMostMeanPoints && c.group_bodies[g] <= kMostMeanBodies) gather(c, g, m);
+    if (!joined && points > 0 && points <= kMostMeanPoints && c.group_size[g].bodies <= kMostMeanBodies)
+      gather(c, g, m);
   }
   m.groups.push_back({static_cast<std::uint32_t>(m.bodies.size()), static_cast<std::uint32_t>(m.points.size())});
 }

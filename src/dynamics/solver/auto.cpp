@@ -1,13 +1,13 @@
 // The solver that chooses: the direct solver for few bodies, and for those of which soft contacts would not hold more.
 //
-// A group of up to direct_few couplings, joints and fours of points, goes to the direct solver, a larger one where
+// A group of up to direct_few couplings, joints and pairs that touch, goes to the direct solver, a larger one where
 //  - bodies that touch have masses further apart than direct_ratio, or
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
 //    thickness, or by more than is borne where an accuracy is set: that is what a tall stack and a heavy load on a light
 //    body have in common, and it is known before anything is solved;
 // unless something strikes it (an impact sends the direct solver through all of a heap, and passes), it is too large, or
-// could not be solved within direct_work lately: then it moves so much that soft contacts will do. Few couplings without
-// joints that could not be solved rest from it for some steps, too.
+// could not be solved within direct_work lately: then it moves so much that soft contacts will do. So it is with few
+// couplings without joints that could not be solved, until something sinks in another by more than tolerable_depth.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -171,7 +171,7 @@ bool look_at(const World& world, std::size_t group, Real w2, Real h, Real weight
 /// In SolverMemory::cooldown_steps, beside the steps that are left: its impulses of the last step are the direct
 /// solver's, of joints or of what came nowhere near a solution, and no start for soft contacts.
 constexpr std::uint8_t kOfDirect = 0x80;
-static_assert(kCooldown < kOfDirect && kCooldownOfFew < kOfDirect);
+static_assert(kCooldown < kOfDirect);
 
 bool cools_down(std::uint8_t rest) { return (rest & ~kOfDirect) > 0; }
 void count_down(std::uint8_t& rest) {
@@ -225,6 +225,16 @@ bool any_cools_down(const World& world, std::size_t group) {
   return any;
 }
 
+/// Whether soft contacts let something of a group sink by more than it may.
+bool has_sunk(const World& world, std::size_t group) {
+  const Contacts& c = *world.contacts;
+  for (std::uint32_t k = c.group_begin[group]; k < c.group_begin[group + 1]; ++k) {
+    const RowGeometry& g = c.geometry[c.group_rows[k]];
+    if (g.separation < 0 && g.separation < -kTolerableDepth * least_thickness(world, g)) return true;
+  }
+  return false;
+}
+
 std::uint32_t first_body(const Contacts& c, std::size_t group) {
   const auto of = [](const auto& both) { return both.moves_a ? both.a : both.b; };
   const std::uint32_t begin = c.group_begin[group];
@@ -238,13 +248,14 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
   const Real most_ratio = world.scene.dials[Dial::direct_ratio];
   GroupView view;
   view.body = first_body(c, group);
-  view.bodies = c.group_bodies[group], view.points = c.group_begin[group + 1] - c.group_begin[group];
+  view.bodies = c.group_size[group].bodies, view.points = c.group_begin[group + 1] - c.group_begin[group];
   if (view.bodies > kMostDirectBodies) {
     view.reason = GroupReason::too_much;
     return view;
   }
   if (is_few(c, group)) {
-    view.reason = !c.has_joints(group) && any_cools_down(world, group) ? GroupReason::too_much : GroupReason::few;
+    const bool rests = !c.has_joints(group) && any_cools_down(world, group) && !has_sunk(world, group);
+    view.reason = rests ? GroupReason::too_much : GroupReason::few;
     return view;
   }
   look_at_joints(world, group, view);
@@ -261,7 +272,7 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
 }
 
 bool is_looked_at(const Contacts& c, std::size_t group) {
-  return !is_few(c, group) && c.group_bodies[group] <= kMostDirectBodies;
+  return !is_few(c, group) && c.group_size[group].bodies <= kMostDirectBodies;
 }
 
 /// Bodies of groups that are not looked at: what they remember of another one passes all the same.
@@ -299,7 +310,7 @@ void start_cooldowns(const World& world, SolverMemory& memory) {
     const bool joined = d.is_joined(g);
     const bool gives_up = !(d.is_few(g) && joined) && !d.rest[g].waits && !d.rest[g].lies && d.rest[g].is_far_off;
     if (!gives_up && !joined) continue;
-    const int rest = !gives_up ? 0 : d.is_few(g) ? kCooldownOfFew.value : kCooldown.value;
+    const int rest = gives_up ? kCooldown.value : 0;
     for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
       memory.cooldown_steps[d.bodies[i].slot] = static_cast<std::uint8_t>(kOfDirect | rest);
   }

@@ -50,12 +50,8 @@ inline constexpr Constant<std::uint8_t> kCooldown{
     "much, and goes on to",
     "fewer: what can't be solved in time is tried again and again, at the full price each time; more: a heap that came "
     "to rest sags for as long"};
-inline constexpr Constant<std::uint8_t> kCooldownOfFew{
-    "direct_cooldown_of_few", 5, "steps", "likewise, few bodies, whose next try costs little",
-    "fewer: a row of blocks that falls costs as much more; more: what is thin sinks into what it leans on for as long"};
 
-inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike,  kMostFactor,
-                                                 kSinkBorneFor,     kImpactShare, kBorneFor,
-                                                 kBearsFor,         kCooldown,    kCooldownOfFew};
+inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kSinkBorneFor,
+                                                 kImpactShare,      kBorneFor,   kBearsFor,   kCooldown};
 
 }  // namespace carom::dynamics

@@ -23,12 +23,10 @@ inline std::uint64_t steps_worth(const World& world) {
   return static_cast<std::uint64_t>(std::clamp(world.plan->substeps / usual, 1, kMost));
 }
 
-/// Whether a step of Newton's method over a group costs little, whatever its bodies do. Pairs are reckoned from points,
-/// as if each had all that it may have: balls count as a quarter.
+/// Whether a step of Newton's method over a group costs little, whatever its bodies do.
 inline bool is_few(const Contacts& c, std::size_t group) {
-  const std::uint32_t points = c.group_begin[group + 1] - c.group_begin[group];
   const std::uint32_t joints = c.has_joints(group) ? c.group_link_begin[group + 1] - c.group_link_begin[group] : 0;
-  return joints + points / kPairPoints <= kFew;
+  return joints + c.group_size[group].pairs <= kFew;
 }
 
 /// What is known within a step of whether a group lies still.

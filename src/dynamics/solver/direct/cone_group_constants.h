@@ -76,8 +76,8 @@ inline constexpr Constant<std::uint32_t> kExpectedOfMoving{
     "have less",
     "fewer: many groups that move stall the step together; more: what moves is slowed by groups far away"};
 inline constexpr Constant<std::uint32_t> kFew{
-    "direct_few", 80, "couplings",
-    "joints and fours of points of a group that is tried directly first, whatever it does",
+    "direct_few", 100, "couplings",
+    "joints, and pairs that touch, of a group that is tried directly first, whatever it does",
     "more: heaps of so many cost more than sweeps over them; fewer: ragdolls and short chains stretch, few blocks sag"};
 inline constexpr Constant<std::uint64_t> kWorkOfFew{
     "direct_work_of_few", 20000, "block products",
