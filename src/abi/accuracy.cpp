@@ -4,7 +4,7 @@
 #include <carom/accuracy.h>
 
 #include "abi/copy_out.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"
 #include "dynamics/accuracy/growth.h"

@@ -2,7 +2,7 @@
 #include <carom/force.h>
 
 #include "abi/body.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"
 

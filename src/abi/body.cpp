@@ -8,7 +8,7 @@
 
 #include "abi/attribute_fields.h"
 #include "abi/collider.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"
 #include "dynamics/mass.h"

@@ -4,7 +4,7 @@
 #include "abi/body.h"
 #include "abi/collider.h"
 #include "abi/ends.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/record_calls.h"
 #include "dynamics/mass.h"
 #include "dynamics/quarantine.h"

@@ -6,7 +6,7 @@
 
 #include "abi/columns.h"
 #include "abi/engine.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "collision/cast/overlap.h"
 #include "collision/cast/ray.h"
 #include "collision/cast/rounding.h"

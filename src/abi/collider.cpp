@@ -3,7 +3,7 @@
 
 #include <carom/body.h>
 
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/record_calls.h"
 #include "dynamics/quarantine.h"
 

@@ -4,7 +4,7 @@
 #include <carom/draw.h>
 
 #include "abi/copy_out.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/world.h"
 
 namespace carom::abi {

@@ -3,7 +3,7 @@
 
 #include <carom/plugin.h>
 
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "collision/verify.h"
 
 namespace carom::abi {

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <system_error>
 
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "core/job_pool.h"
 
 namespace carom::abi {

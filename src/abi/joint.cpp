@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "abi/ends.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/joint_numbers.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"

@@ -1,7 +1,7 @@
 // One call for n joints: read what they do, in float or double, at any stride.
 #include <carom/joint.h>
 
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/records.h"
 #include "abi/selection.h"
 #include "abi/world.h"

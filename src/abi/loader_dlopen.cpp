@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/loader.h"
 
 // dladdr1() and RTLD_DL_SYMENT: glibc's way to ask how large a symbol is.

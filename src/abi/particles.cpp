@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/record_calls.h"
 #include "abi/records.h"
 #include "abi/world.h"

@@ -5,7 +5,7 @@
 #include <carom/query.h>
 
 #include "abi/engine.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "collision/narrow/rounding.h"
 #include "collision/scenery/ask.h"
 #include "dynamics/dials.h"

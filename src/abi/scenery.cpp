@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "abi/engine.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/shape_draft.h"
 #include "collision/scenery/triangle_shape.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "abi/engine.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/forms.h"
 #include "abi/shape_draft.h"
 #include "collision/verify.h"

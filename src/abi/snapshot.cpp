@@ -3,7 +3,7 @@
 
 #include <carom/snapshot.h>
 
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/record_calls.h"
 #include "abi/snapshot_shapes.h"
 #include "abi/world.h"

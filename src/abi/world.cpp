@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/record_calls.h"
 #include "abi/tags.h"
 #include "dynamics/presets.h"

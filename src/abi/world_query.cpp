@@ -2,7 +2,7 @@
 #include <carom/world_query.h>
 
 #include "abi/columns.h"
-#include "abi/float_scope.h"
+#include "core/float_scope.h"
 #include "abi/world.h"
 #include "dynamics/query/index.h"
 #include "dynamics/query/query.h"

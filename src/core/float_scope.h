@@ -4,7 +4,9 @@
 #include <cfenv>
 #include <limits>
 
-namespace carom::abi {
+#include "core/layers.h"
+
+namespace carom::core {
 
 /// Round to nearest, denormals kept (a plugin built with -Ofast sets flush-to-zero on the thread that loads it), no
 /// traps: from here to the end of the scope. The host's environment, sticky flags included, comes back after.
@@ -31,4 +33,4 @@ inline bool float_environment_is_default() {
   return std::fegetround() == FE_TONEAREST && denormal != 0 && back == smallest_normal;
 }
 
-}  // namespace carom::abi
+}  // namespace carom::core
