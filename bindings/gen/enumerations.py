@@ -63,6 +63,9 @@ GROUPS = {
     "CAROM_REASON_": ("reason", "choice"),
     "CAROM_FAULT_": ("fault", "choice"),
     "CAROM_WANT_": ("want", "choice"),
+    "CAROM_GROUND_": ("ground", "choice"),
+    "CAROM_CHARACTER_TURNS": ("character_flags", "bits"),
+    "CAROM_CHARACTER_FLIES": ("character_flags", "bits"),
     "CAROM_ASK_": ("query_flags", "bits"),
 }
 # Constants that are a value of nothing: versions, defaults, what stands for none.
@@ -80,6 +83,7 @@ ALONE = {
     "CAROM_PLUGIN_ABI_MINOR",
     "CAROM_SHAPE_PLUGIN_SYMBOL",
     "CAROM_ATTRIBUTE_NUMBERS",
+    "CAROM_CHARACTER_CONTACTS",
 }
 
 

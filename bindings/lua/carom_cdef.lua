@@ -17,6 +17,8 @@ typedef struct carom_overlap carom_overlap;
 typedef struct carom_rays carom_rays;
 typedef struct carom_ray_hit carom_ray_hit;
 typedef struct carom_ray_hits carom_ray_hits;
+typedef struct carom_character_desc carom_character_desc;
+typedef struct carom_character carom_character;
 typedef struct carom_dial_info carom_dial_info;
 typedef struct carom_constant_info carom_constant_info;
 typedef struct carom_draw_desc carom_draw_desc;
@@ -91,6 +93,8 @@ struct carom_overlap { uint32_t struct_size; uint32_t outcome; double separation
 struct carom_rays { uint32_t struct_size; uint32_t scalar; uint64_t count; const void *origins; const void *directions; const void *max; uint64_t origin_stride; uint64_t direction_stride; uint64_t max_stride; };
 struct carom_ray_hit { uint32_t outcome; uint32_t status; uint32_t shape; uint32_t reserved; double time; double lower; double upper; double normal[3]; double point[3]; };
 struct carom_ray_hits { uint32_t struct_size; uint32_t scalar; carom_ray_hit *records; uint32_t *outcomes; uint32_t *shapes; void *times; void *normals; void *points; uint64_t record_stride; uint64_t outcome_stride; uint64_t shape_stride; uint64_t time_stride; uint64_t normal_stride; uint64_t point_stride; };
+struct carom_character_desc { uint32_t struct_size; uint32_t flags; double up[3]; double gravity; double fall_speed; double max_slope; double step_up; double step_down; double skin; double acceleration; double air_acceleration; double mass; double push_force; double recover_speed; uint64_t category; uint64_t mask; carom_body body; };
+struct carom_character { uint32_t struct_size; uint32_t ground; carom_shape shape; double position[3]; double orientation[4]; double velocity[3]; double foot; double head; double reach; carom_body ground_body; carom_collider ground_collider; double ground_point[3]; double ground_normal[3]; double ground_velocity[3]; double ground_position[3]; double ground_orientation[4]; uint32_t contact_count; uint32_t reserved; carom_body contact_bodies[8]; double contact_points[24]; double contact_normals[24]; double contact_speeds[8]; };
 struct carom_dial_info { uint32_t struct_size; uint32_t dial; uint32_t kind; uint32_t choice_count; const char *name; const char *unit; const char *summary; const char *const *choices; double min; double max; double initial; };
 struct carom_constant_info { uint32_t struct_size; uint32_t constant; const char *name; const char *unit; const char *reason; const char *consequence; double value; };
 struct carom_draw_desc { uint32_t struct_size; uint32_t what; uint32_t colouring; uint32_t reserved; double scale; };
@@ -205,6 +209,12 @@ int32_t carom_shape_cast(carom_engine *engine, carom_shape shape_a, const double
 int32_t carom_shape_time_of_impact(carom_engine *engine, carom_shape shape_a, const carom_motion *motion_a, carom_shape shape_b, const carom_motion *motion_b, double duration, const carom_cast_desc *desc, carom_cast *result, carom_error *error);
 int32_t carom_shape_overlap(carom_engine *engine, carom_shape shape_a, const double *position_a, const double *orientation_a, carom_shape shape_b, const double *position_b, const double *orientation_b, const carom_cast_desc *desc, carom_overlap *result, carom_error *error);
 int32_t carom_rays_cast(carom_engine *engine, const carom_shape *shapes, const double *positions, const double *orientations, uint64_t shape_count, const carom_rays *rays, const carom_cast_desc *desc, const carom_ray_hits *hits, carom_error *error);
+int32_t carom_character_desc_init(carom_character_desc *desc, uint32_t struct_size);
+int32_t carom_character_init(carom_character *character, uint32_t struct_size);
+int32_t carom_character_set_shape(carom_engine *engine, carom_world *world, const carom_character_desc *desc, carom_character *character, carom_shape shape, uint32_t *fits, carom_error *error);
+int32_t carom_character_move(carom_world *world, const carom_character_desc *desc, carom_character *character, const double *walk, double jump, double dt, carom_error *error);
+int32_t carom_character_push(carom_world *world, const carom_character_desc *desc, const carom_character *character, double dt, carom_error *error);
+int32_t carom_character_move_body(carom_world *world, const carom_character_desc *desc, const carom_character *character, double dt, carom_error *error);
 int32_t carom_dial_get_info(uint32_t dial, carom_dial_info *info, carom_error *error);
 int32_t carom_dial_get_count(uint32_t *count);
 int32_t carom_dial_find(const char *name, uint32_t *dial, carom_error *error);
@@ -453,6 +463,12 @@ return {
   CAROM_OVERLAP_TOUCHING = 2,
   CAROM_OVERLAP_FAULT = 3,
   CAROM_NO_SHAPE = 4294967295,
+  CAROM_GROUND_AIR = 0,
+  CAROM_GROUND_STEEP = 1,
+  CAROM_GROUND_FIRM = 2,
+  CAROM_CHARACTER_TURNS = 1,
+  CAROM_CHARACTER_FLIES = 2,
+  CAROM_CHARACTER_CONTACTS = 8,
   CAROM_DIAL_INTEGRATOR = 0,
   CAROM_DIAL_ROTATION = 1,
   CAROM_DIAL_SUBSTEPS = 2,
@@ -705,5 +721,5 @@ return {
   CAROM_WANT_FIRST = 0,
   CAROM_WANT_ANY = 1,
   VERSION = "0.9.0",
-  ROWS = 656, -- of the layout manifest
+  ROWS = 697, -- of the layout manifest
 }

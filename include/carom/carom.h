@@ -9,6 +9,7 @@
 #include <carom/body.h>
 #include <carom/body_bulk.h>
 #include <carom/cast.h>
+#include <carom/character.h>
 #include <carom/dial.h>
 #include <carom/draw.h>
 #include <carom/engine.h>

@@ -1,4 +1,4 @@
-# Arrows between floors point down: core <- collision <- dynamics <- abi <- include/carom <- tools, plugins, tests/abi.
+# Arrows between floors point down: core <- collision <- dynamics <- abi <- include/carom <- kit, tools, plugins, tests/abi.
 function(carom_no_include folder pattern why)
   file(GLOB_RECURSE files ${SOURCE_DIR}/${folder}/*.h ${SOURCE_DIR}/${folder}/*.hpp ${SOURCE_DIR}/${folder}/*.cpp
     ${SOURCE_DIR}/${folder}/*.c)
@@ -17,10 +17,11 @@ function(carom_no_include folder pattern why)
 endfunction()
 
 set(up "an arrow that points up")
-carom_no_include(src/core "[\"<](collision|dynamics|abi|tools|carom)/" "${up}")
-carom_no_include(src/collision "[\"<](dynamics|abi|tools|carom)/" "${up}")
-carom_no_include(src/dynamics "[\"<](abi|tools|carom)/" "${up}")
-carom_no_include(src/abi "[\"<]tools/" "${up}")
+carom_no_include(src/core "[\"<](collision|dynamics|abi|kit|tools|carom)/" "${up}")
+carom_no_include(src/collision "[\"<](dynamics|abi|kit|tools|carom)/" "${up}")
+carom_no_include(src/dynamics "[\"<](abi|kit|tools|carom)/" "${up}")
+carom_no_include(src/abi "[\"<](kit|tools)/" "${up}")
+carom_no_include(src/kit "[\"<](collision|dynamics|abi|tools)/" "the kit stands on include/carom, as a host does, and on core")
 set(inside "a client sees include/carom alone")
 # A generator writes no include of the inside into anything either.
 file(GLOB generators ${SOURCE_DIR}/bindings/gen/*)
@@ -33,8 +34,8 @@ foreach(file ${generators})
     message(SEND_ERROR "${file}: ${includes}\n  bindings see include/carom alone")
   endif()
 endforeach()
-foreach(folder src/tools plugins tests/abi tests/determinism tests/tools)
-  carom_no_include(${folder} "[\"<](core|collision|dynamics|abi)/" "${inside}")
+foreach(folder src/tools plugins tests/abi tests/determinism tests/kit tests/tools)
+  carom_no_include(${folder} "[\"<](core|collision|dynamics|abi|kit)/" "${inside}")
 endforeach()
 carom_no_include(plugins "carom/(base|body|carom|cast|dial|engine|events|filter|query|shape|world|world_query)\\.h" "a plugin sees carom/plugin.h alone")
 carom_no_include(include "#include[ \t]*(\"|<(carom/\\.\\.|core|collision|dynamics|abi))" "a header sees include/carom alone")

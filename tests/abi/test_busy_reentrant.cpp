@@ -195,6 +195,15 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_cast_shapes_all", carom_world_cast_shapes_all(b.world, &shapes, nullptr, nullptr, 0, 0, &count, nullptr));
   add("world_overlap_shapes", carom_world_overlap_shapes(b.world, &shapes, nullptr, nullptr, 0, 0, &count, nullptr));
   add("world_find_nearest", carom_world_find_nearest(b.world, &shapes, 1, nullptr, &hit, 0, nullptr));
+  carom_character character;
+  carom_character_init(&character, sizeof character);
+  carom_character_desc character_desc;
+  carom_character_desc_init(&character_desc, sizeof character_desc);
+  add("character_set_shape",
+      carom_character_set_shape(b.engine, b.world, nullptr, &character, b.ball, nullptr, nullptr));
+  add("character_move", carom_character_move(b.world, nullptr, &character, kUp, 0, 0.01, nullptr));
+  add("character_push", carom_character_push(b.world, nullptr, &character, 0.01, nullptr));
+  add("character_move_body", carom_character_move_body(b.world, &character_desc, &character, 0.01, nullptr));
   carom_joint_desc joint;
   carom_joint_desc_init(&joint, sizeof joint);
   joint.body_a = b.bodies[0], joint.body_b = b.bodies[1];

@@ -792,6 +792,61 @@ const Row kWorldQuery[] = {
 };
 // clang-format on
 
+carom_character_desc character_desc() {
+  carom_character_desc d;
+  carom_character_desc_init(&d, sizeof d);
+  return d;
+}
+carom_character character(const Bench& b) {
+  carom_character c;
+  carom_character_init(&c, sizeof c);
+  c.shape = b.ball;
+  c.position[1] = 10;
+  return c;
+}
+int32_t move_character(Bench& b, void (*spoil)(Bench&, carom_character_desc&, carom_character&), carom_error* e) {
+  carom_character_desc d = character_desc();
+  carom_character c = character(b);
+  spoil(b, d, c);
+  return carom_character_move(b.world, &d, &c, kOne, 0, 0.01, e);
+}
+// clang-format off
+const Row kCharacters[] = {
+    {"character: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_character c = character(b); return carom_character_set_shape(nullptr, b.world, nullptr, &c, b.ball, nullptr, e); }},
+    {"character: world", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { carom_character c = character(b); return carom_character_set_shape(b.engine, nullptr, nullptr, &c, b.ball, nullptr, e); }},
+    {"character: character", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { return carom_character_set_shape(b.engine, b.world, nullptr, nullptr, b.ball, nullptr, e); }},
+    {"character: half-space", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { carom_character c = character(b); return carom_character_set_shape(b.engine, b.world, nullptr, &c, b.floor, nullptr, e); }},
+    {"character: shape", CAROM_E_INVALID_HANDLE, 5, [](Bench& b, carom_error* e) { carom_character c = character(b); return carom_character_set_shape(b.engine, b.world, nullptr, &c, 0, nullptr, e); }},
+    {"move: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { carom_character c = character(b); return carom_character_move(nullptr, nullptr, &c, kOne, 0, 0.01, e); }},
+    {"move: size", CAROM_E_STRUCT_SIZE, 2, [](Bench& b, carom_error* e) { return move_character(b, [](Bench&, carom_character_desc& d, carom_character&) { d.struct_size = 7; }, e); }},
+    {"move: flags", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return move_character(b, [](Bench&, carom_character_desc& d, carom_character&) { d.flags = 8; }, e); }},
+    {"move: up", CAROM_E_NOT_UNIT, 2, [](Bench& b, carom_error* e) { return move_character(b, [](Bench&, carom_character_desc& d, carom_character&) { d.up[1] = 2; }, e); }},
+    {"move: slope", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return move_character(b, [](Bench&, carom_character_desc& d, carom_character&) { d.max_slope = -0.1; }, e); }},
+    {"move: skin", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return move_character(b, [](Bench&, carom_character_desc& d, carom_character&) { d.skin = 0; }, e); }},
+    {"move: step nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return move_character(b, [](Bench&, carom_character_desc& d, carom_character&) { d.step_up = kNan; }, e); }},
+    {"move: body", CAROM_E_WRONG_KIND, 2, [](Bench& b, carom_error* e) { return move_character(b, [](Bench& o, carom_character_desc& d, carom_character&) { d.body = o.colliders[0]; }, e); }},
+    {"move: character", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_character_move(b.world, nullptr, nullptr, kOne, 0, 0.01, e); }},
+    {"move: no shape", CAROM_E_INVALID_HANDLE, 3, [](Bench& b, carom_error* e) { return move_character(b, [](Bench&, carom_character_desc&, carom_character& c) { c.shape = 0; }, e); }},
+    {"move: a body as shape", CAROM_E_WRONG_KIND, 3, [](Bench& b, carom_error* e) { return move_character(b, [](Bench& o, carom_character_desc&, carom_character& c) { c.shape = o.ground; }, e); }},
+    {"move: half-space", CAROM_E_UNSUPPORTED, 3, [](Bench& b, carom_error* e) { return move_character(b, [](Bench& o, carom_character_desc&, carom_character& c) { c.shape = o.floor; }, e); }},
+    {"move: position nan", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return move_character(b, [](Bench&, carom_character_desc&, carom_character& c) { c.position[2] = kNan; }, e); }},
+    {"move: ground", CAROM_E_UNKNOWN_ENUM, 3, [](Bench& b, carom_error* e) { return move_character(b, [](Bench&, carom_character_desc&, carom_character& c) { c.ground = 3; }, e); }},
+    {"move: ground body", CAROM_E_WRONG_KIND, 3, [](Bench& b, carom_error* e) { return move_character(b, [](Bench& o, carom_character_desc&, carom_character& c) { c.ground = CAROM_GROUND_FIRM, c.ground_body = o.ball; }, e); }},
+    {"move: walk", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { carom_character c = character(b); return carom_character_move(b.world, nullptr, &c, nullptr, 0, 0.01, e); }},
+    {"move: walk inf", CAROM_E_NOT_FINITE, 4, [](Bench& b, carom_error* e) { carom_character c = character(b); return carom_character_move(b.world, nullptr, &c, kInf3, 0, 0.01, e); }},
+    {"move: jump", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { carom_character c = character(b); return carom_character_move(b.world, nullptr, &c, kOne, -1, 0.01, e); }},
+    {"move: dt", CAROM_E_OUT_OF_RANGE, 6, [](Bench& b, carom_error* e) { carom_character c = character(b); return carom_character_move(b.world, nullptr, &c, kOne, 0, 2, e); }},
+    {"push: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { const carom_character c = character(b); return carom_character_push(nullptr, nullptr, &c, 0.01, e); }},
+    {"push: character", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_character_push(b.world, nullptr, nullptr, 0.01, e); }},
+    {"push: contacts", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { carom_character c = character(b); c.contact_count = 9; return carom_character_push(b.world, nullptr, &c, 0.01, e); }},
+    {"push: dt", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { const carom_character c = character(b); return carom_character_push(b.world, nullptr, &c, 0, e); }},
+    {"move body: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { const carom_character c = character(b); return carom_character_move_body(nullptr, nullptr, &c, 0.01, e); }},
+    {"move body: desc", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { const carom_character c = character(b); return carom_character_move_body(b.world, nullptr, &c, 0.01, e); }},
+    {"move body: none", CAROM_E_INVALID_HANDLE, 2, [](Bench& b, carom_error* e) { const carom_character c = character(b); const carom_character_desc d = character_desc(); return carom_character_move_body(b.world, &d, &c, 0.01, e); }},
+    {"move body: dynamic", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { const carom_character c = character(b); carom_character_desc d = character_desc(); d.body = b.bodies[0]; return carom_character_move_body(b.world, &d, &c, 0.01, e); }},
+};
+// clang-format on
+
 // clang-format off
 const Row kEvents[] = {
     {"gravity factor: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_set_gravity_factor(nullptr, b.bodies[0], 1, e); }},
@@ -911,6 +966,7 @@ void every_wrong_argument_of_casts_is_refused(void**) { each_is_refused(kCast); 
 void every_wrong_argument_of_particles_is_refused(void**) { each_is_refused(kParticles); }
 void every_wrong_argument_of_world_queries_is_refused(void**) { each_is_refused(kWorldQuery); }
 void every_wrong_argument_of_filters_and_events_is_refused(void**) { each_is_refused(kEvents); }
+void every_wrong_argument_of_characters_is_refused(void**) { each_is_refused(kCharacters); }
 
 void every_result_has_its_own_name_and_a_remedy(void**) {
   std::set<std::string> names;
@@ -986,6 +1042,7 @@ int main() {
       cmocka_unit_test(every_wrong_argument_of_particles_is_refused),
       cmocka_unit_test(every_wrong_argument_of_world_queries_is_refused),
       cmocka_unit_test(every_wrong_argument_of_filters_and_events_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_characters_is_refused),
       cmocka_unit_test(every_result_has_its_own_name_and_a_remedy),
       cmocka_unit_test(calls_without_an_error_object_refuse_null_too),
       cmocka_unit_test(a_flat_shape_on_a_body_without_mass_has_no_volume),

@@ -42,7 +42,8 @@ def functions_of(folder):
     return found
 
 
-SOURCES = functions_of(ROOT / "src" / "abi")
+KIT = functions_of(ROOT / "src" / "kit")
+SOURCES = functions_of(ROOT / "src" / "abi") | KIT
 ENTRIES = {name: file for file, bodies in SOURCES.items() for name in bodies if name.startswith("carom_")}
 
 
@@ -52,7 +53,8 @@ def gates_of(name, file, asked):
         return set()
     asked.add(name)
     gates = set()
-    for body in SOURCES[file].get(name, ()):
+    where = KIT if file in KIT else {file: SOURCES[file]}
+    for body in [body for bodies in where.values() for body in bodies.get(name, ())]:
         gates |= {GATES[word] for word in re.findall(r"\w+", body) if word in GATES}
         if not gates:
             for called in re.findall(r"(\w+)(?:<[^<>()]*>)?\(", body):
@@ -88,7 +90,10 @@ class Threads(unittest.TestCase):
             if not any(a["type"] == "carom_world *" for a in function["arguments"]):
                 continue
             self.assertIn(name, ENTRIES)
-            self.assertEqual(gates_of(name, ENTRIES[name], set()), {function["thread"]}, name)
+            gates = gates_of(name, ENTRIES[name], set())
+            if ENTRIES[name] in KIT and "writer" in gates:  # it is made of other calls, and reads before it writes
+                gates = {"writer"}
+            self.assertEqual(gates, {function["thread"]}, name)
             checked += 1
         self.assertGreater(checked, 140)
 

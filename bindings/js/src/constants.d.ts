@@ -193,6 +193,18 @@ export const CAROM_OVERLAP_TOUCHING: 2;
 export const CAROM_OVERLAP_FAULT: 3;
 /** in place of an index: no shape */
 export const CAROM_NO_SHAPE: 4294967295;
+/** nothing is under it: it falls */
+export const CAROM_GROUND_AIR: 0;
+/** it touches ground steeper than max_slope: it slides down without friction */
+export const CAROM_GROUND_STEEP: 1;
+/** it stands, and can walk and jump */
+export const CAROM_GROUND_FIRM: 2;
+/** its orientation turns about `up` with the ground that it rides */
+export const CAROM_CHARACTER_TURNS: 1;
+/** no gravity, no steps, no ground: it moves along all of `walk`, as swimmers do */
+export const CAROM_CHARACTER_FLIES: 2;
+/** contacts that a move keeps: of more, the first */
+export const CAROM_CHARACTER_CONTACTS: 8;
 /** choice: CAROM_INTEGRATOR_* */
 export const CAROM_DIAL_INTEGRATOR: 0;
 /** choice: CAROM_ROTATION_*: how bodies with unlike moments of inertia spin */

@@ -289,6 +289,57 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
    *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY */
   carom_rays_cast(engine: number, shapes: number, positions: number, orientations: number, shape_count: bigint, rays: number, desc: number, hits: number, error: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_character_desc_init(desc: number, struct_size: number): number;
+  /** At the origin, in the air, without a shape.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_character_init(character: number, struct_size: number): number;
+  /** Give it a shape, or another one: to crouch, to stand up. The lowest point stays where it is, so the origin moves
+   *  along `up`. With `fits` the new shape is looked at first. If something is within half the skin of it, `fits` becomes
+   *  0 and nothing changes. Call it again after `up` has changed against the shape.
+   *  @param shape convex, of the world's engine: most take a capsule
+   *  @param desc may be NULL: defaults
+   *  @param character its shape, position, foot, head and reach change
+   *  @param fits out: 1 or 0; NULL: it is changed whatever is there, and a later move brings it out
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space, scenery; unknown bits); UNKNOWN_ENUM; *_HANDLE;
+   *          NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; PLUGIN_INVALID; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
+  carom_character_set_shape(engine: number, world: number, desc: number, character: number, shape: bigint, fits: number, error: number): number;
+  /** Move a character by dt. In this order: it follows the ground that it stood on, leaves what it overlaps, then walks,
+   *  jumps or falls.
+   *  
+   *  On firm ground its velocity across `up` follows `walk`, on slopes and steps, too. In the air and on steep ground it
+   *  follows `walk` plus the velocity of the ground that it left. Paths in the air are exact parabolas, so where it lands
+   *  does not depend on dt beyond one dt's way. Each move takes at most 60 queries. It allocates nothing but what queries
+   *  do.
+   *  @param desc may be NULL: defaults
+   *  @param character all but shape, foot, head and reach may change
+   *  @param walk [3] m/s, world, each within 1e6: what it is to move at, relative to the ground; the part along `up`
+   *         counts only with CAROM_CHARACTER_FLIES
+   *  @param jump m/s, [0, 1e6], along `up`: on firm ground it takes off at this speed, and takes the velocity of the
+   *         ground with it; else, and with 0, it does not
+   *  @param dt s, [0, 1]
+   *  @accuracy stands `skin` and 2 % from surfaces, within 1e-5 m or 1e-6 of its size
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (unknown bits, reserved); UNKNOWN_ENUM; *_HANDLE (desc->body;
+   *          character->shape: call carom_character_set_shape() first); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
+   *          REENTRANT; OUT_OF_MEMORY
+   *  @thread reader */
+  carom_character_move(world: number, desc: number, character: number, walk: number, jump: number, dt: number, error: number): number;
+  /** Push what the last move met, and press on what the character stands on, as forces of the next step. A dynamic body
+   *  in its way gets the force that would bring it to the character's speed within dt, push_force at most. One under
+   *  firm feet gets mass * gravity. Bodies that are gone are left out.
+   *  @param desc may be NULL: defaults   @param character as the last move left it   @param dt s, [1e-9, 1], of the next
+   *  step
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
+   *          BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_character_push(world: number, desc: number, character: number, dt: number, error: number): number;
+  /** Let a kinematic body of the host's follow the character, so that other bodies and characters touch it. It gets the
+   *  velocity that brings it to the character's place in the next step of dt. Where that is over 1 m away, or the
+   *  character has turned, it is placed there at once, at rest. Give the body the character's shape, and name it in
+   *  desc->body.
+   *  @param desc with a body   @param dt s, [1e-9, 1], of the next step
+   *  @param character as the last move left it
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE
+   *          (also: a body that is not kinematic); BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_character_move_body(world: number, desc: number, character: number, dt: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library) */
   carom_dial_get_info(dial: number, info: number, error: number): number;
   /** Number of dials this library has.   @status OK; NULL_ARGUMENT */

@@ -102,6 +102,12 @@ CAROM_OVERLAP_OVERLAPPING = 1
 CAROM_OVERLAP_TOUCHING = 2
 CAROM_OVERLAP_FAULT = 3
 CAROM_NO_SHAPE = 4294967295
+CAROM_GROUND_AIR = 0
+CAROM_GROUND_STEEP = 1
+CAROM_GROUND_FIRM = 2
+CAROM_CHARACTER_TURNS = 1
+CAROM_CHARACTER_FLIES = 2
+CAROM_CHARACTER_CONTACTS = 8
 CAROM_DIAL_INTEGRATOR = 0
 CAROM_DIAL_ROTATION = 1
 CAROM_DIAL_SUBSTEPS = 2
@@ -401,6 +407,10 @@ class carom_ray_hit(Structure):
     _fields_ = [("outcome", c_uint32), ("status", c_uint32), ("shape", c_uint32), ("reserved", c_uint32), ("time", c_double), ("lower", c_double), ("upper", c_double), ("normal", c_double * 3), ("point", c_double * 3)]
 class carom_ray_hits(Structure):
     _fields_ = [("struct_size", c_uint32), ("scalar", c_uint32), ("records", POINTER(carom_ray_hit)), ("outcomes", POINTER(c_uint32)), ("shapes", POINTER(c_uint32)), ("times", c_void_p), ("normals", c_void_p), ("points", c_void_p), ("record_stride", c_uint64), ("outcome_stride", c_uint64), ("shape_stride", c_uint64), ("time_stride", c_uint64), ("normal_stride", c_uint64), ("point_stride", c_uint64)]
+class carom_character_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("up", c_double * 3), ("gravity", c_double), ("fall_speed", c_double), ("max_slope", c_double), ("step_up", c_double), ("step_down", c_double), ("skin", c_double), ("acceleration", c_double), ("air_acceleration", c_double), ("mass", c_double), ("push_force", c_double), ("recover_speed", c_double), ("category", c_uint64), ("mask", c_uint64), ("body", carom_body)]
+class carom_character(Structure):
+    _fields_ = [("struct_size", c_uint32), ("ground", c_uint32), ("shape", carom_shape), ("position", c_double * 3), ("orientation", c_double * 4), ("velocity", c_double * 3), ("foot", c_double), ("head", c_double), ("reach", c_double), ("ground_body", carom_body), ("ground_collider", carom_collider), ("ground_point", c_double * 3), ("ground_normal", c_double * 3), ("ground_velocity", c_double * 3), ("ground_position", c_double * 3), ("ground_orientation", c_double * 4), ("contact_count", c_uint32), ("reserved", c_uint32), ("contact_bodies", carom_body * 8), ("contact_points", c_double * 24), ("contact_normals", c_double * 24), ("contact_speeds", c_double * 8)]
 class carom_dial_info(Structure):
     _fields_ = [("struct_size", c_uint32), ("dial", c_uint32), ("kind", c_uint32), ("choice_count", c_uint32), ("name", c_char_p), ("unit", c_char_p), ("summary", c_char_p), ("choices", POINTER(c_char_p)), ("min", c_double), ("max", c_double), ("initial", c_double)]
 class carom_constant_info(Structure):
@@ -512,6 +522,8 @@ STRUCTS = {
     "carom_rays": carom_rays,
     "carom_ray_hit": carom_ray_hit,
     "carom_ray_hits": carom_ray_hits,
+    "carom_character_desc": carom_character_desc,
+    "carom_character": carom_character,
     "carom_dial_info": carom_dial_info,
     "carom_constant_info": carom_constant_info,
     "carom_draw_desc": carom_draw_desc,
@@ -566,6 +578,8 @@ HANDLES = {
     "carom_island": {'body': 'carom_body'},
     "carom_growth": {'body': 'carom_body'},
     "carom_collider_desc": {'shape': 'carom_shape', 'material': 'carom_material'},
+    "carom_character_desc": {'body': 'carom_body'},
+    "carom_character": {'shape': 'carom_shape', 'ground_body': 'carom_body', 'ground_collider': 'carom_collider', 'contact_bodies': 'carom_body'},
     "carom_draw_line": {'body': 'carom_body'},
     "carom_contact_event": {'collider_a': 'carom_collider', 'collider_b': 'carom_collider', 'body_a': 'carom_body', 'body_b': 'carom_body'},
     "carom_sensor_event": {'sensor': 'carom_collider', 'other': 'carom_collider', 'sensor_body': 'carom_body', 'other_body': 'carom_body'},
@@ -651,6 +665,12 @@ FUNCTIONS = {
     "carom_shape_time_of_impact": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(carom_motion), carom_shape, POINTER(carom_motion), c_double, POINTER(carom_cast_desc), POINTER(carom_cast), POINTER(carom_error),)),
     "carom_shape_overlap": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_double), carom_shape, POINTER(c_double), POINTER(c_double), POINTER(carom_cast_desc), POINTER(carom_overlap), POINTER(carom_error),)),
     "carom_rays_cast": ("0.9", c_int32, (c_void_p, POINTER(carom_shape), POINTER(c_double), POINTER(c_double), c_uint64, POINTER(carom_rays), POINTER(carom_cast_desc), POINTER(carom_ray_hits), POINTER(carom_error),)),
+    "carom_character_desc_init": ("0.9", c_int32, (POINTER(carom_character_desc), c_uint32,)),
+    "carom_character_init": ("0.9", c_int32, (POINTER(carom_character), c_uint32,)),
+    "carom_character_set_shape": ("0.9", c_int32, (c_void_p, c_void_p, POINTER(carom_character_desc), POINTER(carom_character), carom_shape, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_character_move": ("0.9", c_int32, (c_void_p, POINTER(carom_character_desc), POINTER(carom_character), POINTER(c_double), c_double, c_double, POINTER(carom_error),)),
+    "carom_character_push": ("0.9", c_int32, (c_void_p, POINTER(carom_character_desc), POINTER(carom_character), c_double, POINTER(carom_error),)),
+    "carom_character_move_body": ("0.9", c_int32, (c_void_p, POINTER(carom_character_desc), POINTER(carom_character), c_double, POINTER(carom_error),)),
     "carom_dial_get_info": ("0.9", c_int32, (c_uint32, POINTER(carom_dial_info), POINTER(carom_error),)),
     "carom_dial_get_count": ("0.9", c_int32, (POINTER(c_uint32),)),
     "carom_dial_find": ("0.9", c_int32, (c_char_p, POINTER(c_uint32), POINTER(carom_error),)),

@@ -29,6 +29,7 @@ FieldWord = Literal["position", "orientation", "pose", "linear_velocity", "angul
 CastWord = Literal["miss", "hit", "overlap", "undecided", "bad_ray"]
 QueryFlagsWord = Literal["generic", "sensors", "ignore_touched"]
 OverlapWord = Literal["apart", "overlapping", "touching", "fault"]
+GroundWord = Literal["air", "steep", "firm"]
 DialWord = Literal["integrator", "rotation", "substeps", "solver", "velocity_iterations", "position_iterations",
     "velocity_tolerance", "position_tolerance", "restitution_speed", "severity_search", "groups", "broad_phase",
     "grid_cell", "contact_distance", "pair_routines", "narrow_phase", "simplex", "gjk_tolerance", "gjk_iterations",

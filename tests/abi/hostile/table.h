@@ -401,6 +401,78 @@ inline Argument query_shapes(Context& c, bool move, bool& half_space) {
   return a;
 }
 
+inline Argument character_desc(Context& c, bool has_body = false) {
+  auto d = fresh<carom_character_desc>(carom_character_desc_init);
+  using T = carom_character_desc;
+  bool none = false;
+  if (has_body) {  // one that is kinematic, or can be
+    for (const Owned& body : c.own.live[kBody]) {
+      uint32_t type = 0;
+      carom_body_get_type(c.own.world, body.handle, &type, nullptr);
+      if (type == CAROM_BODY_KINEMATIC) d.body = body.handle;
+    }
+    for (const Owned& body : c.own.live[kBody])
+      if (!d.body && carom_body_set_type(c.own.world, body.handle, CAROM_BODY_KINEMATIC, nullptr) == CAROM_OK)
+        d.body = body.handle;
+    none = !d.body;
+  }
+  d.flags = c.source.below(4);
+  turn(c, 3, d.up);
+  d.max_slope = c.between(0, 1.5), d.step_up = c.between(0, 1), d.step_down = c.between(0, 1);
+  d.skin = c.between(0.001, 0.1), d.acceleration = c.between(0, 100), d.air_acceleration = c.between(0, 100);
+  Argument a = in_struct(c, d,
+                         {HOSTILE_BITS(T, flags, 3u), HOSTILE_UNIT(T, up, 3), HOSTILE_NUMBERS(T, gravity, 1, {0, 1e6}),
+                          HOSTILE_NUMBERS(T, fall_speed, 1, {0, 1e6}), HOSTILE_NUMBERS(T, max_slope, 1, {0, 1.57}),
+                          HOSTILE_NUMBERS(T, step_up, 1, {0, 1e6}), HOSTILE_NUMBERS(T, step_down, 1, {0, 1e6}),
+                          HOSTILE_NUMBERS(T, skin, 1, {1e-6, 1e6}), HOSTILE_NUMBERS(T, acceleration, 1, {0, 1e9}),
+                          HOSTILE_NUMBERS(T, air_acceleration, 1, {0, 1e9}), HOSTILE_NUMBERS(T, mass, 1, {0, 1e9}),
+                          HOSTILE_NUMBERS(T, push_force, 1, {0, 1e12}), HOSTILE_NUMBERS(T, recover_speed, 1, {0, 1e6}),
+                          HOSTILE_HANDLE(T, body, kBody, !has_body)},
+                         !has_body);
+  a.impossible = none;
+  return a;
+}
+/// @param moves  its shape and its ground are looked at
+inline Argument character(Context& c, bool moves) {
+  auto d = fresh<carom_character>(carom_character_init);
+  using T = carom_character;
+  bool none = false;
+  d.ground = c.source.below(3);
+  for (double& x : d.position) x = c.between(-3, 3);
+  for (double& x : d.velocity) x = c.between(-3, 3);
+  for (double& x : d.ground_point) x = c.between(-3, 3);
+  turn(c, 4, d.orientation), turn(c, 3, d.ground_normal), turn(c, 4, d.ground_orientation);
+  d.foot = c.between(0, 1), d.head = c.between(0, 1), d.reach = c.between(0, 1);
+  if (moves) d.shape = c.own.live[kShape].empty() ? 0 : c.own.live[kShape][0].handle;
+  if (c.source.below(2)) d.ground_body = pick(c, kBody, none);
+  d.contact_count = 1;
+  d.contact_bodies[0] = pick(c, kBody, none);
+  d.contact_speeds[0] = c.between(0, 3);
+  turn(c, 3, d.contact_normals);
+  Argument a = in_struct(
+      c, d,
+      {HOSTILE_CHOICE(T, ground, 3u), HOSTILE_NUMBERS(T, position, 3, {-1e12, 1e12}), HOSTILE_UNIT(T, orientation, 4),
+       HOSTILE_NUMBERS(T, velocity, 3, {-1e9, 1e9}), HOSTILE_NUMBERS(T, foot, 1, {-1e9, 1e9}),
+       HOSTILE_NUMBERS(T, head, 1, {-1e9, 1e9}), HOSTILE_NUMBERS(T, reach, 1, {0, 1e9}),
+       HOSTILE_NUMBERS(T, ground_point, 3, {-1e12, 1e12}), HOSTILE_UNIT(T, ground_normal, 3),
+       HOSTILE_NUMBERS(T, ground_velocity, 3, {-1e9, 1e9}), HOSTILE_NUMBERS(T, ground_position, 3, {-1e15, 1e15}),
+       HOSTILE_UNIT(T, ground_orientation, 4), HOSTILE_WHOLE(T, contact_count, 0, 8), HOSTILE_RESERVED(T, reserved),
+       HOSTILE_NUMBERS(T, contact_points, 3, {-1e12, 1e12}), HOSTILE_UNIT(T, contact_normals, 3),
+       HOSTILE_NUMBERS(T, contact_speeds, 1, {0, 2e9})});
+  if (moves) {
+    const Argument more = in_struct(c, d, {HOSTILE_HANDLE(T, shape, kShape, false)});
+    a.wrong.insert(a.wrong.end(), more.wrong.begin(), more.wrong.end());
+  }
+  a.impossible = none;
+  return a;
+}
+/// One that a call changes.
+inline Argument changed_character(Context& c, bool moves) {
+  Argument a = character(c, moves);
+  a.out = const_cast<void*>(a.good.p), a.out_size = sizeof(carom_character);
+  return a;
+}
+
 /// Rows of bulk calls: [handles], n, array, stride after the field and the scalar.
 struct Bulk {
   Argument field, scalar, list, n, array, stride;
@@ -1119,6 +1191,14 @@ inline const Row kRows[] = {
        stride.wrong.push_back({"stride 4", of(uint64_t(4)), kSmall});
        return call("carom_world_find_nearest", carom_world_find_nearest, {world(c), shapes, number(c, {0, kMost, true, 0, 9}), query_desc(c), out(c, sizeof(carom_world_hit) * kQuestions), stride, error(c)});
      }},
+
+    // ---- characters ----
+    INIT(carom_character_desc_init, carom_character_desc),
+    INIT(carom_character_init, carom_character),
+    ROW(carom_character_set_shape, engine(c), world(c), character_desc(c), changed_character(c, false), shape_but_scenery(c), wanted_out(c, 4), error(c)),
+    ROW(carom_character_move, world(c), character_desc(c), changed_character(c, true), vector(c, 3, {-1e6, 1e6, false, -3, 3}), number(c, {0, 1e6, false, 0, 2}), number(c, {0, 1, false, 0, 0.1}), error(c)),
+    ROW(carom_character_push, world(c), character_desc(c), character(c, false), number(c, {1e-9, 1, false, 0.01, 0.1}), error(c)),
+    ROW(carom_character_move_body, world(c), character_desc(c, true), character(c, false), number(c, {1e-9, 1, false, 0.01, 0.1}), error(c)),
 };
 
 #undef ROW
