@@ -14,7 +14,8 @@ READS = re.compile(r"carom_\w+?_(get|read|is|hash|measure|save|fork|draw|compare
 # A budget chooses substeps by the time it measures: a record has its choices, as dials that were set. What is made of other
 # calls is recorded as those.
 NOT_RECORDED = {"carom_world_record_begin", "carom_world_record_end", "carom_world_destroy", "carom_world_set_budget",
-                "carom_body_create_named", "carom_character_move", "carom_character_push", "carom_character_move_body"}
+                "carom_body_create_named", "carom_character_move", "carom_character_push", "carom_character_move_body",
+                "carom_vehicle_drive"}
 
 # Pointers to more than one element: how many, or of what shape.
 #   ("array", n)                            n elements of the type

@@ -64,6 +64,8 @@ GROUPS = {
     "CAROM_FAULT_": ("fault", "choice"),
     "CAROM_WANT_": ("want", "choice"),
     "CAROM_GROUND_": ("ground", "choice"),
+    "CAROM_VEHICLE_AUTOMATIC": ("vehicle_flags", "bits"),
+    "CAROM_VEHICLE_ACKERMANN": ("vehicle_flags", "bits"),
     "CAROM_CHARACTER_TURNS": ("character_flags", "bits"),
     "CAROM_CHARACTER_FLIES": ("character_flags", "bits"),
     "CAROM_ASK_": ("query_flags", "bits"),
@@ -84,6 +86,8 @@ ALONE = {
     "CAROM_SHAPE_PLUGIN_SYMBOL",
     "CAROM_ATTRIBUTE_NUMBERS",
     "CAROM_CHARACTER_CONTACTS",
+    "CAROM_VEHICLE_WHEELS",
+    "CAROM_NO_WHEEL",
 }
 
 

@@ -44,6 +44,8 @@ LENGTHS = {
     ("carom_world_translate_handles", "translated"): "n",
     ("carom_world_cast_shapes", "dst"): "shapes->count",
     ("carom_world_find_nearest", "dst"): "shapes->count",
+    ("carom_vehicle_drive", "wheel_descs"): "n",
+    ("carom_vehicle_drive", "wheels"): "n",
     ("carom_support_fn", "params"): "param_len",
     ("carom_write_fn", "bytes"): "size",
 }

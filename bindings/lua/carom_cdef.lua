@@ -57,6 +57,11 @@ typedef struct carom_mesh_desc carom_mesh_desc;
 typedef struct carom_height_field_desc carom_height_field_desc;
 typedef struct carom_scenery_info carom_scenery_info;
 typedef struct carom_shape_info carom_shape_info;
+typedef struct carom_vehicle_desc carom_vehicle_desc;
+typedef struct carom_wheel_desc carom_wheel_desc;
+typedef struct carom_vehicle_input carom_vehicle_input;
+typedef struct carom_vehicle carom_vehicle;
+typedef struct carom_wheel carom_wheel;
 typedef struct carom_world_desc carom_world_desc;
 typedef struct carom_step_report carom_step_report;
 typedef struct carom_contact carom_contact;
@@ -133,6 +138,11 @@ struct carom_mesh_desc { uint32_t struct_size; uint32_t flags; const double *ver
 struct carom_height_field_desc { uint32_t struct_size; uint32_t flags; uint32_t columns; uint32_t rows; const double *heights; double spacing[2]; };
 struct carom_scenery_info { uint32_t struct_size; uint32_t flags; uint64_t triangles; uint64_t vertices; uint64_t dropped; uint64_t boundary_edges; uint64_t bytes; };
 struct carom_shape_info { uint32_t struct_size; uint32_t form; uint32_t is_half_space; uint32_t mass_exact; carom_plugin plugin; uint64_t param_count; double core_radius; double bounding_radius; double aabb_min[3]; double aabb_max[3]; double volume; double volume_min; double volume_max; double centroid[3]; double centroid_error; double inertia[9]; double inertia_error; uint32_t is_scenery; uint32_t reserved; };
+struct carom_vehicle_desc { uint32_t struct_size; uint32_t flags; carom_body chassis; double up[3]; double forward[3]; uint64_t category; uint64_t mask; uint32_t torque_count; uint32_t gear_count; double torque_speeds[8]; double torques[8]; double idle_speed; double max_speed; double engine_inertia; double engine_drag; double gears[8]; double reverse; double final_drive; double clutch_torque; double shift_up; double shift_down; double shift_time; double limited_slip; };
+struct carom_wheel_desc { uint32_t struct_size; uint32_t anti_roll_partner; carom_shape shape; double position[3]; double radius; double inertia; double travel; double stiffness; double damping_bump; double damping_rebound; double anti_roll; double max_steer; double drive; double brake; double handbrake; double rolling; double grip; double side_grip; double peak_slip; double side_peak_slip; double slide; double slide_slip; double relaxation; };
+struct carom_vehicle_input { uint32_t struct_size; int32_t gear; double throttle; double brake; double handbrake; double steer; };
+struct carom_vehicle { uint32_t struct_size; int32_t gear; double engine_speed; double shifting; double since_shift; double speed; };
+struct carom_wheel { uint32_t struct_size; uint32_t touches; carom_body body; carom_collider collider; double point[3]; double normal[3]; double position[3]; double compression; double spin; double angle; double steer; double load; double force; double side_force; double slip; double side_slip; };
 struct carom_world_desc { uint32_t struct_size; uint32_t reserved; double gravity[3]; uint64_t body_capacity; };
 struct carom_step_report { uint32_t struct_size; uint32_t stage_count; double stage_seconds[16]; double total_seconds; uint64_t steps; double time; uint64_t bodies; uint64_t dynamic_bodies; uint64_t colliders; uint64_t broad_pairs; uint64_t contact_pairs; uint64_t contact_points; uint64_t groups; uint64_t largest_group; uint64_t gjk_calls; uint64_t epa_calls; uint64_t support_calls; uint64_t velocity_impulses; uint64_t position_moves; uint64_t quarantined_bodies; uint64_t faults; double max_penetration; double mean_penetration; double max_closing_speed; double linear_energy; double angular_energy; uint64_t asleep_bodies; uint64_t fell_asleep; uint64_t woke_up; uint64_t direct_groups; double solver_residual; uint64_t particles; uint64_t quarantined_particles; uint64_t swept_bodies; uint64_t sweep_hits; uint64_t wedged_groups; uint64_t rejected_solutions; };
 struct carom_contact { carom_collider collider_a; carom_collider collider_b; carom_body body_a; carom_body body_b; double point[3]; double normal[3]; double separation; double normal_impulse; double friction_impulse; };
@@ -341,6 +351,12 @@ int32_t carom_world_save(carom_world *world, uint32_t flags, void *buffer, uint6
 int32_t carom_world_restore(carom_world *world, const void *bytes, uint64_t size, carom_error *error);
 int32_t carom_world_fork(carom_world *world, carom_world **copy, carom_error *error);
 int32_t carom_world_translate_handles(carom_world *world, const uint64_t *handles, uint64_t n, uint64_t *translated, carom_error *error);
+int32_t carom_vehicle_desc_init(carom_vehicle_desc *desc, uint32_t struct_size);
+int32_t carom_wheel_desc_init(carom_wheel_desc *desc, uint32_t struct_size);
+int32_t carom_vehicle_input_init(carom_vehicle_input *input, uint32_t struct_size);
+int32_t carom_vehicle_init(carom_vehicle *vehicle, uint32_t struct_size);
+int32_t carom_wheel_init(carom_wheel *wheel, uint32_t struct_size);
+int32_t carom_vehicle_drive(carom_world *world, const carom_vehicle_desc *desc, const carom_wheel_desc *wheel_descs, uint64_t n, const carom_vehicle_input *input, carom_vehicle *vehicle, carom_wheel *wheels, double dt, carom_error *error);
 int32_t carom_world_desc_init(carom_world_desc *desc, uint32_t struct_size);
 int32_t carom_world_create(carom_engine *engine, const carom_world_desc *desc, carom_world **world, carom_error *error);
 int32_t carom_world_destroy(carom_world *world, carom_error *error);
@@ -697,6 +713,10 @@ return {
   CAROM_SCENERY_TWO_SIDED = 1,
   CAROM_SNAPSHOT_STATE = 0,
   CAROM_SNAPSHOT_WHOLE = 1,
+  CAROM_VEHICLE_AUTOMATIC = 1,
+  CAROM_VEHICLE_ACKERMANN = 2,
+  CAROM_VEHICLE_WHEELS = 16,
+  CAROM_NO_WHEEL = 4294967295,
   CAROM_STAGE_REFRESH = 0,
   CAROM_STAGE_BROAD = 1,
   CAROM_STAGE_NARROW = 2,
@@ -721,5 +741,5 @@ return {
   CAROM_WANT_FIRST = 0,
   CAROM_WANT_ANY = 1,
   VERSION = "0.9.0",
-  ROWS = 697, -- of the layout manifest
+  ROWS = 776, -- of the layout manifest
 }

@@ -3,12 +3,9 @@
 
 #include <carom/character.h>
 
-#include "core/pose.h"
-#include "kit/check.h"
+#include "kit/bodies.h"
 
 namespace carom::kit {
-
-inline Quat quat_of(const double q[4]) { return Quat(q[3], q[0], q[1], q[2]).normalized(); }
 
 /// What a host passes, checked. @param given  NULL: defaults
 bool read_desc(Call& call, int argument, const carom_character_desc* given, carom_character_desc& desc);

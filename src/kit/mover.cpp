@@ -1,9 +1,7 @@
 // One move of a character.
 #include "kit/mover.h"
 
-#include <carom/body_bulk.h>
-
-#include "kit/character.h"
+#include "kit/bodies.h"
 
 namespace carom::kit {
 namespace {
@@ -32,29 +30,10 @@ Vec3 approach(Vec3& v, const Vec3& wish, Real rate, Real dt) {
   return (0.5 * dt) * (before + v);
 }
 
-bool is_gone(std::int32_t result) { return result == CAROM_E_STALE_HANDLE; }
-
 void put(const Vec3& v, double* to) { to[0] = v[0], to[1] = v[1], to[2] = v[2]; }
 void put(const Quat& q, double* to) { to[0] = q.x(), to[1] = q.y(), to[2] = q.z(), to[3] = q.w(); }
 
 }  // namespace
-
-bool velocity_at(Call& call, carom_world* world, carom_body body, const Vec3& point, Vec3& velocity) {
-  velocity = Vec3::zero();
-  if (body == CAROM_NULL_HANDLE) return true;
-  Vec3 linear, angular, center;
-  carom_error inner = CAROM_ERROR_INIT;
-  const std::int32_t result = carom_body_get_velocity(world, body, linear.data(), angular.data(), &inner);
-  if (is_gone(result)) return true;
-  if (!call.passed(result, inner, 0)) return false;
-  velocity = linear;
-  if (angular.is_zero()) return true;
-  if (!call.passed(carom_world_read(world, CAROM_FIELD_CENTER, CAROM_SCALAR_F64, &body, 1, center.data(), 0, &inner),
-                   inner, 0))
-    return false;
-  velocity += angular.cross(point - center);
-  return true;
-}
 
 Mover::Mover(Call& call, carom_world* world, const carom_character_desc& desc, carom_character& character, Real dt)
     : call_(call),

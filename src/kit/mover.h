@@ -8,9 +8,6 @@
 
 namespace carom::kit {
 
-/// The velocity of a body at a point.   @return false after a failure; zero for a body that is gone
-bool velocity_at(Call& call, carom_world* world, carom_body body, const Vec3& point, Vec3& velocity);
-
 class Mover {
  public:
   /// @param character  checked; changes as the move goes on

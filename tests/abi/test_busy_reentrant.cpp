@@ -204,6 +204,17 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("character_move", carom_character_move(b.world, nullptr, &character, kUp, 0, 0.01, nullptr));
   add("character_push", carom_character_push(b.world, nullptr, &character, 0.01, nullptr));
   add("character_move_body", carom_character_move_body(b.world, &character_desc, &character, 0.01, nullptr));
+  carom_vehicle_desc vehicle_desc;
+  carom_wheel_desc wheel_desc;
+  carom_vehicle_input vehicle_input;
+  carom_vehicle vehicle;
+  carom_wheel wheel;
+  carom_vehicle_desc_init(&vehicle_desc, sizeof vehicle_desc), carom_wheel_desc_init(&wheel_desc, sizeof wheel_desc);
+  carom_vehicle_input_init(&vehicle_input, sizeof vehicle_input);
+  carom_vehicle_init(&vehicle, sizeof vehicle), carom_wheel_init(&wheel, sizeof wheel);
+  vehicle_desc.chassis = b.bodies[0];
+  add("vehicle_drive",
+      carom_vehicle_drive(b.world, &vehicle_desc, &wheel_desc, 1, &vehicle_input, &vehicle, &wheel, 0.01, nullptr));
   carom_joint_desc joint;
   carom_joint_desc_init(&joint, sizeof joint);
   joint.body_a = b.bodies[0], joint.body_b = b.bodies[1];

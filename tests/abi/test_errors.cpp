@@ -847,6 +847,54 @@ const Row kCharacters[] = {
 };
 // clang-format on
 
+struct Drive {
+  carom_vehicle_desc desc;
+  carom_wheel_desc wheel_descs[2];
+  carom_vehicle_input input;
+  carom_vehicle vehicle;
+  carom_wheel wheels[2];
+  uint64_t n = 2;
+  double dt = 0.01;
+};
+int32_t drive(Bench& b, void (*spoil)(Bench&, Drive&), carom_error* e) {
+  Drive d;
+  carom_vehicle_desc_init(&d.desc, sizeof d.desc);
+  carom_vehicle_input_init(&d.input, sizeof d.input);
+  carom_vehicle_init(&d.vehicle, sizeof d.vehicle);
+  for (int i = 0; i < 2; ++i)
+    carom_wheel_desc_init(&d.wheel_descs[i], sizeof d.wheel_descs[i]),
+        carom_wheel_init(&d.wheels[i], sizeof d.wheels[i]);
+  d.desc.chassis = b.bodies[0];
+  spoil(b, d);
+  return carom_vehicle_drive(b.world, &d.desc, d.wheel_descs, d.n, &d.input, &d.vehicle, d.wheels, d.dt, e);
+}
+// clang-format off
+const Row kVehicles[] = {
+    {"drive: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_vehicle_drive(nullptr, nullptr, nullptr, 1, nullptr, nullptr, nullptr, 0.01, e); }},
+    {"drive: desc", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_vehicle_drive(b.world, nullptr, nullptr, 1, nullptr, nullptr, nullptr, 0.01, e); }},
+    {"drive: flags", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.desc.flags = 4; }, e); }},
+    {"drive: chassis", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return drive(b, [](Bench& o, Drive& d) { d.desc.chassis = o.ground; }, e); }},
+    {"drive: none", CAROM_E_INVALID_HANDLE, 2, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.desc.chassis = 0; }, e); }},
+    {"drive: axes", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.desc.forward[1] = 1, d.desc.forward[2] = 0; }, e); }},
+    {"drive: gears", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.desc.gear_count = 9; }, e); }},
+    {"drive: curve", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.desc.torque_speeds[2] = d.desc.torque_speeds[1]; }, e); }},
+    {"drive: max speed", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.desc.max_speed = 50; }, e); }},
+    {"drive: wheel descs", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { carom_vehicle_desc d; carom_vehicle_desc_init(&d, sizeof d); return carom_vehicle_drive(b.world, &d, nullptr, 1, nullptr, nullptr, nullptr, 0.01, e); }},
+    {"drive: sizes differ", CAROM_E_STRUCT_SIZE, 3, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.wheel_descs[1].struct_size -= 8; }, e); }},
+    {"drive: radius", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.wheel_descs[1].radius = 0; }, e); }},
+    {"drive: stiffness", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.wheel_descs[0].stiffness = kNan; }, e); }},
+    {"drive: partner", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.wheel_descs[0].anti_roll_partner = 2; }, e); }},
+    {"drive: wheel's shape", CAROM_E_UNSUPPORTED, 3, [](Bench& b, carom_error* e) { return drive(b, [](Bench& o, Drive& d) { d.wheel_descs[0].shape = o.floor; }, e); }},
+    {"drive: n", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.n = 0; }, e); }},
+    {"drive: many", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.n = 17; }, e); }},
+    {"drive: throttle", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.input.throttle = 1.1; }, e); }},
+    {"drive: gear", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.input.gear = 6; }, e); }},
+    {"drive: state", CAROM_E_NOT_FINITE, 6, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.vehicle.engine_speed = kInf; }, e); }},
+    {"drive: wheel", CAROM_E_NOT_FINITE, 7, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.wheels[1].spin = kNan; }, e); }},
+    {"drive: dt", CAROM_E_OUT_OF_RANGE, 8, [](Bench& b, carom_error* e) { return drive(b, [](Bench&, Drive& d) { d.dt = 0.2; }, e); }},
+};
+// clang-format on
+
 // clang-format off
 const Row kEvents[] = {
     {"gravity factor: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_body_set_gravity_factor(nullptr, b.bodies[0], 1, e); }},
@@ -967,6 +1015,7 @@ void every_wrong_argument_of_particles_is_refused(void**) { each_is_refused(kPar
 void every_wrong_argument_of_world_queries_is_refused(void**) { each_is_refused(kWorldQuery); }
 void every_wrong_argument_of_filters_and_events_is_refused(void**) { each_is_refused(kEvents); }
 void every_wrong_argument_of_characters_is_refused(void**) { each_is_refused(kCharacters); }
+void every_wrong_argument_of_vehicles_is_refused(void**) { each_is_refused(kVehicles); }
 
 void every_result_has_its_own_name_and_a_remedy(void**) {
   std::set<std::string> names;
@@ -1043,6 +1092,7 @@ int main() {
       cmocka_unit_test(every_wrong_argument_of_world_queries_is_refused),
       cmocka_unit_test(every_wrong_argument_of_filters_and_events_is_refused),
       cmocka_unit_test(every_wrong_argument_of_characters_is_refused),
+      cmocka_unit_test(every_wrong_argument_of_vehicles_is_refused),
       cmocka_unit_test(every_result_has_its_own_name_and_a_remedy),
       cmocka_unit_test(calls_without_an_error_object_refuse_null_too),
       cmocka_unit_test(a_flat_shape_on_a_body_without_mass_has_no_volume),

@@ -31,7 +31,7 @@ def functions_of(folder):
     for file in sorted(folder.glob("*.cpp")) + sorted(folder.glob("*.h")):
         text = re.sub(r"//[^\n]*", "", file.read_text(encoding="utf-8"))
         bodies = found.setdefault(file.name, {})
-        for head in re.finditer(r"^(?:  )?(?!return|else|namespace)[a-zA-Z_][\w:<>,*& ]*?[ *&](\w+)\(", text, flags=re.M):
+        for head in re.finditer(r"^(?:  )?(?!return|else|namespace)[a-zA-Z_][\w:<>,*& ]*?[ *&](?:\w+::)?(\w+)\(", text, flags=re.M):
             depth, at = 1, head.end()
             while depth:
                 depth += (text[at] == "(") - (text[at] == ")")

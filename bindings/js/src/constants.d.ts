@@ -654,6 +654,14 @@ export const CAROM_SCENERY_TWO_SIDED: 1;
 export const CAROM_SNAPSHOT_STATE: 0;
 /** the structure, too */
 export const CAROM_SNAPSHOT_WHOLE: 1;
+/** it chooses among forward gears; the input's gear says which way, or neutral */
+export const CAROM_VEHICLE_AUTOMATIC: 1;
+/** steered wheels share one centre of turn with those that are not steered */
+export const CAROM_VEHICLE_ACKERMANN: 2;
+/** the most wheels of a vehicle */
+export const CAROM_VEHICLE_WHEELS: 16;
+/** in place of an index: no wheel */
+export const CAROM_NO_WHEEL: 4294967295;
 /** which effects have participants; bounds */
 export const CAROM_STAGE_REFRESH: 0;
 /** pairs of bounds that overlap */

@@ -840,6 +840,32 @@ export interface Raw {
    *          worlds); BUSY; REENTRANT   @thread reader */
   carom_world_translate_handles(world: number, handles: number, n: bigint, translated: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_vehicle_desc_init(desc: number, struct_size: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_wheel_desc_init(desc: number, struct_size: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_vehicle_input_init(input: number, struct_size: number): number;
+  /** At idle speed, at rest.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_vehicle_init(vehicle: number, struct_size: number): number;
+  /** In the air, at rest.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_wheel_init(wheel: number, struct_size: number): number;
+  /** Look down, turn wheels and engine through dt, and leave the mean forces for the next step, which is to take dt. They
+   *  add to forces that are pending. They keep a vehicle awake.
+   *  @param desc with a chassis
+   *  @param wheel_descs [n] one after another, each of the first one's struct_size
+   *  @param n 1 to CAROM_VEHICLE_WHEELS
+   *  @param input what the driver does
+   *  @param vehicle state, changes
+   *  @param wheels [n] states, change: as wheel_descs
+   *  @param dt s, [1e-4, 0.1]
+   *  @accuracy of the prediction first order in 1 ms; it leaves out what else acts on the chassis but gravity and
+   *            pending forces. A chassis that swings on its springs faster than a third of 1 / dt trembles. Of springs
+   *            stiffer than (m / 4) / 1 ms^2, m what the chassis weighs at the wheel, so much acts
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (unknown bits; a half-space or scenery as shape); *_HANDLE;
+   *          NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a chassis that is not dynamic, a gear that it has not); BUSY;
+   *          REENTRANT; OUT_OF_MEMORY */
+  carom_vehicle_drive(world: number, desc: number, wheel_descs: number, n: bigint, input: number, vehicle: number, wheels: number, dt: number, error: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_world_desc_init(desc: number, struct_size: number): number;
   /** @param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in

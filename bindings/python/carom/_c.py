@@ -336,6 +336,10 @@ CAROM_RECORD_STATES = 1
 CAROM_SCENERY_TWO_SIDED = 1
 CAROM_SNAPSHOT_STATE = 0
 CAROM_SNAPSHOT_WHOLE = 1
+CAROM_VEHICLE_AUTOMATIC = 1
+CAROM_VEHICLE_ACKERMANN = 2
+CAROM_VEHICLE_WHEELS = 16
+CAROM_NO_WHEEL = 4294967295
 CAROM_STAGE_REFRESH = 0
 CAROM_STAGE_BROAD = 1
 CAROM_STAGE_NARROW = 2
@@ -487,6 +491,16 @@ class carom_scenery_info(Structure):
     _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("triangles", c_uint64), ("vertices", c_uint64), ("dropped", c_uint64), ("boundary_edges", c_uint64), ("bytes", c_uint64)]
 class carom_shape_info(Structure):
     _fields_ = [("struct_size", c_uint32), ("form", c_uint32), ("is_half_space", c_uint32), ("mass_exact", c_uint32), ("plugin", carom_plugin), ("param_count", c_uint64), ("core_radius", c_double), ("bounding_radius", c_double), ("aabb_min", c_double * 3), ("aabb_max", c_double * 3), ("volume", c_double), ("volume_min", c_double), ("volume_max", c_double), ("centroid", c_double * 3), ("centroid_error", c_double), ("inertia", c_double * 9), ("inertia_error", c_double), ("is_scenery", c_uint32), ("reserved", c_uint32)]
+class carom_vehicle_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("chassis", carom_body), ("up", c_double * 3), ("forward", c_double * 3), ("category", c_uint64), ("mask", c_uint64), ("torque_count", c_uint32), ("gear_count", c_uint32), ("torque_speeds", c_double * 8), ("torques", c_double * 8), ("idle_speed", c_double), ("max_speed", c_double), ("engine_inertia", c_double), ("engine_drag", c_double), ("gears", c_double * 8), ("reverse", c_double), ("final_drive", c_double), ("clutch_torque", c_double), ("shift_up", c_double), ("shift_down", c_double), ("shift_time", c_double), ("limited_slip", c_double)]
+class carom_wheel_desc(Structure):
+    _fields_ = [("struct_size", c_uint32), ("anti_roll_partner", c_uint32), ("shape", carom_shape), ("position", c_double * 3), ("radius", c_double), ("inertia", c_double), ("travel", c_double), ("stiffness", c_double), ("damping_bump", c_double), ("damping_rebound", c_double), ("anti_roll", c_double), ("max_steer", c_double), ("drive", c_double), ("brake", c_double), ("handbrake", c_double), ("rolling", c_double), ("grip", c_double), ("side_grip", c_double), ("peak_slip", c_double), ("side_peak_slip", c_double), ("slide", c_double), ("slide_slip", c_double), ("relaxation", c_double)]
+class carom_vehicle_input(Structure):
+    _fields_ = [("struct_size", c_uint32), ("gear", c_int32), ("throttle", c_double), ("brake", c_double), ("handbrake", c_double), ("steer", c_double)]
+class carom_vehicle(Structure):
+    _fields_ = [("struct_size", c_uint32), ("gear", c_int32), ("engine_speed", c_double), ("shifting", c_double), ("since_shift", c_double), ("speed", c_double)]
+class carom_wheel(Structure):
+    _fields_ = [("struct_size", c_uint32), ("touches", c_uint32), ("body", carom_body), ("collider", carom_collider), ("point", c_double * 3), ("normal", c_double * 3), ("position", c_double * 3), ("compression", c_double), ("spin", c_double), ("angle", c_double), ("steer", c_double), ("load", c_double), ("force", c_double), ("side_force", c_double), ("slip", c_double), ("side_slip", c_double)]
 class carom_world_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("gravity", c_double * 3), ("body_capacity", c_uint64)]
 class carom_step_report(Structure):
@@ -562,6 +576,11 @@ STRUCTS = {
     "carom_height_field_desc": carom_height_field_desc,
     "carom_scenery_info": carom_scenery_info,
     "carom_shape_info": carom_shape_info,
+    "carom_vehicle_desc": carom_vehicle_desc,
+    "carom_wheel_desc": carom_wheel_desc,
+    "carom_vehicle_input": carom_vehicle_input,
+    "carom_vehicle": carom_vehicle,
+    "carom_wheel": carom_wheel,
     "carom_world_desc": carom_world_desc,
     "carom_step_report": carom_step_report,
     "carom_contact": carom_contact,
@@ -589,6 +608,9 @@ HANDLES = {
     "carom_spring_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
     "carom_joint_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
     "carom_shape_info": {'plugin': 'carom_plugin'},
+    "carom_vehicle_desc": {'chassis': 'carom_body'},
+    "carom_wheel_desc": {'shape': 'carom_shape'},
+    "carom_wheel": {'body': 'carom_body', 'collider': 'carom_collider'},
     "carom_contact": {'collider_a': 'carom_collider', 'collider_b': 'carom_collider', 'body_a': 'carom_body', 'body_b': 'carom_body'},
     "carom_group": {'body': 'carom_body'},
     "carom_fault": {'shape': 'carom_shape', 'body': 'carom_body', 'particles': 'carom_particles'},
@@ -797,6 +819,12 @@ FUNCTIONS = {
     "carom_world_restore": ("0.9", c_int32, (c_void_p, c_void_p, c_uint64, POINTER(carom_error),)),
     "carom_world_fork": ("0.9", c_int32, (c_void_p, POINTER(c_void_p), POINTER(carom_error),)),
     "carom_world_translate_handles": ("0.9", c_int32, (c_void_p, POINTER(c_uint64), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_vehicle_desc_init": ("0.9", c_int32, (POINTER(carom_vehicle_desc), c_uint32,)),
+    "carom_wheel_desc_init": ("0.9", c_int32, (POINTER(carom_wheel_desc), c_uint32,)),
+    "carom_vehicle_input_init": ("0.9", c_int32, (POINTER(carom_vehicle_input), c_uint32,)),
+    "carom_vehicle_init": ("0.9", c_int32, (POINTER(carom_vehicle), c_uint32,)),
+    "carom_wheel_init": ("0.9", c_int32, (POINTER(carom_wheel), c_uint32,)),
+    "carom_vehicle_drive": ("0.9", c_int32, (c_void_p, POINTER(carom_vehicle_desc), POINTER(carom_wheel_desc), c_uint64, POINTER(carom_vehicle_input), POINTER(carom_vehicle), POINTER(carom_wheel), c_double, POINTER(carom_error),)),
     "carom_world_desc_init": ("0.9", c_int32, (POINTER(carom_world_desc), c_uint32,)),
     "carom_world_create": ("0.9", c_int32, (c_void_p, POINTER(carom_world_desc), POINTER(c_void_p), POINTER(carom_error),)),
     "carom_world_destroy": ("0.9", c_int32, (c_void_p, POINTER(carom_error),)),

@@ -342,6 +342,10 @@ CAROM_RECORD_STATES: int
 CAROM_SCENERY_TWO_SIDED: int
 CAROM_SNAPSHOT_STATE: int
 CAROM_SNAPSHOT_WHOLE: int
+CAROM_VEHICLE_AUTOMATIC: int
+CAROM_VEHICLE_ACKERMANN: int
+CAROM_VEHICLE_WHEELS: int
+CAROM_NO_WHEEL: int
 CAROM_STAGE_REFRESH: int
 CAROM_STAGE_BROAD: int
 CAROM_STAGE_NARROW: int
@@ -1050,6 +1054,91 @@ class carom_shape_info(ctypes.Structure):
     inertia_error: float
     is_scenery: int
     reserved: int
+class carom_vehicle_desc(ctypes.Structure):
+    """Chassis, engine and gears. Fill with carom_vehicle_desc_init(): a car of 1.2 t, whose chassis the host names."""
+    struct_size: int
+    flags: int
+    chassis: int
+    up: Any
+    forward: Any
+    category: int
+    mask: int
+    torque_count: int
+    gear_count: int
+    torque_speeds: Any
+    torques: Any
+    idle_speed: float
+    max_speed: float
+    engine_inertia: float
+    engine_drag: float
+    gears: Any
+    reverse: float
+    final_drive: float
+    clutch_torque: float
+    shift_up: float
+    shift_down: float
+    shift_time: float
+    limited_slip: float
+class carom_wheel_desc(ctypes.Structure):
+    """One wheel: its place, spring, tyre, and what of engine, brakes and steering reaches it. Fill with
+    carom_wheel_desc_init()."""
+    struct_size: int
+    anti_roll_partner: int
+    shape: int
+    position: Any
+    radius: float
+    inertia: float
+    travel: float
+    stiffness: float
+    damping_bump: float
+    damping_rebound: float
+    anti_roll: float
+    max_steer: float
+    drive: float
+    brake: float
+    handbrake: float
+    rolling: float
+    grip: float
+    side_grip: float
+    peak_slip: float
+    side_peak_slip: float
+    slide: float
+    slide_slip: float
+    relaxation: float
+class carom_vehicle_input(ctypes.Structure):
+    """What a driver does. Fill with carom_vehicle_input_init(): nothing, in gear 1."""
+    struct_size: int
+    gear: int
+    throttle: float
+    brake: float
+    handbrake: float
+    steer: float
+class carom_vehicle(ctypes.Structure):
+    """State of engine and gears. Fill with carom_vehicle_init()."""
+    struct_size: int
+    gear: int
+    engine_speed: float
+    shifting: float
+    since_shift: float
+    speed: float
+class carom_wheel(ctypes.Structure):
+    """State of a wheel. Fill with carom_wheel_init()."""
+    struct_size: int
+    touches: int
+    body: int
+    collider: int
+    point: Any
+    normal: Any
+    position: Any
+    compression: float
+    spin: float
+    angle: float
+    steer: float
+    load: float
+    force: float
+    side_force: float
+    slip: float
+    side_slip: float
 class carom_world_desc(ctypes.Structure):
     """What a world is made from. Fill with carom_world_desc_init()."""
     struct_size: int
@@ -2216,6 +2305,38 @@ def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: 
     @param translated [n] out; may be `handles`. All of them or, where one is refused, none
     @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
             worlds); BUSY; REENTRANT   @thread reader"""
+    ...
+def carom_vehicle_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    ...
+def carom_wheel_desc_init(desc: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    ...
+def carom_vehicle_input_init(input: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    ...
+def carom_vehicle_init(vehicle: Any, struct_size: Any) -> int:
+    """At idle speed, at rest.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    ...
+def carom_wheel_init(wheel: Any, struct_size: Any) -> int:
+    """In the air, at rest.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    ...
+def carom_vehicle_drive(world: Any, desc: Any, wheel_descs: Any, n: Any, input: Any, vehicle: Any, wheels: Any, dt: Any, error: Any) -> int:
+    """Look down, turn wheels and engine through dt, and leave the mean forces for the next step, which is to take dt. They
+    add to forces that are pending. They keep a vehicle awake.
+    @param desc with a chassis
+    @param wheel_descs [n] one after another, each of the first one's struct_size
+    @param n 1 to CAROM_VEHICLE_WHEELS
+    @param input what the driver does
+    @param vehicle state, changes
+    @param wheels [n] states, change: as wheel_descs
+    @param dt s, [1e-4, 0.1]
+    @accuracy of the prediction first order in 1 ms; it leaves out what else acts on the chassis but gravity and
+              pending forces. A chassis that swings on its springs faster than a third of 1 / dt trembles. Of springs
+              stiffer than (m / 4) / 1 ms^2, m what the chassis weighs at the wheel, so much acts
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (unknown bits; a half-space or scenery as shape); *_HANDLE;
+            NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a chassis that is not dynamic, a gear that it has not); BUSY;
+            REENTRANT; OUT_OF_MEMORY"""
     ...
 def carom_world_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""

@@ -473,6 +473,89 @@ inline Argument changed_character(Context& c, bool moves) {
   return a;
 }
 
+inline Argument vehicle_desc(Context& c) {
+  auto d = fresh<carom_vehicle_desc>(carom_vehicle_desc_init);
+  using T = carom_vehicle_desc;
+  for (const Owned& body : c.own.live[kBody]) {
+    uint32_t type = 0;
+    carom_body_get_type(c.own.world, body.handle, &type, nullptr);
+    if (type == CAROM_BODY_DYNAMIC) d.chassis = body.handle;
+  }
+  d.flags = c.source.below(4);
+  Argument a = in_struct(c, d,
+                         {HOSTILE_BITS(T, flags, 3u),
+                          HOSTILE_HANDLE(T, chassis, kBody, false),
+                          HOSTILE_UNIT(T, up, 3),
+                          HOSTILE_UNIT(T, forward, 3),
+                          HOSTILE_WHOLE(T, torque_count, 1, 8),
+                          HOSTILE_WHOLE(T, gear_count, 1, 8),
+                          HOSTILE_NUMBERS(T, torque_speeds, 4, {0, 1e5}),
+                          HOSTILE_NUMBERS(T, torques, 4, {0, 1e7}),
+                          HOSTILE_NUMBERS(T, idle_speed, 1, {1, 1e5}),
+                          HOSTILE_NUMBERS(T, max_speed, 1, {90, 1e5}),
+                          HOSTILE_NUMBERS(T, engine_inertia, 1, {1e-3, 1e6}),
+                          HOSTILE_NUMBERS(T, engine_drag, 1, {0, 1e7}),
+                          HOSTILE_NUMBERS(T, gears, 5, {1e-3, 1e3}),
+                          HOSTILE_NUMBERS(T, reverse, 1, {1e-3, 1e3}),
+                          HOSTILE_NUMBERS(T, final_drive, 1, {1e-3, 1e3}),
+                          HOSTILE_NUMBERS(T, clutch_torque, 1, {0, 1e7}),
+                          HOSTILE_NUMBERS(T, shift_up, 1, {0, 1e5}),
+                          HOSTILE_NUMBERS(T, shift_down, 1, {0, 1e5}),
+                          HOSTILE_NUMBERS(T, shift_time, 1, {0, 10}),
+                          HOSTILE_NUMBERS(T, limited_slip, 1, {0, 1e7})});
+  a.impossible = !d.chassis;
+  return a;
+}
+inline Argument wheel_desc(Context& c) {
+  auto d = fresh<carom_wheel_desc>(carom_wheel_desc_init);
+  using T = carom_wheel_desc;
+  d.drive = 1, d.handbrake = 500, d.max_steer = c.between(-1, 1);
+  for (double& x : d.position) x = c.between(-1, 1);
+  if (c.source.below(3) == 2 && !c.own.live[kShape].empty()) d.shape = c.own.live[kShape][0].handle;
+  return in_struct(c, d,
+                   {HOSTILE_HANDLE(T, shape, kShape, true),        HOSTILE_NUMBERS(T, position, 3, {-1e6, 1e6}),
+                    HOSTILE_NUMBERS(T, radius, 1, {1e-3, 1e3}),    HOSTILE_NUMBERS(T, inertia, 1, {1e-9, 1e6}),
+                    HOSTILE_NUMBERS(T, travel, 1, {1e-3, 1e3}),    HOSTILE_NUMBERS(T, stiffness, 1, {0, 1e9}),
+                    HOSTILE_NUMBERS(T, damping_bump, 1, {0, 1e8}), HOSTILE_NUMBERS(T, damping_rebound, 1, {0, 1e8}),
+                    HOSTILE_NUMBERS(T, anti_roll, 1, {0, 1e9}),    HOSTILE_NUMBERS(T, max_steer, 1, {-1.5, 1.5}),
+                    HOSTILE_NUMBERS(T, drive, 1, {0, 1e3}),        HOSTILE_NUMBERS(T, brake, 1, {0, 1e7}),
+                    HOSTILE_NUMBERS(T, handbrake, 1, {0, 1e7}),    HOSTILE_NUMBERS(T, rolling, 1, {0, 1}),
+                    HOSTILE_NUMBERS(T, grip, 1, {0, 10}),          HOSTILE_NUMBERS(T, side_grip, 1, {0, 10}),
+                    HOSTILE_NUMBERS(T, peak_slip, 1, {1e-3, 1}),   HOSTILE_NUMBERS(T, side_peak_slip, 1, {1e-3, 1}),
+                    HOSTILE_NUMBERS(T, slide, 1, {0, 1}),          HOSTILE_NUMBERS(T, slide_slip, 1, {1.01, 100}),
+                    HOSTILE_NUMBERS(T, relaxation, 1, {0.01, 10})});
+}
+inline Argument vehicle_input(Context& c) {
+  auto d = fresh<carom_vehicle_input>(carom_vehicle_input_init);
+  using T = carom_vehicle_input;
+  d.throttle = c.source.unit(), d.brake = c.source.unit(), d.steer = c.between(-1, 1);
+  return in_struct(
+      c, d,
+      {HOSTILE_WHOLE(T, gear, -1, 5), HOSTILE_NUMBERS(T, throttle, 1, {0, 1}), HOSTILE_NUMBERS(T, brake, 1, {0, 1}),
+       HOSTILE_NUMBERS(T, handbrake, 1, {0, 1}), HOSTILE_NUMBERS(T, steer, 1, {-1, 1})});
+}
+inline Argument vehicle_state(Context& c) {
+  auto d = fresh<carom_vehicle>(carom_vehicle_init);
+  using T = carom_vehicle;
+  d.engine_speed = c.between(0, 500);
+  Argument a = in_struct(c, d,
+                         {HOSTILE_WHOLE(T, gear, -1, 5), HOSTILE_NUMBERS(T, engine_speed, 1, {0, 1e6}),
+                          HOSTILE_NUMBERS(T, shifting, 1, {0, 10}), HOSTILE_NUMBERS(T, since_shift, 1, {0, 1e3})});
+  a.out = const_cast<void*>(a.good.p), a.out_size = sizeof d;
+  return a;
+}
+inline Argument wheel_state(Context& c) {
+  auto d = fresh<carom_wheel>(carom_wheel_init);
+  using T = carom_wheel;
+  d.spin = c.between(-50, 50);
+  Argument a =
+      in_struct(c, d,
+                {HOSTILE_NUMBERS(T, spin, 1, {-1e5, 1e5}), HOSTILE_NUMBERS(T, angle, 1, {-3.1415926, 3.1415926}),
+                 HOSTILE_NUMBERS(T, slip, 1, {-1e3, 1e3}), HOSTILE_NUMBERS(T, side_slip, 1, {-1e3, 1e3})});
+  a.out = const_cast<void*>(a.good.p), a.out_size = sizeof d;
+  return a;
+}
+
 /// Rows of bulk calls: [handles], n, array, stride after the field and the scalar.
 struct Bulk {
   Argument field, scalar, list, n, array, stride;
@@ -1199,6 +1282,18 @@ inline const Row kRows[] = {
     ROW(carom_character_move, world(c), character_desc(c), changed_character(c, true), vector(c, 3, {-1e6, 1e6, false, -3, 3}), number(c, {0, 1e6, false, 0, 2}), number(c, {0, 1, false, 0, 0.1}), error(c)),
     ROW(carom_character_push, world(c), character_desc(c), character(c, false), number(c, {1e-9, 1, false, 0.01, 0.1}), error(c)),
     ROW(carom_character_move_body, world(c), character_desc(c, true), character(c, false), number(c, {1e-9, 1, false, 0.01, 0.1}), error(c)),
+
+    // ---- vehicles ----
+    INIT(carom_vehicle_desc_init, carom_vehicle_desc),
+    INIT(carom_wheel_desc_init, carom_wheel_desc),
+    INIT(carom_vehicle_input_init, carom_vehicle_input),
+    INIT(carom_vehicle_init, carom_vehicle),
+    INIT(carom_wheel_init, carom_wheel),
+    {"carom_vehicle_drive", [](Context& c) {
+       Argument n = fixed_number(1);
+       for (const uint64_t bad : {uint64_t(0), uint64_t(17), ~uint64_t(0)}) n.wrong.push_back({"so many wheels", of(bad), kRange});
+       return call("carom_vehicle_drive", carom_vehicle_drive, {world(c), vehicle_desc(c), wheel_desc(c), n, vehicle_input(c), vehicle_state(c), wheel_state(c), number(c, {1e-4, 0.1, false, 0.01, 0.1}), error(c)});
+     }},
 };
 
 #undef ROW
