@@ -5,6 +5,7 @@
 #include <carom/base.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 #include "core/float_scope.h"

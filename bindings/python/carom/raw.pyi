@@ -1647,8 +1647,8 @@ def carom_character_move(world: Any, desc: Any, character: Any, walk: Any, jump:
     
     On firm ground its velocity across `up` follows `walk`, on slopes and steps, too. In the air and on steep ground it
     follows `walk` plus the velocity of the ground that it left. Paths in the air are exact parabolas, so where it lands
-    does not depend on dt beyond one dt's way. Each move takes at most 60 queries. It allocates nothing but what queries
-    do.
+    does not depend on dt beyond one dt's way. On open ground a move takes three queries, in a corner about ten. It
+    allocates nothing but what queries do.
     @param desc may be NULL: defaults
     @param character all but shape, foot, head and reach may change
     @param walk [3] m/s, world, each within 1e6: what it is to move at, relative to the ground; the part along `up`
