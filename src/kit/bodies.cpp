@@ -55,7 +55,11 @@ bool add_forces(Call& call, carom_world* world, int argument, const carom_body* 
   if (!call.passed(carom_world_read(world, CAROM_FIELD_FORCE, CAROM_SCALAR_F64, bodies, n, pending, 0, &inner), inner,
                    argument))
     return false;
-  for (std::uint32_t i = 0; i < n; ++i) pending[i].force += six[i].force, pending[i].torque += six[i].torque;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    pending[i].force += six[i].force, pending[i].torque += six[i].torque;
+    if (!pending[i].force.all_finite() || !pending[i].torque.all_finite())
+      return call.fail(CAROM_E_OUT_OF_RANGE, argument, "the forces on a body are too large for numbers");
+  }
   return call.passed(carom_world_write(world, CAROM_FIELD_FORCE, CAROM_SCALAR_F64, bodies, n, pending, 0, &inner),
                      inner, argument);
 }

@@ -11,6 +11,7 @@ constexpr Real kLeast = 1e-9;      // m: a shorter motion is none
 constexpr int kMostStops = 8;      // of a motion; what is left of it then is dropped
 constexpr int kMostSteps = 3;      // of a move
 constexpr Real kStepSlack = 1e-5;  // m: a step may be higher by so much, which is more than casts err by
+constexpr Real kLeap = 100;        // m/s: ground whose pose a host moves faster has no velocity that a jump could take
 constexpr Real kUpright = 0.17;    // sine of 10 degrees: what leans back by less is a wall to one that looks for ground
 constexpr Real kLeastLift = 0.2;   // cosine: contacts that lean more do not lift the shape any farther off
 
@@ -102,7 +103,8 @@ bool Mover::follow_ground() {
   }
   if (!velocity_at(call_, world_, c_.ground_body, feet, ground_velocity_) || !follow_surface(feet, surface))
     return false;
-  if (moved && ground_velocity_.is_zero() && dt_ > 0) ground_velocity_ = way / dt_;  // moved by poses
+  const bool teleports = way.norm() > kLeap * dt_;
+  if (moved && ground_velocity_.is_zero() && !teleports) ground_velocity_ = way / dt_;  // moved by poses
   ground_velocity_ += surface;
   put(ground_velocity_, c_.ground_velocity);
   way += dt_ * surface;

@@ -23,7 +23,13 @@ Met met_of(const carom_world_hit& hit, const Vec3& motion) {
 
 }  // namespace
 
+bool Probe::can_follow(const Vec3& v) {
+  return v.all_finite() ||
+         call_.fail(CAROM_E_OUT_OF_RANGE, argument_, "something moves too far or too fast for numbers");
+}
+
 bool Probe::cast(const Vec3& from, const Vec3& motion, Real target, std::uint32_t flags, carom_body skip, Met& met) {
+  if (!can_follow(from) || !can_follow(motion)) return false;
   const double orientation[4] = {orientation_.x(), orientation_.y(), orientation_.z(), orientation_.w()};
   carom_query_shapes query{};
   query.struct_size = sizeof query;
@@ -65,6 +71,7 @@ bool Probe::sweep(const Vec3& from, const Vec3& motion, Real gap, carom_body ski
 }
 
 bool Probe::nearest(const Vec3& at, Real reach, Met& met) {
+  if (!can_follow(at)) return false;
   const double orientation[4] = {orientation_.x(), orientation_.y(), orientation_.z(), orientation_.w()};
   carom_query_shapes query{};
   query.struct_size = sizeof query;
@@ -81,6 +88,7 @@ bool Probe::nearest(const Vec3& at, Real reach, Met& met) {
 }
 
 bool Probe::ray(const Vec3& from, const Vec3& motion, Met& met) {
+  if (!can_follow(from) || !can_follow(motion)) return false;
   carom_world_hit hit;
   carom_error inner = CAROM_ERROR_INIT;
   const std::int32_t result =

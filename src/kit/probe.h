@@ -42,6 +42,8 @@ class Probe {
   bool ray(const Vec3& from, const Vec3& motion, Met& met);
 
  private:
+  /// Bodies may have numbers that are legal and too large all the same.
+  bool can_follow(const Vec3& v);
   bool cast(const Vec3& from, const Vec3& motion, Real target, std::uint32_t flags, carom_body skip, Met& met);
 
   Call& call_;

@@ -1,5 +1,7 @@
 // What it does to bodies and they to it: pushes with a bounded force, doors that close, overlap at the start, crouching,
 // filters, a body of its own; the same bits twice.
+#include <thread>
+
 #include "stage.h"
 
 namespace {
@@ -209,6 +211,34 @@ std::string bits_of_a_walk() {
 
 void the_same_bits_twice(void**) { assert_true(bits_of_a_walk() == bits_of_a_walk()); }
 
+void many_are_moved_on_threads_at_once(void**) {
+  Stage s;
+  s.body(CAROM_BODY_STATIC, s.field(40, 40, 0.5, [](double x, double z) { return 0.3 * std::sin(x) * std::sin(z); }),
+         {-10, 0, -10});
+  constexpr int kMany = 16;
+  std::vector<carom_character> alone, together;
+  const Walker first(s, {0, 1, 0});
+  for (int i = 0; i < kMany; ++i) {
+    alone.push_back(first);
+    alone.back().position[0] = i - 8;
+  }
+  together = alone;
+  const auto move = [&](carom_character& c, int i) {
+    const V walk = {std::sin(i), 0, std::cos(i)};
+    for (int k = 0; k < 200; ++k)
+      if (carom_character_move(s.world, &first.desc, &c, walk.data(), 0, kDt, nullptr) != CAROM_OK) c.position[0] = 1e9;
+  };
+  for (int i = 0; i < kMany; ++i) move(alone[static_cast<std::size_t>(i)], i);
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&, t] {
+      for (int i = t; i < kMany; i += 4) move(together[static_cast<std::size_t>(i)], i);
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < kMany; ++i) assert_memory_equal(&alone[i], &together[i], sizeof alone[i]);
+  assert_true(near_to(alone[3].position[2], std::cos(3) * 200 * kDt, 0.5));
+}
+
 void a_copy_of_the_struct_goes_back_in_time(void**) {
   Stage s;
   s.ground();
@@ -237,6 +267,7 @@ int main() {
       cmocka_unit_test(flyers_go_where_they_wish),
       cmocka_unit_test(any_direction_is_up),
       cmocka_unit_test(the_same_bits_twice),
+      cmocka_unit_test(many_are_moved_on_threads_at_once),
       cmocka_unit_test(a_copy_of_the_struct_goes_back_in_time),
   };
   return cmocka_run_group_tests_name("kit/pushes", tests, nullptr, nullptr);

@@ -110,6 +110,32 @@ void seams_of_meshes_and_fields_are_not_felt(void**) {
   }
 }
 
+/// Tiles as builders lay them: off by up to 5 cm, each a step or an edge to roll over.
+void tiles_that_are_not_quite_flush(void**) {
+  for (const int kind : {0, 1, 2})
+    for (const double off : {1e-3, 3e-3, 1e-2, 5e-2}) {
+      Stage s;
+      uint64_t state = 5;
+      for (int i = 0; i < 20; ++i)
+        for (int k = 0; k < 20; ++k) {
+          state = state * 6364136223846793005ull + 1442695040888963407ull;
+          const double top = off * static_cast<double>(state >> 40) / 16777216;
+          s.box({i * 0.7 - 1, -1, k * 0.7 - 5}, {i * 0.7 - 0.3, top, k * 0.7 - 4.3});
+        }
+      Walker w(s, {0, 0.1, 0},
+               kind == 0   ? CAROM_NULL_HANDLE
+               : kind == 1 ? s.shape("cylinder", {0.3, 0.9})
+                           : s.shape("box", {0.3, 0.9, 0.2}));
+      w.moves({0, 0, 0}, 1. / 60, 60);
+      const double x = w.position[0], z = w.position[2];
+      for (int i = 0; i < 240; ++i) {
+        w.move({2, 0, 0.5}, 1. / 60);
+        assert_true(w.firm() && w.feet() > -1e-6 && w.feet() < off + 1e-4);
+      }
+      assert_true(near_to(w.position[0] - x, 8, 1e-4) && near_to(w.position[2] - z, 2, 1e-4));
+    }
+}
+
 void hills_are_walked_at_a_steady_speed_and_never_left(void**) {
   Stage s;
   s.body(CAROM_BODY_STATIC,
@@ -174,6 +200,7 @@ int main() {
       cmocka_unit_test(firm_up_to_the_limit_and_not_beyond),
       cmocka_unit_test(seams_of_flush_boxes_are_not_felt),
       cmocka_unit_test(seams_of_meshes_and_fields_are_not_felt),
+      cmocka_unit_test(tiles_that_are_not_quite_flush),
       cmocka_unit_test(hills_are_walked_at_a_steady_speed_and_never_left),
       cmocka_unit_test(between_two_steep_slopes_it_stands),
       cmocka_unit_test(it_falls_off_a_cliff),
