@@ -18,7 +18,7 @@ void measure_contacts(const World& world, StepReport& report) {
     for (std::size_t i = first; i < last; ++i) {
       const Row& row = c.rows[i];
       const Real separation = c.geometry[i].separation;
-      if (row.p != Vec3::zero()) ++block.loaded;
+      if (leaves_impulse(world, row)) ++block.loaded;
       if (!(separation < 0)) continue;
       ++block.overlapping;
       block.depth = std::max(block.depth, -separation);

@@ -331,6 +331,67 @@ void the_edge_of_numbers_is_carried_too(void**) {
   assert_int_equal(bench_free(&b), CAROM_OK);
 }
 
+/// A body whose impulses overflow goes into quarantine. The world can still be copied, and the body starts anew.
+void impulses_that_overflow_are_forgotten(void**) {
+  const struct {
+    const char* name;
+    double mass, speed, dt, rolling;
+    bool carries;  // a ball stands on it
+  } scenes[] = {
+      {"as fuzz found it", 1.79769e308, 1, 1e-3, 0, true},
+      {"alone", 1.7e308, 100, 1e-2, 0, false},
+      {"tiny steps", 1e308, 1e9, 1e-9, 0, true},
+      {"it resists rolling", 1e306, 1e4, 1e-2, 1e3, true},
+      {"heavy, and yet in the world", 1e290, 1e5, 1e-2, 10, true},
+  };
+  int lost = 0;
+  for (const auto& scene : scenes)
+    for (std::uint32_t solver = CAROM_SOLVER_SEVERITY; solver <= CAROM_SOLVER_AUTO; ++solver) {
+      Bench b;
+      assert_int_equal(bench_make(&b, nullptr, nullptr), CAROM_OK);
+      assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, solver, nullptr), CAROM_OK);
+      assert_int_equal(carom_material_set_resistance(b.world, b.material, scene.rolling, scene.rolling, nullptr),
+                       CAROM_OK);
+      const double low[] = {0, 0.4995, 0}, above[] = {0.05, 1.498, 0}, upright[] = {0, 0, 0, 1}, none[] = {0, 0, 0};
+      const double down[] = {0.25 * scene.speed, -scene.speed, 0}, spin[] = {3, 2, 1};
+      const carom_body body = b.bodies[0];
+      assert_int_equal(carom_body_set_mass(b.world, body, scene.mass, nullptr, nullptr, nullptr), CAROM_OK);
+      assert_int_equal(carom_body_set_pose(b.world, body, low, upright, nullptr), CAROM_OK);
+      assert_int_equal(carom_body_set_velocity(b.world, body, down, spin, nullptr), CAROM_OK);
+      if (scene.carries) assert_int_equal(carom_body_set_pose(b.world, b.bodies[1], above, upright, nullptr), CAROM_OK);
+      for (int step = 0; step < 4; ++step) {
+        assert_int_equal(carom_world_step(b.world, scene.dt, nullptr), CAROM_OK);
+        carom_step_report report = {};
+        report.struct_size = sizeof report;
+        assert_int_equal(carom_world_get_report(b.world, &report, nullptr), CAROM_OK);
+        carom_world* copy = nullptr;
+        carom_growth growth{};
+        growth.struct_size = sizeof growth;
+        carom_error error = {};
+        error.struct_size = sizeof error;
+        const int32_t copied = carom_world_fork(b.world, &copy, &error);
+        if (copied != CAROM_OK) print_error("%s, solver %u: %s\n", scene.name, solver, error.message);
+        assert_int_equal(copied, CAROM_OK);
+        assert_int_equal(carom_world_destroy(copy, nullptr), CAROM_OK);
+        assert_int_equal(carom_world_measure_growth(b.world, scene.dt, 2, &growth, nullptr), CAROM_OK);
+        assert_int_equal(restore(b.world, save(b.world)), CAROM_OK);
+        if (report.quarantined_bodies == 0) continue;
+        ++lost;
+        assert_int_equal(carom_body_set_mass(b.world, body, 1, nullptr, nullptr, nullptr), CAROM_OK);
+        for (const carom_body back : {body, b.bodies[1]}) {
+          assert_int_equal(carom_body_set_pose(b.world, back, back == body ? low : above, upright, nullptr), CAROM_OK);
+          assert_int_equal(carom_body_set_velocity(b.world, back, none, none, nullptr), CAROM_OK);
+        }
+        assert_int_equal(carom_world_step(b.world, 1e-2, nullptr), CAROM_OK);
+        assert_int_equal(carom_world_get_report(b.world, &report, nullptr), CAROM_OK);
+        assert_int_equal(report.quarantined_bodies, 0);
+        break;
+      }
+      bench_free(&b);
+    }
+  assert_true(lost > 0);
+}
+
 void handles_are_translated_or_refused(void**) {
   Bench b;
   make_more(b);
@@ -612,6 +673,7 @@ int main(int argc, char** argv) {
       cmocka_unit_test(what_is_stiff_is_stiff_from_the_first_step),
       cmocka_unit_test(joints_leave_nothing_behind),
       cmocka_unit_test(the_edge_of_numbers_is_carried_too),
+      cmocka_unit_test(impulses_that_overflow_are_forgotten),
       cmocka_unit_test(handles_are_translated_or_refused),
       cmocka_unit_test(plugins_are_asked_for_by_name),
       cmocka_unit_test(shapes_are_found_again),

@@ -294,7 +294,7 @@ struct Contacts {
 
   /// What is summed up over rows, by blocks of kRowsAPart: the same sums whoever does which block.
   struct Block {
-    std::uint32_t loaded;  // rows that bear an impulse
+    std::uint32_t loaded;  // rows that leave an impulse
     std::uint32_t overlapping;
     Real depth, sum_of_depths, closing;  // m, m, m/s: the largest of those that overlap, their sum, the fastest
   };
@@ -375,6 +375,13 @@ void each_block(const World& world, const F& f) {
     const std::size_t first = b * kRowsAPart;
     f(c.blocks[b], first, std::min(first + kRowsAPart, c.rows.size()));
   });
+}
+/// Whether the next step may start from a row's impulse. What put a body into quarantine is forgotten, and so is what
+/// overflowed: a host that gives the body a pose would get it back.
+inline bool leaves_impulse(const World& world, const Row& row) {
+  const State& s = world.state;
+  const bool lost = s.quarantined_count > 0 && (s.is_lost(row.a) || s.is_lost(row.b));
+  return row.p != Vec3::zero() && finite(row.p) && !lost;
 }
 /// Keep the impulses for the next step; blocks know how many there are.
 void remember_impulses(const World& world, Impulses& to, Real h);

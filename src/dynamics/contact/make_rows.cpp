@@ -350,12 +350,12 @@ void remember_impulses(const World& world, Impulses& to, Real h) {
     auto resistance = std::lower_bound(c.resisting.begin(), c.resisting.end(), first, ends_before);
     for (std::size_t i = first; i < last; ++i) {
       const Row& row = c.rows[i];
-      if (row.p == Vec3::zero()) continue;
+      if (!leaves_impulse(world, row)) continue;
       const RowGeometry& g = c.geometry[i];
       while (resistance != c.resisting.end() && ends_before(*resistance, i)) ++resistance;
       const bool resists = resistance != c.resisting.end() && resistance->row <= i;
       *next++ = {world.pairs.place(g.pair).pair, g.place, row.p, Vec3::zero()};
-      if (resists) next[-1].moment = resistance->moment;
+      if (resists && finite(resistance->moment)) next[-1].moment = resistance->moment;
     }
   });
 }

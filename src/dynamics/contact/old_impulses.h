@@ -13,8 +13,12 @@ struct OldImpulse {
   Vec3 p;       // N s per substep, world
   Vec3 moment;  // N m s per substep, world, on B: of the pair's first point that is remembered; else zero
 
-  /// As if a substep that much longer had made it.
-  void stretch(Real by) { p *= by, moment *= by; }
+  /// As if a substep that much longer had made it; of what would overflow nothing is left.
+  void stretch(Real by) {
+    p *= by, moment *= by;
+    if (!finite(p)) p.set_zero();
+    if (!finite(moment)) moment.set_zero();
+  }
 };
 
 struct Impulses {
