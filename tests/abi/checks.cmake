@@ -19,6 +19,14 @@ add_test(NAME abi/parts COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/abi/
 add_test(NAME abi/api_signatures COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bindings/check_signatures.py
   ${PROJECT_SOURCE_DIR} ${CMAKE_C_COMPILER} $<TARGET_FILE:carom>)
 set_tests_properties(abi/api_fresh abi/api_reader abi/api_signatures abi/circles abi/parts PROPERTIES TIMEOUT 60 LABELS abi)
+# What computes in a step, and what stands on it: its bits are of no C library.
+get_property(shape_plugins DIRECTORY ${PROJECT_SOURCE_DIR}/plugins PROPERTY BUILDSYSTEM_TARGETS)
+list(FILTER shape_plugins INCLUDE REGEX "^plugin_")
+list(TRANSFORM shape_plugins REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")
+add_test(NAME abi/libm COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_libm.py ${CMAKE_NM} ${CMAKE_C_COMPILER}
+  ${CMAKE_CURRENT_BINARY_DIR}/libm $<TARGET_OBJECTS:carom_collision> $<TARGET_OBJECTS:carom_dynamics> $<TARGET_OBJECTS:carom_abi>
+  $<TARGET_OBJECTS:carom_kit> ${shape_plugins} COMMAND_EXPAND_LISTS)
+set_tests_properties(abi/libm PROPERTIES TIMEOUT 60 LABELS abi)
 carom_script_test(symbols -DLIBRARY=$<TARGET_FILE:carom> -DSANITIZE=${CAROM_SANITIZE})
 carom_script_test(arrows)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CAROM_SANITIZE)  # stubs are stubs, sanitized or not: gate/README.md

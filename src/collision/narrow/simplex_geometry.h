@@ -2,14 +2,15 @@
 #pragma once
 
 #include "collision/narrow/simplex.h"
+#include "core/multiply_add.h"
 
 namespace carom::collision {
 
-/// a b - c d with an error of 2 ulp of the result, whatever cancels.
+/// a b - c d with an error of 2 ulp of the result, whatever cancels, unless products over- or underflow.
 /// @source Kahan's difference of products, see [Jeannerod2013]
 inline Real difference_of_products(Real a, Real b, Real c, Real d) {
-  const Real cd = c * d;
-  return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+  const Exact cd = splits(c, d, 0) ? exact_product(c, d) : Exact{c * d, 0};
+  return multiply_add(a, b, -cd.value) - cd.lost;
 }
 
 inline Vec3 accurate_cross(const Vec3& a, const Vec3& b) {

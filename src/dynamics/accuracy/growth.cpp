@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/logarithm.h"
 #include "dynamics/body_state.h"
 
 namespace carom::dynamics::accuracy {
@@ -60,7 +61,7 @@ Growth measure_growth(World& one, World& other, Real dt, std::uint32_t steps) {
     factors.push_back(growth.factor);
   }
   if (growth.steps == 0 || !(growth.factor > 0)) return growth;
-  growth.rate = std::log(growth.factor) / (growth.steps * dt);
+  growth.rate = logarithm(growth.factor) / (growth.steps * dt);
   while (to_root < growth.steps && factors[to_root] * factors[to_root] < growth.factor) ++to_root;
   growth.is_sensitive = growth.factor >= kGrowthLeast && to_root >= kGrowthShare * growth.steps;
   return growth;
