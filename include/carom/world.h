@@ -104,7 +104,8 @@ typedef struct carom_step_report {
   uint64_t woke_up;            /**< bodies that woke in this step or since the one before */
   uint64_t direct_groups;      /**< of the groups, those that CAROM_SOLVER_AUTO gave to the direct solver */
   double solver_residual;      /**< m/s, how far the direct solver's solution is from Coulomb's law at the worst contact
-                                    point and substep; 0 where it had nothing to do */
+                                    point and substep; 0 where it had nothing to do. Of islands with joints, from that
+                                    law with friction as bounded by the loads of the substep before */
   uint64_t particles;          /**< in all sets */
   uint64_t quarantined_particles; /**< of them, held still since their state left the world */
   uint64_t swept_bodies;          /**< swept from pose to pose, see carom_body_set_continuous() */

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> bowling(TestWorld& t, Real x) {
   return bodies;
 }
 
-constexpr std::uint32_t kPile = 48;
+constexpr std::uint32_t kPile = 96;
 
 /// Three layers of boxes that come down on each other askew, and go to pieces.
 void loose_pile(TestWorld& t, std::uint64_t seed) {
@@ -65,11 +65,11 @@ static void it_names_what_it_chose_and_why(void**) {
   stack(t, 150, 0);
   for (int row = 0; row < 3; ++row)  // a low wall of more
     for (int i = 0; i < 40; ++i) t.add(cube, Vec3(50 + i, row + 0.5, 0));
-  for (int i = 0; i < 60; ++i) t.add(cube, Vec3(-20 - i, 0.5, 0));
+  for (int i = 0; i < 80; ++i) t.add(cube, Vec3(-20 - i, 0.5, 0));
   t.world.add_collider(t.add(nullptr, Vec3(-20, 1.5, 0)), cube, Pose{}, 1e6, Colliders::kNoMaterial);
   stack(t, 32, 40);
   t.run(100, kStep);  // what was just built is taken to bear all at any point, for a second
-  const GroupView tall = group_of(t, 150), low = group_of(t, 120), uneven = group_of(t, 61), few = group_of(t, 32);
+  const GroupView tall = group_of(t, 150), low = group_of(t, 120), uneven = group_of(t, 81), few = group_of(t, 32);
   assert_true(tall.bodies && low.bodies && uneven.bodies && few.bodies);
   assert_int_equal(t.world.report.direct_groups, 3);
   assert_true(tall.direct && tall.reason == GroupReason::sink);

@@ -221,11 +221,11 @@ static void a_capped_solve_stays_sane(void**) {
   }
   Elimination e(std::pmr::new_delete_resource());
   e.clear();
-  eliminate(0, 1, {}, ~std::uint64_t{0}, e);
+  eliminate(0, 1, {}, {}, ~std::uint64_t{0}, e);
   BlockFactor f(std::pmr::new_delete_resource());
   f.diagonal.resize(1);
   std::vector<Vec6> scratch(1);
-  ConeProblem problem{contacts, bodies.data(), 0, 1, &e, &f, scratch.data()};
+  ConeProblem problem{contacts, bodies.data(), 0, 1, &e, nullptr, &f, scratch.data()};
   const ConeSolution solution = solve_cones(problem, 1e-9, 100);
   assert_true(solution.residual > 0.5);  // there is no solution, and it says so
   assert_true(bodies[0].v.all_finite() && bodies[0].v.norm() < 1);

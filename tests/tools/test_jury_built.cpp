@@ -274,12 +274,13 @@ static void begins_as_meant(std::uint64_t seed) {
 
 /// Seeds that failed until their cause was mended: a track that went from hand to hand with its impulses (17), what was
 /// joined by two ways of solving (42, 106, 156), a wall that fell through the ground when its work ended (95), bridges whose
-/// light planks were swung by loads (18, 146), nets, cranes and tracks that soft joints tore (51, 124, 147, 273).
+/// light planks were swung by loads (18, 146), nets and tracks that soft joints tore (51, 147, 273), and a
+/// bridge whose bends gave energy where its planks hang on two hinges each (82).
 [[maybe_unused]] static void what_was_mended_stays_so(void**) {
   if (carom::test::sliced(false, false, true)) return;  // sanitizers have the slice
   Setting setting;
   setting.times = false, setting.built = true;
-  for (const std::uint64_t seed : {17, 18, 42, 51, 95, 106, 124, 146, 147, 156, 273})
+  for (const std::uint64_t seed : {17, 18, 42, 51, 82, 95, 106, 146, 147, 156, 273})
     for (const Failure& f : run(plugins(), seed, setting).verdict.failures) {
       if (f.kind != Kind::gain && f.plain_step == 0) continue;
       print_message("seed %d: %s\n", static_cast<int>(seed), name_of(f.kind));

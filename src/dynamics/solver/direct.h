@@ -76,6 +76,15 @@ void end_groups(const World& world);
 
 /// What the direct solver keeps over a step.
 struct DirectGroups {
+  /// Of groups whose joints hold bodies to each other.
+  struct Forest {
+    explicit Forest(Memory* m) : joints(m), ordered(m), nodes(m), root(m) {}
+    Array<TreeJoint> joints;    // by group
+    Array<TreeJoint> ordered;   // what elimination is for
+    Array<TreeNode> nodes;      // of groups that have any, by place
+    Array<std::uint32_t> root;  // scratch of gather_links()
+  };
+
   explicit DirectGroups(Memory* m)
       : contacts(m),
         links(m),
@@ -85,7 +94,6 @@ struct DirectGroups {
         bodies(m),
         body(m),
         edges(m),
-        edge_begin(m),
         ordered_edges(m),
         ordered_begin(m),
         elimination(m),
@@ -96,7 +104,9 @@ struct DirectGroups {
         rest(m) {}
 
   struct Begin {
-    std::uint32_t contact, body, link;
+    std::uint32_t contact, body, link, edge;
+    std::uint32_t forest, tree;  // in Forest::joints, in Forest::nodes
+    std::uint32_t lock;          // in `links`: from there on rows of the forest's joints
   };
   /// Where a row of a joint stands in WideJoints.
   struct LinkRow {
@@ -105,16 +115,15 @@ struct DirectGroups {
     bool is_drive;
     DriveKind kind;  // of a drive
   };
-  Array<ConeContact> contacts;      // by group, ascending rows
-  Array<ConeLink> links;            // by group: rows of joints
-  Array<LinkRow> link_row;          // by link
-  Array<std::uint32_t> row;         // by contact
-  Array<Begin> begin;               // [groups + 1]
-  Array<ConeBody> bodies;           // by group
-  Array<std::uint32_t> body;        // by slot: in bodies; kInvalid: in no group
-  Array<Edge> edges;                // of bodies
-  Array<std::uint32_t> edge_begin;  // [groups + 1]
-  Array<Edge> ordered_edges;        // what elimination is for
+  Array<ConeContact> contacts;  // by group, ascending rows
+  Array<ConeLink> links;        // by group: rows of joints, those of its forest last
+  Array<LinkRow> link_row;      // by link
+  Array<std::uint32_t> row;     // by contact
+  Array<Begin> begin;           // [groups + 1]
+  Array<ConeBody> bodies;       // by group
+  Array<std::uint32_t> body;    // by slot: in bodies; kInvalid: in no group
+  Array<Edge> edges;            // of bodies
+  Array<Edge> ordered_edges;    // what elimination is for
   Array<std::uint32_t> ordered_begin;
   Elimination elimination;
   BlockFactor factor;
@@ -146,9 +155,24 @@ struct DirectGroups {
     return products[group] + kWorkOfContact * (begin[group + 1].contact - begin[group].contact);
   }
 
+  std::span<const TreeJoint> forest_of(std::size_t group) const {
+    if (!has_forest()) return {};
+    return {forest_->joints.data() + begin[group].forest, begin[group + 1].forest - begin[group].forest};
+  }
+  bool has_forest() const { return forest_ != nullptr; }
+  /// Made when first asked for: most worlds have no joints.
+  Forest& forest() {
+    if (!forest_) forest_ = make_owned<Forest>(links.get_allocator().resource(), links.get_allocator().resource());
+    return *forest_;
+  }
+
   bool is_few(std::size_t group) const { return rest[group].is_few; }
   bool is_joined(std::size_t group) const { return begin[group].link < begin[group + 1].link; }
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
+  std::span<TreeNode> nodes_of(const Begin& from, const Begin& to) {
+    if (from.tree == to.tree) return {};
+    return {forest_->nodes.data() + from.tree, to.tree - from.tree};
+  }
   ConeProblem problem(std::size_t group) {
     const Begin &from = begin[group], &to = begin[group + 1];
     return {{contacts.data() + from.contact, to.contact - from.contact},
@@ -156,12 +180,18 @@ struct DirectGroups {
             from.body,
             to.body,
             &elimination,
+            links.empty() ? nullptr : elimination.scratch().node_at.data(),
             &factor,
             scratch.data(),
             0,
             0,
-            {links.data() + from.link, to.link - from.link}};
+            {links.data() + from.link, from.lock - from.link},
+            {links.data() + from.lock, to.link - from.lock},
+            nodes_of(from, to)};
   }
+
+ private:
+  Owned<Forest> forest_;
 };
 
 }  // namespace carom::dynamics

@@ -23,7 +23,7 @@ struct System {
   explicit System(std::uint32_t nodes, const std::vector<Edge>& edges, Random& random)
       : elimination(std::pmr::new_delete_resource()), factor(std::pmr::new_delete_resource()) {
     elimination.clear();
-    products = eliminate(0, nodes, edges, ~std::uint64_t{0}, elimination);
+    products = eliminate(0, nodes, edges, {}, ~std::uint64_t{0}, elimination);
     dense = Eigen::MatrixXd::Identity(6 * nodes, 6 * nodes);
     factor.diagonal.assign(nodes, Block{});
     factor.below.assign(elimination.rows.size(), Block{});
@@ -122,7 +122,7 @@ static void an_order_of_elimination_names_every_node_once_and_has_room_for_all_f
     }
     Elimination e(std::pmr::new_delete_resource());
     e.clear();
-    eliminate(0, n, edges, ~std::uint64_t{0}, e);
+    eliminate(0, n, edges, {}, ~std::uint64_t{0}, e);
     // Elimination as the textbook has it, on sets.
     std::vector<std::set<std::uint32_t>> near(n);
     for (const Edge& edge : edges) {
@@ -151,13 +151,13 @@ static void factors_solve_as_dense_ones_do(void**) {
   Random random(11);
   for (const auto& [nodes, edges] : {std::pair(1u, chain(1)), std::pair(12u, chain(12)), std::pair(25u, grid(5))}) {
     System s(nodes, edges, random);
-    assert_true(factor(s.elimination, 0, nodes, s.factor));
+    assert_true(factor(s.elimination, 0, nodes, {}, s.factor));
     Eigen::VectorXd b(6 * nodes);
     for (Eigen::Index i = 0; i < b.size(); ++i) b[i] = random.uniform(-1, 1);
     std::vector<Vec6> x(nodes);
     for (std::uint32_t i = 0; i < nodes; ++i)
       x[s.elimination.place[i]] = {Vec3::from(b.data() + 6 * i), Vec3::from(b.data() + 6 * i + 3)};
-    solve(s.elimination, 0, nodes, s.factor, x.data());
+    solve(s.elimination, 0, nodes, {}, s.factor, x.data());
     const Eigen::VectorXd truth = s.dense.llt().solve(b);
     // Condition below 1e4 (eigenvalues from 1 to 10 |J|^2): both are within 1e4 * 150 u.
     for (std::uint32_t i = 0; i < nodes; ++i)
@@ -171,10 +171,10 @@ static void a_matrix_that_is_not_definite_is_refused(void**) {
   Random random(12);
   System s(3, chain(3), random);
   s.factor.diagonal[2].x[4][4] = -1;
-  assert_false(factor(s.elimination, 0, 3, s.factor));
+  assert_false(factor(s.elimination, 0, 3, {}, s.factor));
   System nan(3, chain(3), random);
   nan.factor.diagonal[0].x[0][0] = std::nan("");
-  assert_false(factor(nan.elimination, 0, 3, nan.factor));
+  assert_false(factor(nan.elimination, 0, 3, {}, nan.factor));
 }
 
 int main() {

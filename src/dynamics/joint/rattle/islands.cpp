@@ -261,7 +261,7 @@ void couple(Rattle& r) {
       for (std::size_t k = i + 1; k < r.seats.size() && r.seats[k].body == r.seats[i].body; ++k)
         if (r.seats[i].joint != r.seats[k].joint) r.edges.push_back({r.seats[i].joint, r.seats[k].joint});
     const std::uint64_t allowed = allowed_work(island.joints, r.order);
-    const std::uint64_t work = eliminate(island.joint, island.joints, r.edges, allowed, order);
+    const std::uint64_t work = eliminate(island.joint, island.joints, r.edges, {}, allowed, order);
     if (is_dense || work > allowed) {
       island.is_held = false;
       continue;

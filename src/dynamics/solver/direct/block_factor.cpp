@@ -2,74 +2,31 @@
 #include "dynamics/solver/direct/block_factor.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace carom::dynamics {
 namespace {
 
-/// Two numbers side by side. Each goes through the operations that it would go through alone, so bits are the same.
-using TwoReals = double __attribute__((vector_size(2 * sizeof(double))));
-constexpr int kTwos = kDof / 2;
-
-/// A row of a block.
-struct RowOfTwos {
-  TwoReals at[kTwos];
-  explicit RowOfTwos(const Real* row) { std::memcpy(at, row, sizeof at); }
-  void store(Real* row) const { std::memcpy(row, at, sizeof at); }
-  void subtract(Real s, const RowOfTwos& o) {
-    const TwoReals both = {s, s};
-    for (int j = 0; j < kTwos; ++j) at[j] -= both * o.at[j];
-  }
-  void divide(Real by) {
-    const TwoReals both = {by, by};
-    for (int j = 0; j < kTwos; ++j) at[j] /= both;
-  }
-};
-
-/// a := its lower Cholesky factor; what is above the diagonal is left.
-bool factor(Block& a) {
-  for (int j = 0; j < kDof; ++j) {
-    Real d = a.x[j][j];
-    for (int k = 0; k < j; ++k) d -= a.x[j][k] * a.x[j][k];
-    // Rounding leaves d wrong by some units of the entry that it is what remains of.
-    if (!(d > 4 * kEpsilon * a.x[j][j])) return false;
-    d = std::sqrt(d);
-    a.x[j][j] = d;
-    for (int i = j + 1; i < kDof; ++i) {
-      Real s = a.x[i][j];
-      for (int k = 0; k < j; ++k) s -= a.x[i][k] * a.x[j][k];
-      a.x[i][j] = s / d;
+/// The column of a child, moved over to its parent; what is left is what its joint leaves free.
+void hand_over_column(const Elimination& e, std::uint32_t child, const TreeNode& node, BlockFactor& f) {
+  const std::uint32_t parent = node.parent;
+  std::uint32_t at_parent = 0;
+  for (std::uint32_t k = e.column[child]; k < e.column[child + 1]; ++k) {
+    Block taken = f.below[k];
+    take_along(taken, node.arm);
+    if (e.rows[k] == parent) {
+      at_parent = k;
+      add(f.diagonal[parent], taken), add(f.diagonal[parent], transposed(taken));
+    } else if (e.rows[k] > parent) {
+      add(f.below[f.at(e, e.rows[k], parent)], taken);
+    } else {
+      add(f.below[f.at(e, parent, e.rows[k])], transposed(taken));
     }
   }
-  return true;
-}
-
-Block transposed(const Block& a) {
-  Block t;
-  for (int i = 0; i < kDof; ++i)
-    for (int j = 0; j < kDof; ++j) t.x[j][i] = a.x[i][j];
-  return t;
-}
-
-/// a := a l^-T, for l lower triangular: column by column, each as a row of what is transposed.
-void divide(Block& a, const Block& l) {
-  Block t = transposed(a);
-  for (int j = 0; j < kDof; ++j) {
-    RowOfTwos column(t.x[j]);
-    for (int k = 0; k < j; ++k) column.subtract(l.x[j][k], RowOfTwos(t.x[k]));
-    column.divide(l.x[j][j]);
-    column.store(t.x[j]);
-  }
-  a = transposed(t);
-}
-
-/// c -= a b, b given as it stands.
-void subtract_product(Block& c, const Block& a, const Block& b) {
-  for (int i = 0; i < kDof; ++i) {
-    RowOfTwos row(c.x[i]);
-    for (int k = 0; k < kDof; ++k) row.subtract(a.x[i][k], RowOfTwos(b.x[k]));
-    row.store(c.x[i]);
-  }
+  Block own = f.diagonal[child];
+  hand_over(own, node.arm);
+  add(f.below[at_parent], own);
+  take_along(own, node.arm);
+  add(f.diagonal[parent], own);
 }
 
 }  // namespace
@@ -79,48 +36,100 @@ std::size_t BlockFactor::at(const Elimination& e, std::uint32_t row, std::uint32
   return static_cast<std::size_t>(std::lower_bound(begin, end, row) - e.rows.begin());
 }
 
-bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, BlockFactor& f) {
-  for (std::uint32_t j = first; j < last; ++j) {
-    if (!factor(f.diagonal[j])) return false;
-    const std::uint32_t begin = e.column[j], end = e.column[j + 1];
-    for (std::uint32_t k = begin; k < end; ++k) divide(f.below[k], f.diagonal[j]);
-    for (std::uint32_t l = begin; l < end; ++l) {
-      const std::uint32_t column = e.rows[l];
-      const Block t = transposed(f.below[l]);
-      subtract_product(f.diagonal[column], f.below[l], t);
-      // Every later row of this column is a row of that one too: walk both.
-      std::uint32_t at = e.column[column];
-      for (std::uint32_t k = l + 1; k < end; ++k) {
-        while (e.rows[at] != e.rows[k]) ++at;
-        subtract_product(f.below[at], f.below[k], t);
-      }
+namespace {
+
+/// The column of a child: what its joint leaves free of it, @see TreeNode.
+bool factor_child(const Elimination& e, std::uint32_t j, const TreeNode& node, BlockFactor& f) {
+  if (node.parent != kInvalid) hand_over_column(e, j, node, f);
+  Block diagonal;
+  if (!factor_freed(f.diagonal[j], node.basis, node.freedom, diagonal)) return false;
+  f.diagonal[j] = diagonal;
+  for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
+    f.below[k] = freed(f.below[k], node.basis, node.freedom, diagonal);
+  return true;
+}
+
+/// What a column leaves of those after it.   @param subtract  (c, a, b): c -= a b
+template <class Subtract>
+void subtract_column(const Elimination& e, std::uint32_t j, BlockFactor& f, const Subtract& subtract) {
+  const std::uint32_t begin = e.column[j], end = e.column[j + 1];
+  for (std::uint32_t l = begin; l < end; ++l) {
+    const std::uint32_t column = e.rows[l];
+    const Block t = transposed(f.below[l]);
+    subtract(f.diagonal[column], f.below[l], t);
+    // Every later row of this column is a row of that one too: walk both.
+    std::uint32_t at = e.column[column];
+    for (std::uint32_t k = l + 1; k < end; ++k) {
+      while (e.rows[at] != e.rows[k]) ++at;
+      subtract(f.below[at], f.below[k], t);
     }
+  }
+}
+
+}  // namespace
+
+bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<const TreeNode> tree,
+            BlockFactor& f) {
+  for (std::uint32_t j = first; j < last; ++j) {
+    if (!tree.empty() && tree[j - first].is_held()) {
+      const TreeNode& node = tree[j - first];
+      if (!factor_child(e, j, node, f)) return false;
+      const auto columns = static_cast<std::uint32_t>(node.freedom);
+      subtract_column(e, j, f, [&](Block& c, const Block& a, const Block& b) { subtract_product(c, a, b, columns); });
+      continue;
+    }
+    if (!factor_in_place(f.diagonal[j])) return false;
+    for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k) divide(f.below[k], f.diagonal[j]);
+    subtract_column(e, j, f, [](Block& c, const Block& a, const Block& b) { subtract_product(c, a, b); });
   }
   return true;
 }
 
-void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, const BlockFactor& f, Vec6* x) {
+namespace {
+
+/// Forwards and backwards through the column of a node with n unknowns.
+void take_from_later(const Elimination& e, std::uint32_t j, const BlockFactor& f, int n, Vec6* x) {
+  for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
+    for (int i = 0; i < kDof; ++i)
+      for (int c = 0; c < n; ++c) x[e.rows[k]][i] -= f.below[k].x[i][c] * x[j][c];
+}
+void take_from_this(const Elimination& e, std::uint32_t j, const BlockFactor& f, int n, Vec6* x) {
+  for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
+    for (int i = 0; i < kDof; ++i)
+      for (int c = 0; c < n; ++c) x[j][c] -= f.below[k].x[i][c] * x[e.rows[k]][i];
+}
+
+}  // namespace
+
+void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<const TreeNode> tree,
+           const BlockFactor& f, Vec6* x) {
+  const auto child = [&](std::uint32_t j) {
+    return !tree.empty() && tree[j - first].is_held() ? &tree[j - first] : nullptr;
+  };
   for (std::uint32_t j = first; j < last; ++j) {
-    const Block& l = f.diagonal[j];
-    for (int i = 0; i < kDof; ++i) {
-      Real s = x[j][i];
-      for (int k = 0; k < i; ++k) s -= l.x[i][k] * x[j][k];
-      x[j][i] = s / l.x[i][i];
+    const TreeNode* const node = child(j);
+    if (!node) {
+      solve_lower(f.diagonal[j], x[j]);
+      take_from_later(e, j, f, kDof, x);
+      continue;
     }
-    for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
-      for (int i = 0; i < kDof; ++i)
-        for (int c = 0; c < kDof; ++c) x[e.rows[k]][i] -= f.below[k].x[i][c] * x[j][c];
+    if (node->parent != kInvalid) x[node->parent] += handed_over(*node, x[j]);
+    x[j] = freely(*node, x[j]);
+    solve_lower(f.diagonal[j], x[j], node->freedom);
+    take_from_later(e, j, f, node->freedom, x);
   }
   for (std::uint32_t j = last; j-- > first;) {
-    for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
-      for (int i = 0; i < kDof; ++i)
-        for (int c = 0; c < kDof; ++c) x[j][c] -= f.below[k].x[i][c] * x[e.rows[k]][i];
-    const Block& l = f.diagonal[j];
-    for (int i = kDof; i-- > 0;) {
-      Real s = x[j][i];
-      for (int k = i + 1; k < kDof; ++k) s -= l.x[k][i] * x[j][k];
-      x[j][i] = s / l.x[i][i];
+    const TreeNode* const node = child(j);
+    if (!node) {
+      take_from_this(e, j, f, kDof, x);
+      solve_upper(f.diagonal[j], x[j]);
+      continue;
     }
+    take_from_this(e, j, f, node->freedom, x);
+    solve_upper(f.diagonal[j], x[j], node->freedom);
+    const Vec6 q = x[j];
+    x[j] = node->parent != kInvalid ? with_parent(*node, x[node->parent]) : Vec6::zero();
+    add_free(*node, q, x[j]);
   }
 }
 

@@ -1,17 +1,10 @@
 // A symmetric positive definite matrix of 6x6 blocks, one row of blocks a body, and its Cholesky factor in place.
 #pragma once
 
-#include "core/vec6.h"
 #include "dynamics/solver/direct/elimination.h"
+#include "dynamics/solver/direct/tree_node.h"
 
 namespace carom::dynamics {
-
-inline constexpr int kDof = 6;  // of a body: velocity, angular velocity
-
-/// Row by row.
-struct alignas(16) Block {
-  Real x[kDof][kDof];
-};
 
 /// Of a matrix that has its blocks where a factor has them.
 struct Blocks {
@@ -33,11 +26,14 @@ struct BlockFactor {
 };
 
 /// Factor the columns [first, last) of one system.
+/// @param tree  by place, from `first` on, or none: a child is what its joint leaves free, and its parent takes it along
 /// @return false: a pivot was not positive, the matrix was not definite within rounding; the factor is of no use
-bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, BlockFactor& f);
+bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<const TreeNode> tree,
+            BlockFactor& f);
 
 /// Solve with a factor, in place.
 /// @param x  by place
-void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, const BlockFactor& f, Vec6* x);
+void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<const TreeNode> tree,
+           const BlockFactor& f, Vec6* x);
 
 }  // namespace carom::dynamics

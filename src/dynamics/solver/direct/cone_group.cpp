@@ -5,6 +5,7 @@
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/direct/at_rest.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/group_sweeps.h"
 #include "dynamics/solver/direct/round.h"
@@ -28,12 +29,18 @@ void start_from_loads(ConeProblem& problem) {
   const Real share = size2 > 0 ? std::clamp(along / size2, Real(0), Real(1)) : 1;
   for (ConeContact& c : problem.contacts) c.next_p = c.start_p + share * (c.p - c.start_p);
   for (ConeLink& c : problem.links) c.next_p = c.start_p + share * (c.p - c.start_p);
+  for (ConeLink& c : problem.locks) c.next_p = c.p;
+}
+
+void start_from_these(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) c.next_p = c.p;
+  for (ConeLink& c : problem.joint_rows()) c.next_p = c.p;
 }
 
 /// Impulses that all but cancel each other where bodies are now would throw them where they will be.
 void start_from_nothing(ConeProblem& problem) {
   for (ConeContact& c : problem.contacts) c.next_p.set_zero();
-  for (ConeLink& c : problem.links) c.next_p = 0;
+  for (ConeLink& c : problem.joint_rows()) c.next_p = 0;
 }
 
 /// What was just built and stands takes the time it takes, once.
@@ -153,21 +160,37 @@ void ConeGroup::keep(Velocities& to) {
 /// Impulses, by the exact law as far as the work goes. What joints and contacts share is undetermined by it, and so is
 /// found where contacts yield first.
 void ConeGroup::find(Real goal, std::uint32_t most_steps) {
-  const bool shares = is_joined() && !problem_.contacts.empty();
-  if (shares) find_yielding(goal, most_steps);
-  const Real bears = borne(problem_);
-  find_closer(goal, most_steps);
-  if (gives_energy() && drop_bends(problem_)) find_closer(goal, most_steps);
+  if (shares()) return find_shares(goal, most_steps);
+  find_exact(goal, most_steps);
+  if (gives_energy() && drop_bends(problem_)) {
+    hold_forest_again();
+    find_exact(goal, most_steps);
+  }
   if (problem_.contacts.empty()) return;
-  solution_.is_wedged = !solution_.reached && (shares ? borne(problem_) > kFarMore * bears : is_wedged(problem_));
+  solution_.is_wedged = !solution_.reached && is_wedged(problem_);
   solution_.is_rejected = !is_sound();
   if (solution_.is_wedged || solution_.is_rejected) {
-    if (shares) return_to_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
-    if (!shares || throws(problem_)) yield_more(goal, most_steps);
-  } else if (is_few() && !shares && !solution_.reached && solution_.residual > kGiveOfContacts * most_borne(problem_)) {
+    yield_more(goal, most_steps);
+  } else if (is_few() && !solution_.reached && solution_.residual > kGiveOfContacts * most_borne(problem_)) {
     find_without_work(goal, most_steps);
   }
   solution_.residual = residual(problem_), solution_.reached = solution_.residual <= goal;
+}
+
+/// Of joints and contacts: what they bear is undetermined by the exact law, so contacts yield first, and less and less.
+void ConeGroup::find_shares(Real goal, std::uint32_t most_steps) {
+  bound_friction(problem_);
+  solution_.residual = residual_of_known_friction(problem_);
+  solution_.reached = solution_.residual <= goal;
+  if (solution_.reached) return;  // the last impulses solve it
+  find_yielding(goal, most_steps);
+  const std::uint32_t taken = solution_.factorisations;
+  solution_ = solve_closer(problem_, kGiveOfContacts, goal, std::max(most_steps, taken + kAlways) - taken);
+  solution_.factorisations += taken, ++solution_.rounds;
+  solution_.is_rejected = !is_sound();
+  if (!solution_.is_rejected) return;
+  return_to_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
+  if (throws(problem_)) yield_more(goal, most_steps);
 }
 
 /// Few bodies for which the work did not suffice are swept from where they began: what was found in part may be anything.
@@ -199,18 +222,21 @@ void ConeGroup::yield_more(Real goal, std::uint32_t most_steps) {
 }
 
 /// From the solution on: what is off by a little gives a little.
-void ConeGroup::find_closer(Real goal, std::uint32_t most_steps) {
+void ConeGroup::find_exact(Real goal, std::uint32_t most_steps) {
   const ConeSolution was = solution_;
   solution_ = solve_cones(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
   solution_.factorisations += was.factorisations, solution_.rounds += was.rounds;
 }
 
+/// Else bodies have what the last impulses give them.
+bool ConeGroup::was_solved() const { return solution_.factorisations > 0 || !problem_.tree.empty(); }
+
 bool ConeGroup::gives_energy() {
-  return solution_.factorisations > 0 && dynamics::gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]);
+  return was_solved() && dynamics::gives_energy(problem_, world_.scene.dials[Dial::velocity_tolerance]);
 }
 
 /// Neither shot out by surfaces that close, nor with more energy than before.
-bool ConeGroup::is_sound() { return solution_.factorisations == 0 || !(throws(problem_) || gives_energy()); }
+bool ConeGroup::is_sound() { return !was_solved() || !(throws(problem_) || gives_energy()); }
 
 Real ConeGroup::tolerance() const { return kDirectShare * world_.scene.dials[Dial::velocity_tolerance]; }
 
@@ -321,18 +347,20 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
     return account_work();
   }
   find(goal, most_steps);
+  find_lock_impulses(problem_);
   if (!solution_.reached && may_be_held()) {
     hold();
     return account_work();
   }
   for (int i = 0; i < kJerks && is_joined() && is_jerked(world_, problem_, link_row_, h); ++i) {
-    for (ConeLink& link : problem_.links) link.next_p = link.p;
+    for (ConeLink& link : problem_.joint_rows()) link.next_p = link.p;
     keep_links(world_, problem_, link_row_);
     start(h);
     const std::uint32_t taken = solution_.factorisations;
     solution_ = {};
     solution_.residual = residual(problem_);
     find(goal, most_steps);
+    find_lock_impulses(problem_);
     solution_.factorisations += taken;
   }
   account_work();
@@ -355,8 +383,8 @@ void ConeGroup::hold() {
 void ConeGroup::finish(Velocities& to) {
   if ((solution_.is_wedged || solution_.is_rejected) && !is_joined())
     start_from_nothing(problem_);
-  else if (solution_.is_held)
-    for (ConeContact& c : problem_.contacts) c.next_p = c.p;
+  else if (solution_.is_held || shares())
+    start_from_these(problem_);
   else if (!comes_to_rest(rest_.goal))
     start_from_loads(problem_);
   keep(to);

@@ -23,7 +23,9 @@ class ConeGroup {
   /// @param scratch  of one participant
   void lead_on(Velocities& to, Real h, Participants& scratch);
 
-  bool is_joined() const { return !problem_.links.empty(); }
+  bool is_joined() const { return !problem_.joint_rows().empty(); }
+  /// What joints and contacts bear is undetermined by the exact law.
+  bool shares() const { return is_joined() && !problem_.contacts.empty(); }
   bool is_few() const { return rest_.is_few; }
   /// Whether joints gape still, by less than half of what they did before they were parted: once more is worth it.
   bool is_nearer() const;
@@ -47,12 +49,15 @@ class ConeGroup {
   void take_along(Real h);
   bool turns_far(const ConeBody& b, Real h) const;
   void lead_back(Real h);
+  void hold_forest();
+  void hold_forest_again();
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
   void find_without_work(Real goal, std::uint32_t most_steps);
   void find_yielding(Real goal, std::uint32_t most_steps);
   void yield_more(Real goal, std::uint32_t most_steps);
-  void find_closer(Real goal, std::uint32_t most_steps);
+  void find_exact(Real goal, std::uint32_t most_steps);
+  void find_shares(Real goal, std::uint32_t most_steps);
   Real tolerance() const;
   Real goal(bool is_bounded) const;
   std::uint64_t own_work(std::uint64_t most) const;
@@ -67,6 +72,7 @@ class ConeGroup {
   void hold();
   bool is_still_at_rest(Real goal);
   bool comes_to_rest(Real goal);
+  bool was_solved() const;
   bool gives_energy();
   bool is_sound();
   void keep(Velocities& to);

@@ -26,7 +26,7 @@ struct ConeLink {
   Real p, u;
   Real start_p, next_p;  // p as the substep began; as the next one begins
 
-  Real yielding_p;  // as of a contact
+  Real yielding_p, traced_p;  // as of a contact
 
   // of a solve, of a round: as of a contact
   Real best, p0, u0, du;

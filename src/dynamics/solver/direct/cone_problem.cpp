@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dynamics/solver/direct/cone.h"
+#include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/round.h"
 
 namespace carom::dynamics {
@@ -15,7 +16,8 @@ void find_momentum(ConeProblem& problem) {
 
 void apply_impulses(ConeProblem& problem) {
   find_momentum(problem);
-  for (ConeBody& b : bodies_of(problem)) b.change = velocity_of(b, b.gradient), b.v += b.change;
+  respond(problem);
+  for (ConeBody& b : bodies_of(problem)) b.change = b.step, b.v += b.change;
   for (ConeContact& c : problem.contacts) c.u += relative<&ConeBody::change>(problem.bodies, c);
   for (ConeLink& c : problem.links) c.u += relative<&ConeBody::change>(problem.bodies, c);
 }
@@ -47,6 +49,17 @@ Real most_borne(const ConeProblem& problem) {
 }
 
 Real residual(const ConeProblem& problem) { return largest_offence(problem, slip_of); }
+
+Real residual_of_known_friction(const ConeProblem& problem) {
+  Real most2 = 0;
+  for (const ConeContact& c : problem.contacts) {
+    const Vec3 z = c.p - (c.u - c.want * c.n) / c.k;
+    most2 = std::max(most2, (c.k * (c.p - project_on_cylinder(z, c.n, c.most_friction))).squared_norm());
+  }
+  Real most = std::sqrt(most2);
+  for (const ConeLink& c : problem.links) most = std::max(most, c.offence());
+  return most;
+}
 
 namespace {
 

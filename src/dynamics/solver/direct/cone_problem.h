@@ -44,8 +44,10 @@ struct ConeContact {
   Vec3 next_p;         // N s, p as the next one begins
   Real k;              // 1/kg, mean velocity at the point per impulse there
   Real give;           // 1/kg, by which it yields: @see yielding.h
+  Real borne;          // N s, along n, in the substep before
   Real most_friction;  // N s, where friction is known: of its impulse
   Vec3 yielding_p;     // N s, of the solution with that
+  Vec3 traced_p;       // N s, @see Round::trace()
   Vec3 p;              // N s, on B, world
   Vec3 u;              // m/s, relative velocity with p and all others acting
 
@@ -63,6 +65,7 @@ struct ConeContact {
 
 struct ConeBody {
   std::uint32_t slot;
+  Vec3 place;                                   // m, of its centre of mass, set where it is of a forest
   Real mass, inv_mass;                          // kg, 1/kg
   Mat3 held_back;                               // @see held_arms.h
   Mat3 inertia, inv_inertia;                    // kg m^2, 1/(kg m^2), world; identity and zero where it does not rotate
@@ -73,7 +76,8 @@ struct ConeBody {
   bool is_led_back = false, is_led_on = false;  // @see ConeGroup::lead_back()
   Vec3 begun, ended;                            // rad/s, if led back: where the substep begins, and where it ends
   Vec6 v;                                       // m/s, rad/s
-  Vec6 before;                                  // without any impulse of this substep
+  Vec6 unheld;                                  // without any impulse of this substep
+  Vec6 before;                                  // with those alone that hold the forest's joints, @see tree.h
   Vec6 start, gained;  // with the impulses that the substep starts from; since the last substep, with them
 
   Mat3 swing;  // kg m^2, scratch: @see stiffen()
@@ -91,12 +95,20 @@ struct ConeProblem {
   ConeBody* bodies;
   std::uint32_t first, last;  // bodies
   const Elimination* elimination;
+  const std::uint32_t* nodes;  // bodies by place, where there is a forest
   BlockFactor* factor;
   Vec6* scratch;      // by place
   Real factored = 0;  // softness of the round that the factor is for, with curvatures as they stand; 0: another matrix
-  Real locked_softness = 0;  // of the locks in BlockFactor::common(); 0: that is of another solve
-  std::span<ConeLink> links{};
-  bool stood = false;  // no body was faster, before this substep, than its loads alone make it
+  Real locked_softness = 0;     // of the locks in BlockFactor::common(); 0: that is of another solve
+  std::span<ConeLink> links{};  // rows of joints that are not of the forest, and of limits and drives
+  std::span<ConeLink> locks{};  // of the forest's joints
+  std::span<TreeNode> tree{};   // by place; empty where no joint is of a forest
+  bool stood = false;           // no body was faster, before this substep, than its loads alone make it
+
+  /// The body of a node.
+  std::uint32_t body_at(std::uint32_t node) const { return nodes[first + node]; }
+  /// Rows of all joints: `links`, then `locks`.
+  std::span<ConeLink> joint_rows() const { return {links.data(), links.size() + locks.size()}; }
 };
 
 // ---- small parts that all files of this folder share ----
@@ -195,6 +207,14 @@ inline Real slip_of(const ConeContact& c) {
   return c.friction > 0 ? c.friction * (c.u - c.u.dot(c.n) * c.n).norm() : Real(0);
 }
 
+inline Block mass_block(const ConeBody& b) {
+  Block m = {};
+  for (int k = 0; k < 3; ++k) m.x[k][k] = b.mass;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m.x[3 + i][3 + j] = b.inertia(i, j);
+  return m;
+}
+
 /// (m/s)^2, of the points of a body that has velocity v, in the mean.
 inline Real speed2(const ConeBody& b, const Vec6& v) {
   return v.linear().squared_norm() + b.inertia.trace() * b.inv_mass * v.angular().squared_norm();
@@ -236,6 +256,8 @@ void return_to_impulses(ConeProblem& problem) {
 Real most_borne(const ConeProblem& problem);
 /// The largest offence of all contacts. @return m/s
 Real residual(const ConeProblem& problem);
+/// Likewise, where friction is bounded by ConeContact::most_friction.
+Real residual_of_known_friction(const ConeProblem& problem);
 
 /// Solve from the impulses that act already, until the residual is below a tolerance.
 ///

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/invalid.h"
+
 namespace carom::dynamics {
 namespace {
 
@@ -11,9 +13,15 @@ constexpr std::uint32_t kNoParent = 0xFFFFFFFFu;
 /// Nodes counted from 0; an element carries the number of the node whose elimination made it.
 class QuotientGraph {
  public:
-  QuotientGraph(std::uint32_t count, Elimination::Scratch& s) : count_(count), s_(s) {}
+  QuotientGraph(std::uint32_t first, std::uint32_t count, std::span<const TreeJoint> forest, Elimination::Scratch& s)
+      : first_(first), count_(count), forest_(forest), s_(s) {}
 
-  void start(std::uint32_t first, std::span<const Edge> edges) {
+  void start(std::span<const Edge> edges) {
+    const std::uint32_t first = first_;
+    s_.joints.assign(count_, 0), s_.joint.assign(count_, 0);
+    for (std::uint32_t k = 0; k < forest_.size(); ++k)
+      for (const std::uint32_t node : {forest_[k].a, forest_[k].b})
+        if (node != kInvalid) ++s_.joints[node - first], s_.joint[node - first] ^= k;
     s_.neighbour_begin.assign(count_ + 1, 0);
     for (const Edge& e : edges) ++s_.neighbour_begin[e.a - first + 1], ++s_.neighbour_begin[e.b - first + 1];
     for (std::uint32_t i = 0; i < count_; ++i) s_.neighbour_begin[i + 1] += s_.neighbour_begin[i];
@@ -28,12 +36,15 @@ class QuotientGraph {
     s_.link.clear(), s_.member.clear();
     s_.begin.assign(4 * count_, kNoParent);  // of an element's members, and their end; then the tournament
     s_.degree.resize(count_);
-    for (std::uint32_t i = 0; i < count_; ++i) s_.degree[i] = degree_of(i);
+    for (std::uint32_t i = 0; i < count_; ++i) s_.degree[i] = rank_of(i);
     for (std::uint32_t i = 0; i < count_; ++i) best(count_ + i) = i;
     for (std::uint32_t i = count_; i-- > 1;) best(i) = better(best(2 * i), best(2 * i + 1));
   }
 
   std::uint32_t least_degree() const { return best(1); }
+
+  /// The joint of the forest that holds a node to what is left; kInvalid where none does.
+  std::uint32_t joint_of(std::uint32_t node) const { return s_.joints[node] > 0 ? s_.joint[node] : kInvalid; }
 
   /// Eliminate a node. @return nodes that it was coupled to, directly or through nodes eliminated before
   std::span<const std::uint32_t> remove(std::uint32_t node) {
@@ -44,13 +55,17 @@ class QuotientGraph {
       s_.begin[2 * s_.link[2 * k + 1]] = kNoParent;  // absorbed
     s_.begin[2 * node] = begin, s_.begin[2 * node + 1] = end;
     set_degree(node, kNoParent);
+    if (const std::uint32_t k = joint_of(node); k != kInvalid) {
+      const std::uint32_t other = (forest_[k].a - first_ == node ? forest_[k].b : forest_[k].a);
+      if (other != kInvalid) --s_.joints[other - first_], s_.joint[other - first_] ^= k;
+    }
     for (std::uint32_t k = begin; k < end; ++k) {
       const std::uint32_t i = s_.member[k];
       s_.link.push_back(s_.first[i]);
       s_.link.push_back(node);
       s_.first[i] = static_cast<std::uint32_t>(s_.link.size() / 2 - 1);
     }
-    for (std::uint32_t k = begin; k < end; ++k) set_degree(s_.member[k], degree_of(s_.member[k]));
+    for (std::uint32_t k = begin; k < end; ++k) set_degree(s_.member[k], rank_of(s_.member[k]));
     return {s_.member.data() + begin, end - begin};
   }
 
@@ -91,7 +106,12 @@ class QuotientGraph {
     return n;
   }
 
-  std::uint32_t count_, stamp_ = 0;
+  /// Its degree; what joints of the forest hold to more than one other comes after all others.
+  std::uint32_t rank_of(std::uint32_t node) { return degree_of(node) | (s_.joints[node] > 1 ? kLater : 0); }
+
+  static constexpr std::uint32_t kLater = 0x40000000u;
+  std::uint32_t first_, count_, stamp_ = 0;
+  std::span<const TreeJoint> forest_;
   Elimination::Scratch& s_;
 };
 
@@ -102,21 +122,23 @@ static void give_up(std::uint32_t first, std::uint32_t count, std::size_t rows, 
   out.rows.resize(rows);
   out.column.resize(first + 1);
   for (std::uint32_t i = first; i < first + count; ++i) {
-    out.place[i] = i;
+    out.place[i] = i, out.scratch().node_at[i] = i, out.scratch().joint_at[i] = kInvalid;
     out.column.push_back(static_cast<std::uint32_t>(rows));
   }
 }
 
-std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges, std::uint64_t most,
-                        Elimination& out) {
-  QuotientGraph graph(count, out.scratch());
-  graph.start(first, edges);
-  out.place.resize(first + count);
+std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges,
+                        std::span<const TreeJoint> forest, std::uint64_t most, Elimination& out) {
+  QuotientGraph graph(first, count, forest, out.scratch());
+  graph.start(edges);
+  Elimination::Scratch& scratch = out.scratch();
+  out.place.resize(first + count), scratch.node_at.resize(first + count), scratch.joint_at.resize(first + count);
   std::uint64_t products = 0;
   const std::size_t begin = out.rows.size();
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t node = graph.least_degree();
-    out.place[first + node] = first + k;
+    out.place[first + node] = first + k, scratch.node_at[first + k] = first + node,
+                      scratch.joint_at[first + k] = graph.joint_of(node);
     const std::span<const std::uint32_t> below = graph.remove(node);
     for (const std::uint32_t i : below) out.rows.push_back(first + i);
     out.column.push_back(static_cast<std::uint32_t>(out.rows.size()));

@@ -13,6 +13,13 @@ struct Edge {
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
+/// A joint of a forest, and the nodes that it holds.
+struct TreeJoint {
+  std::uint32_t a, b;  // nodes, or kInvalid: what is no node
+  std::uint32_t first_row, rows;
+  friend bool operator==(const TreeJoint&, const TreeJoint&) = default;
+};
+
 /// Orders of elimination and columns of the Cholesky factors of several systems, one after the other. A system owns a
 /// run of nodes; its places are the same run.
 struct Elimination {
@@ -24,8 +31,24 @@ struct Elimination {
 
   struct Scratch {
     explicit Scratch(Memory* m)
-        : neighbour_begin(m), neighbour(m), degree(m), mark(m), first(m), link(m), begin(m), member(m) {}
+        : neighbour_begin(m),
+          neighbour(m),
+          degree(m),
+          mark(m),
+          first(m),
+          link(m),
+          begin(m),
+          member(m),
+          joints(m),
+          joint(m),
+          node_at(m),
+          joint_at(m) {}
     Array<std::uint32_t> neighbour_begin, neighbour, degree, mark, first, link, begin, member;
+    Array<std::uint32_t> joints,
+        joint;  // by node: joints of the forest that are left, and all of their numbers by exclusive or
+    // Of the order that was found last, by place: the node; and the joint of its system's forest that holds it to one
+    // eliminated later, or kInvalid.
+    Array<std::uint32_t> node_at, joint_at;
   };
   /// Made when first asked for: most worlds eliminate nothing.
   Scratch& scratch() {
@@ -43,10 +66,11 @@ struct Elimination {
 /// Add a system: minimum degree on the quotient graph, ties to the lowest node.
 /// @param first, count  nodes of the system; nodes of earlier systems are below first
 /// @param edges  within the system; repeats are harmless
+/// @param forest  joints, without loops: a node goes only once all its neighbours there but one are gone
 /// @param most  block products: what takes more is not completed, and its columns are empty
 /// @return block products that a factorisation takes; more than `most` where it was not completed
 /// @source [George1989]
-std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges, std::uint64_t most,
-                        Elimination& out);
+std::uint64_t eliminate(std::uint32_t first, std::uint32_t count, std::span<const Edge> edges,
+                        std::span<const TreeJoint> forest, std::uint64_t most, Elimination& out);
 
 }  // namespace carom::dynamics

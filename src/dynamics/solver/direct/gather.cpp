@@ -3,6 +3,7 @@
 
 #include "dynamics/solver/direct.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/load.h"
 
@@ -16,10 +17,11 @@ void reserve_groups(DirectGroups& d) {
   if (d.contacts.capacity() >= kSome) return;
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
   Elimination& e = d.elimination;
-  reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.edge_begin, d.ordered_edges, d.ordered_begin, d.scratch,
-          d.products, d.solution, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
+  reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.ordered_edges, d.ordered_begin, d.scratch, d.products,
+          d.solution, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch();
-  reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.member);
+  reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.member, s.joints, s.joint, s.node_at,
+          s.joint_at);
   s.link.reserve(2 * kSome), s.begin.reserve(2 * kSome);
 }
 
@@ -31,7 +33,8 @@ void gather(const World& world, DirectGroups& d) {
     if (b.slot < d.body.size()) d.body[b.slot] = kInvalid;
   d.links.clear(), d.link_row.clear();
   d.rest.clear(), d.row.clear(), d.begin.clear();
-  d.bodies.clear(), d.edges.clear(), d.edge_begin.clear();
+  d.bodies.clear(), d.edges.clear();
+  if (d.has_forest()) d.forest().joints.clear(), d.forest().nodes.clear();
   d.body.resize(world.scene.bodies.slots(), kInvalid);
   // Contacts of the last step are written over: to make 400 bytes of zeros of each first costs more than to fill it.
   std::size_t points = 0;
@@ -41,9 +44,14 @@ void gather(const World& world, DirectGroups& d) {
   d.contacts.resize(points);
   if (d.bodies.capacity() < c.bodies.size()) d.bodies.reserve(c.bodies.size() + c.bodies.size() / 16);
   const auto mark = [&] {
-    d.begin.push_back({static_cast<std::uint32_t>(d.row.size()), static_cast<std::uint32_t>(d.bodies.size()),
-                       static_cast<std::uint32_t>(d.links.size())});
-    d.edge_begin.push_back(static_cast<std::uint32_t>(d.edges.size()));
+    const auto size = [](const auto& of) { return static_cast<std::uint32_t>(of.size()); };
+    d.begin.push_back({.contact = size(d.row),
+                       .body = size(d.bodies),
+                       .link = size(d.links),
+                       .edge = size(d.edges),
+                       .forest = d.has_forest() ? size(d.forest().joints) : 0,
+                       .tree = 0,
+                       .lock = size(d.links)});
   };
   for (std::size_t g = 0; g < c.groups(); ++g) {
     if (!c.solved_directly(g)) continue;
@@ -56,7 +64,7 @@ void gather(const World& world, DirectGroups& d) {
       contact.a = d.node(row.moves_a, row.a);
       contact.b = d.node(row.moves_b, row.b);
       const bool coupled = contact.a != kInvalid && contact.b != kInvalid;
-      if (coupled && (d.edges.size() == d.edge_begin.back() || d.edges.back() != Edge{contact.a, contact.b}))
+      if (coupled && (d.edges.size() == d.begin.back().edge || d.edges.back() != Edge{contact.a, contact.b}))
         d.edges.push_back({contact.a, contact.b});
       d.row.push_back(i);
     }
@@ -67,16 +75,39 @@ void gather(const World& world, DirectGroups& d) {
 
 /// Find an order of elimination, unless the bodies hang together as they did in the last step.
 void order(DirectGroups& d, std::uint64_t most_factor) {
-  if (d.edges == d.ordered_edges && d.edge_begin == d.ordered_begin && d.bodies.size() == d.elimination.place.size())
+  if (d.edges == d.ordered_edges && std::ranges::equal(d.begin, d.ordered_begin, {}, &DirectGroups::Begin::edge) &&
+      (!d.has_forest() || d.forest().joints == d.forest().ordered) && d.bodies.size() == d.elimination.place.size())
     return;
   d.elimination.clear();
   d.products.resize(d.groups());
   for (std::size_t g = 0; g < d.groups(); ++g)
     d.products[g] = eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
-                              {d.edges.data() + d.edge_begin[g], d.edge_begin[g + 1] - d.edge_begin[g]}, most_factor,
-                              d.elimination);
+                              {d.edges.data() + d.begin[g].edge, d.begin[g + 1].edge - d.begin[g].edge}, d.forest_of(g),
+                              most_factor, d.elimination);
   d.scratch.resize(d.bodies.size());
-  d.ordered_edges = d.edges, d.ordered_begin = d.edge_begin;
+  d.ordered_edges = d.edges, d.ordered_begin.resize(d.begin.size());
+  std::ranges::transform(d.begin, d.ordered_begin.begin(), &DirectGroups::Begin::edge);
+  if (d.has_forest()) d.forest().ordered = d.forest().joints;
+}
+
+/// Nodes of the forests, in the order of elimination. What is too large to be factored has none, and all rows.
+void plant_forests(DirectGroups& d, std::uint64_t most_factor) {
+  if (!d.has_forest()) return;
+  Array<TreeNode>& nodes = d.forest().nodes;
+  for (std::size_t g = 0; g < d.groups(); ++g) {
+    DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
+    const std::span<const TreeJoint> forest = d.forest_of(g);
+    from.tree = static_cast<std::uint32_t>(nodes.size());
+    to.tree = from.tree;
+    if (forest.empty()) continue;
+    if (d.newton_work(g) > most_factor) {
+      from.lock = to.link;
+      continue;
+    }
+    nodes.resize(from.tree + to.body - from.body);
+    to.tree = static_cast<std::uint32_t>(nodes.size());
+    plant({nodes.data() + from.tree, to.tree - from.tree}, forest, d.elimination, from.body);
+  }
 }
 
 /// Where in the factor each contact and each row of a joint couples its bodies. (Of a group that is too large to be
@@ -99,6 +130,7 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   DirectGroups& d = *world.direct;
   gather(world, d);
   order(d, most_factor);
+  plant_forests(d, most_factor);
   const std::size_t matrices = d.links.empty() ? 1 : 2;
   remake(d.factor.diagonal, matrices * d.bodies.size()), remake(d.factor.below, matrices * d.elimination.rows.size());
   place_contacts(d);

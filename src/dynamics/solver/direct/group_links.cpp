@@ -12,8 +12,9 @@ namespace {
 
 // Of f r h^2 / 2 over an inertia, beyond which a body is stiffened: f r h^2 < 4 I is where turns across a force hold.
 constexpr Real kSwing = 2;
-constexpr Real kNowhere = 1e30;    // m/s or rad/s, where nothing gets
-constexpr Real kLeastDrag = 1e-9;  // of a spring: with less its give is beyond measure
+constexpr std::uint32_t kLeastLocks = 3;  // of a joint of a forest: fewer leave so much free that a row costs less
+constexpr Real kNowhere = 1e30;           // m/s or rad/s, where nothing gets
+constexpr Real kLeastDrag = 1e-9;         // of a spring: with less its give is beyond measure
 
 /// One lane alone: groups that share lanes are solved by several threads.
 Real& at(Lanes& to, std::uint32_t lane) { return reinterpret_cast<Real*>(&to)[lane]; }
@@ -81,25 +82,89 @@ Real locked_response(const ConeBody& b, const Vec3& d, const Vec3& turn) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a joint may be one of a forest: it locks enough to be worth it, of bodies that impulses move as they like.
+bool may_be_of_forest(const World& world, const Link& link, const JointLanes& joint) {
+  const auto is_free = [&](bool moves, std::uint32_t body) {
+    return !moves || (rotates(world.scene, body) && world.scene.locks_of(body) == 0);
+  };
+  return joint.layout.equalities >= kLeastLocks && is_free(link.moves_a, link.a) && is_free(link.moves_b, link.b);
+}
+
+/// Of a tree that is being joined: bodies of the group, from 1 on; 0 is what impulses do not move.
+class Roots {
+ public:
+  Roots(Array<std::uint32_t>& root, std::uint32_t first, std::uint32_t bodies) : root_(root), first_(first) {
+    root_.resize(bodies + 1);
+    for (std::uint32_t i = 0; i <= bodies; ++i) root_[i] = i;
+  }
+  /// @return whether the two were not yet of one tree
+  bool join(std::uint32_t a, std::uint32_t b) {
+    a = root(a), b = root(b);
+    root_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+ private:
+  std::uint32_t root(std::uint32_t body) {
+    std::uint32_t i = body == kInvalid ? 0 : body - first_ + 1;
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  }
+  Array<std::uint32_t>& root_;
+  std::uint32_t first_;
+};
+
+}  // namespace
+
 void gather_links(const World& world, DirectGroups& d, std::size_t group) {
   const Contacts& c = *world.contacts;
   const WideJoints& w = *world.wide_joints;
+  DirectGroups::Begin& begin = d.begin.back();
   if (c.group_link_begin.empty()) return;
-  for (std::uint32_t k = c.group_link_begin[group]; k < c.group_link_begin[group + 1]; ++k) {
-    const std::uint32_t i = c.group_links[k];
+  const std::span<const std::uint32_t> joints(c.group_links.data() + c.group_link_begin[group],
+                                              c.group_link_begin[group + 1] - c.group_link_begin[group]);
+  const auto lanes_of = [&](std::uint32_t i) -> const JointLanes& { return w.joints[w.place[i].lanes]; };
+  const auto add_rows = [&](std::uint32_t i, std::uint32_t first, std::uint32_t count, bool drives) {
     const Link& link = c.links[i];
     const WideJoints::Place& place = w.place[i];
-    const JointLanes& joint = w.joints[place.lanes];
+    for (std::uint32_t r = 0; r < count; ++r) {
+      ConeLink& to = d.links.emplace_back();
+      to.a = d.node(link.moves_a, link.a), to.b = d.node(link.moves_b, link.b);
+      d.link_row.push_back(
+          {first + r, place.lane, place.lanes, drives, drives ? lanes_of(i).layout.drive[r].kind : DriveKind::limit});
+    }
+  };
+  for (const std::uint32_t i : joints) {
+    const Link& link = c.links[i];
     const std::uint32_t a = d.node(link.moves_a, link.a), b = d.node(link.moves_b, link.b);
     if (a != kInvalid && b != kInvalid) d.edges.push_back({a, b});
-    const auto add_row = [&](std::uint32_t row, bool is_drive, DriveKind kind) {
-      ConeLink& to = d.links.emplace_back();
-      to.a = a, to.b = b;
-      d.link_row.push_back({row, place.lane, place.lanes, is_drive, kind});
-    };
-    for (std::uint32_t r = 0; r < joint.layout.equalities; ++r) add_row(joint.first + r, false, DriveKind::limit);
-    for (std::uint32_t r = 0; r < joint.layout.drives; ++r)
-      add_row(joint.first_drive + r, true, joint.layout.drive[r].kind);
+  }
+  // What locks most is of the forest first: fewer rows are left.
+  Roots roots(d.forest().root, begin.body, static_cast<std::uint32_t>(d.bodies.size()) - begin.body);
+  Array<std::uint32_t>& of_forest = d.elimination.scratch().member;
+  of_forest.clear();
+  for (std::uint32_t locks = kDof; locks >= kLeastLocks; --locks)
+    for (const std::uint32_t i : joints) {
+      const Link& link = c.links[i];
+      if (lanes_of(i).layout.equalities == locks && may_be_of_forest(world, link, lanes_of(i)) &&
+          roots.join(d.node(link.moves_a, link.a), d.node(link.moves_b, link.b)))
+        of_forest.push_back(i);
+    }
+  std::ranges::sort(of_forest);
+  for (const std::uint32_t i : joints) {
+    const JointLanes& joint = lanes_of(i);
+    if (!std::ranges::binary_search(of_forest, i)) add_rows(i, joint.first, joint.layout.equalities, false);
+    add_rows(i, joint.first_drive, joint.layout.drives, true);
+  }
+  begin.lock = static_cast<std::uint32_t>(d.links.size());
+  for (const std::uint32_t i : of_forest) {
+    const Link& link = c.links[i];
+    const std::uint32_t locks = lanes_of(i).layout.equalities;
+    d.forest().joints.push_back({d.node(link.moves_a, link.a), d.node(link.moves_b, link.b),
+                                 static_cast<std::uint32_t>(d.links.size()) - begin.lock, locks});
+    add_rows(i, lanes_of(i).first, locks, false);
   }
 }
 
@@ -109,8 +174,8 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
   // A lock asks for the bend of its arm where nothing else bears it. In contact that target gives energy: a taut chain
   // under loads feeds itself.
   const bool bends = phase == LinkPhase::move && problem.contacts.empty();
-  for (std::size_t i = 0; i < problem.links.size(); ++i) {
-    ConeLink& c = problem.links[i];
+  for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
+    ConeLink& c = problem.joint_rows()[i];
     const DirectGroups::LinkRow& at_row = rows[i];
     const JointRowLanes& row = row_at(w, at_row);
     const JointLanes& joint = w.joints[at_row.joint];
@@ -163,11 +228,11 @@ void find_swings(const World& world, ConeProblem& problem, const DirectGroups::L
     const Real r1 = std::sqrt(r2);
     problem.bodies[body].swing += (force * r1) * (Mat3::identity() - outer(r, r) / r2);
   };
-  for (std::size_t i = 0, next; i < problem.links.size(); i = next) {
+  for (std::size_t i = 0, next; i < problem.joint_rows().size(); i = next) {
     const JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
     Vec3 p_a = Vec3::zero(), p_b = Vec3::zero();
-    for (next = i; next < problem.links.size() && rows[next].joint == rows[i].joint && rows[next].lane == lane;
+    for (next = i; next < problem.joint_rows().size() && rows[next].joint == rows[i].joint && rows[next].lane == lane;
          ++next) {
       const JointRowLanes& row = row_at(w, rows[next]);
       const Real p = impulse(next, row);
@@ -175,15 +240,15 @@ void find_swings(const World& world, ConeProblem& problem, const DirectGroups::L
       p_b += p * get(row.d, lane);
     }
     // Half of the load comes after the move.
-    add_to(problem.links[i].a, get(joint.r_a, lane), 2 * p_a.norm() * h);
-    add_to(problem.links[i].b, get(joint.r_b, lane), 2 * p_b.norm() * h);
+    add_to(problem.joint_rows()[i].a, get(joint.r_a, lane), 2 * p_a.norm() * h);
+    add_to(problem.joint_rows()[i].b, get(joint.r_b, lane), 2 * p_b.norm() * h);
   }
 }
 
 }  // namespace
 
 bool is_jerked(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h) {
-  find_swings(world, problem, rows, h, [&](std::size_t i, const JointRowLanes&) { return problem.links[i].p; });
+  find_swings(world, problem, rows, h, [&](std::size_t i, const JointRowLanes&) { return problem.joint_rows()[i].p; });
   return std::ranges::any_of(bodies_of(problem), [](const ConeBody& b) {
     return b.swing.trace() / 4 > 2 * b.inertia.trace() / 3;  // as it is now, stiffer perhaps
   });
@@ -208,8 +273,8 @@ void measure_links(ConeProblem& problem) {
 
 void accumulate_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
-  for (std::size_t i = 0; i < problem.links.size(); ++i) {
-    const ConeLink& c = problem.links[i];
+  for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
+    const ConeLink& c = problem.joint_rows()[i];
     JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
     const Vec3 turn = get(row_at(w, rows[i]).w_b, lane) - get(joint.r_b, lane).cross(c.d_b);
@@ -220,14 +285,14 @@ void accumulate_links(const World& world, const ConeProblem& problem, const Dire
 
 void keep_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
-  for (std::size_t i = 0; i < problem.links.size(); ++i)
-    at(row_at(w, rows[i]).p, rows[i].lane) = problem.links[i].next_p;
+  for (std::size_t i = 0; i < problem.joint_rows().size(); ++i)
+    at(row_at(w, rows[i]).p, rows[i].lane) = problem.joint_rows()[i].next_p;
 }
 
 Real worst_error(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   const WideJoints& w = *world.wide_joints;
   Real worst = 0;
-  for (std::size_t i = 0; i < problem.links.size(); ++i) {
+  for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
     const Real x = get(row_at(w, rows[i]).error, rows[i].lane);
     if (!rows[i].is_drive) {
       worst = std::max(worst, std::fabs(x));

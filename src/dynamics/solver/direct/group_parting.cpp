@@ -5,6 +5,7 @@
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/load.h"
 #include "dynamics/solver/direct/yielding.h"
@@ -47,7 +48,7 @@ Real ConeGroup::measure() {
 Real ConeGroup::asked() const {
   Real asked = 0;
   for (const ConeContact& c : problem_.contacts) asked = std::max(asked, c.want);
-  for (const ConeLink& c : problem_.links)
+  for (const ConeLink& c : problem_.joint_rows())
     if (c.most > 0) asked = std::max({asked, c.low, -c.high});
   return asked;
 }
@@ -77,7 +78,7 @@ void ConeGroup::part(Poses& to, Real h) {
   const bool overlaps = measure() < -1;
   if (!overlaps && !(rest_.gap > tolerable_gap())) return;
   each([&](ConeContact& contact, std::uint32_t row) {
-    contact.p.set_zero(), contact.u.set_zero();
+    contact.p.set_zero();
     contact.friction = 0;
     const Real depth = tolerable_depth(world_, c_.geometry[row]);
     tolerance = std::min(tolerance, depth);
@@ -85,6 +86,8 @@ void ConeGroup::part(Poses& to, Real h) {
   });
   for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
   load_links(world_, problem_, link_row_, LinkPhase::part, h);
+  hold_forest();
+  for (ConeContact& c : problem_.contacts) c.u = relative<&ConeBody::v>(problem_.bodies, c);
   measure_links(problem_);
   const Real most_asked = asked();
   let_locks_yield();
@@ -110,9 +113,11 @@ void ConeGroup::settle(Velocities& to, Real h) {
   turn_frames();
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);
+  hold_forest();
   measure_links(problem_);
   const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
   solution_.factorisations += solution.factorisations;
+  find_lock_impulses(problem_);
   accumulate_links(world_, problem_, link_row_);
   for (ConeBody& b : bodies_of(problem_)) store(to, b);
 }

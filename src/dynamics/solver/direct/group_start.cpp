@@ -7,6 +7,7 @@
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/load.h"
 #include "dynamics/solver/direct/yielding.h"
@@ -124,6 +125,22 @@ void ConeGroup::lead_back(Real h) {
   }
 }
 
+/// Velocities at which joints of the forest hold, and nothing else acts.
+void ConeGroup::hold_forest() {
+  for (ConeBody& b : bodies_of(problem_)) b.unheld = b.v, b.place = s_.x[b.slot];
+  articulate(problem_);
+  obey_locks(problem_);
+  for (ConeBody& b : bodies_of(problem_)) b.before = b.v;
+}
+
+/// Of a forest of which something else is asked now: as the substep begins, without impulses of other rows.
+void ConeGroup::hold_forest_again() {
+  for (ConeBody& b : bodies_of(problem_)) b.v = b.unheld;
+  obey_locks(problem_);
+  for (ConeBody& b : bodies_of(problem_)) b.before = b.v;
+  drop_impulses(problem_);
+}
+
 /// Velocities with the impulses that contacts start from.   @return the least separation, in tolerable depths
 Real ConeGroup::start(Real h) {
   Real least = kInfinity;
@@ -161,11 +178,12 @@ Real ConeGroup::start(Real h) {
     contact.want = std::min(Real(0), closes_anyway - separation / h);
     const TurningPair* const turning_pairs = led_by(i);
     contact.p = contact.start_p = turning_pairs ? lead_of(world_, *turning_pairs, h).taken_on(row.p, row.n, h) : row.p;
+    contact.borne = std::max(Real(0), contact.p.dot(contact.n));
     add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
   });
   if (is_joined()) stiffen(world_, problem_, link_row_, h);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
-  for (ConeBody& b : bodies_of(problem_)) b.before = b.v;
+  hold_forest();
   for (ConeLink& link : problem_.links)
     if (link.is_spring()) link.p = link.start_p = link.alone(relative<&ConeBody::before>(problem_.bodies, link));
   for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
@@ -174,8 +192,9 @@ Real ConeGroup::start(Real h) {
     for (ConeLink& link : problem_.links) link.p *= share, link.start_p = link.p;
     for (ConeBody& b : bodies_of(problem_)) b.gradient = share * b.gradient;
   }
+  respond(problem_);
   for (ConeBody& b : bodies_of(problem_)) {
-    b.change = velocity_of(b, b.gradient);
+    b.change = b.step;
     b.start = b.v += b.change;
     b.gained += b.v;
   }

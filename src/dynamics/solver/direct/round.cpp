@@ -1,5 +1,6 @@
 // Newton's method with an exact line search.
 #include "dynamics/solver/direct/round.h"
+#include "dynamics/solver/direct/forest.h"
 
 #include <algorithm>
 
@@ -11,9 +12,9 @@ Round::Round(ConeProblem& problem, Real softness) : problem_(problem), softness_
   for (ConeBody& b : bodies_of(problem_)) b.change.set_zero();
 }
 
-Round::Round(ConeProblem& problem) : Round(problem, 0) {
-  is_known_ = true;
-  save_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
+Round::Round(ConeProblem& problem, Real softness, Friction friction) : Round(problem, softness) {
+  is_known_ = friction == Friction::known;
+  if (is_known_) save_impulses<&ConeContact::traced_p, &ConeLink::traced_p>(problem_);
 }
 
 void Round::take_back() {
@@ -49,8 +50,8 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
     for (ConeLink& c : problem_.links) c.u += length * c.du;
   }
   if (is_known_ && !is_reached) {
-    for (ConeContact& c : problem_.contacts) c.p = c.yielding_p;
-    for (ConeLink& c : problem_.links) c.p = c.yielding_p;
+    for (ConeContact& c : problem_.contacts) c.p = c.traced_p;
+    for (ConeLink& c : problem_.links) c.p = c.traced_p;
   }
   accept();
   return steps;
@@ -69,11 +70,11 @@ void Round::trace(Real length) {
     Vec3 next = c.p;
     if (c.curvature == ConeCurvature::alike) next -= c.du / resistance(c);
     if (c.curvature == ConeCurvature::slope) next -= slope(c) * c.du;
-    c.yielding_p += length * (next - c.yielding_p);
+    c.traced_p += length * (next - c.traced_p);
   }
   for (ConeLink& c : problem_.links) {
     const Real next = c.p - (c.is_held ? c.du / (resistance(c) + c.give) : 0);
-    c.yielding_p += length * (next - c.yielding_p);
+    c.traced_p += length * (next - c.traced_p);
   }
 }
 
@@ -94,7 +95,7 @@ Real Round::find_gradient() {
     c.p = c.k > 0 ? c.pulled(c.u, resistance(c), c.p0) : 0;
     add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
-  for (ConeBody& b : bodies_of(problem_)) b.step = velocity_of(b, b.gradient);
+  respond(problem_);
   Real most = 0;
   for (const ConeContact& c : problem_.contacts)
     most = std::max(most, relative<&ConeBody::step>(problem_.bodies, c).squared_norm());
@@ -110,7 +111,8 @@ Round::NextFactor Round::find_factor(Real still) {
   if (is_same && problem_.factored == factored_as()) return NextFactor::same;
   problem_.factored = 0;
   assemble();
-  if (!factor(*problem_.elimination, problem_.first, problem_.last, *problem_.factor)) return NextFactor::none;
+  if (!factor(*problem_.elimination, problem_.first, problem_.last, problem_.tree, *problem_.factor))
+    return NextFactor::none;
   problem_.factored = factored_as();
   return NextFactor::another;
 }
@@ -239,7 +241,8 @@ void Round::accept() {
   for (ConeBody& b : bodies_of(problem_)) b.gradient.set_zero();
   for (ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
   for (ConeLink& c : problem_.links) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
-  for (ConeBody& b : bodies_of(problem_)) b.change = velocity_of(b, b.gradient), b.v += b.change;
+  respond(problem_);
+  for (ConeBody& b : bodies_of(problem_)) b.change = b.step, b.v += b.change;
   for (ConeContact& c : problem_.contacts) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
   for (ConeLink& c : problem_.links) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
 }

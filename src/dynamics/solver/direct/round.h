@@ -11,13 +11,13 @@ namespace carom::dynamics {
 /// Minimises over velocities v
 ///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(z)|^2 / 2,   z = p0 - (y + give p0) / R,   R = softness * k + give,
 /// whose gradient is nought where momentum and the impulses P_K(z) agree.
-/// Where contacts yield and friction is known, that is the whole problem (yielding.h): R = give at contacts, whose last
-/// impulses it does not keep to, and K the half of a cylinder.
+/// Where friction is known K is the half of a cylinder; and where contacts yield (yielding.h) R = give, without
+/// their last impulses.
 class Round {
  public:
   Round(ConeProblem& problem, Real softness);
-  /// Where friction is known.
-  explicit Round(ConeProblem& problem);
+  enum class Friction { coulomb, known };
+  Round(ConeProblem& problem, Real softness, Friction friction);
 
   /// @param tolerance  m/s, of contact velocities   @return Newton steps taken
   std::uint32_t minimise(Real tolerance, std::uint32_t most_steps);
@@ -31,7 +31,8 @@ class Round {
   Real resistance(const ConeLink& c) const { return (c.is_lock() ? softness_of_locks() : softness_of_drives()) * c.k; }
   Real softness_of_locks() const { return is_known_ ? kSoftnessOfLocks : std::min(kSoftnessOfLocks, softness_); }
   Real softness_of_drives() const { return is_known_ ? kSoftnessOfLocks : softness_; }
-  /// What tells the factor of this round from others: softness where that differs, -1 where contacts yield.
+  /// What tells the factor of this round from others: softness where that differs, -1 where friction is known, since contacts
+  /// resist alike there in every round.
   Real factored_as() const { return is_known_ ? -1 : softness_; }
   Vec3 project(const ConeContact& c, const Vec3& z) const {
     return is_known_ ? project_on_cylinder(z, c.n, c.most_friction) : project_on_cone(z, c.n, c.friction);

@@ -90,13 +90,7 @@ void add_link(const Elimination& e, const Blocks& f, const ConeLink& c, Real w) 
 
 void assemble_masses(const ConeProblem& problem, const Blocks& f) {
   const Elimination& e = *problem.elimination;
-  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
-    const ConeBody& b = problem.bodies[i];
-    Block& d = f.diagonal[e.place[i]];
-    d = {};
-    for (int k = 0; k < 3; ++k) d.x[k][k] = b.mass;
-    add(d, 3, 3, b.inertia);
-  }
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) f.diagonal[e.place[i]] = mass_block(problem.bodies[i]);
   std::fill(f.below + e.column[problem.first], f.below + e.column[problem.last], Block{});
 }
 
@@ -142,7 +136,7 @@ void solve_for_steps(ConeProblem& problem, Real sign) {
     x = sign * problem.bodies[i].gradient;
     hold(problem.bodies[i], x);
   }
-  solve(e, problem.first, problem.last, *problem.factor, problem.scratch);
+  solve(e, problem.first, problem.last, problem.tree, *problem.factor, problem.scratch);
   for (std::uint32_t i = problem.first; i < problem.last; ++i) problem.bodies[i].step = problem.scratch[e.place[i]];
 }
 

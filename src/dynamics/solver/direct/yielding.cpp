@@ -6,6 +6,7 @@
 
 #include "dynamics/joint/energy_bound.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
+#include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/round.h"
 #include "dynamics/solver/direct/yielding_constants.h"
 
@@ -49,21 +50,40 @@ bool is_driven(const ConeProblem& problem) {
   return std::ranges::any_of(problem.contacts, [](const ConeContact& c) { return c.surface != c.curve; });
 }
 
+void bound_friction(ConeProblem& problem) {
+  for (ConeContact& c : problem.contacts) {
+    const Real closing = (c.want - c.u.dot(c.n)) / c.k;  // N s; what begins to bear: as alone
+    c.most_friction = c.friction * (c.borne > 0 ? c.borne : std::max(Real(0), closing));
+  }
+}
+
 ConeSolution solve_yielding(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps) {
   for (ConeContact& c : problem.contacts) {
-    const Real borne = c.start_p.dot(c.n),
-               closing = (c.want - c.u.dot(c.n)) / c.k;  // N s; what begins to bear: as alone
-    c.give = give * c.k;
-    c.slip = 0, c.most_friction = c.friction * std::max(Real(0), borne > 0 ? borne : closing);
+    c.give = give * c.k, c.slip = 0;
   }
+  bound_friction(problem);
   problem.factored = problem.locked_softness = 0;
   ConeSolution solution;
-  Round round(problem);
+  Round round(problem, 0, Round::Friction::known);
   solution.factorisations = round.minimise(tolerance, most_steps);
   solution.rounds = 1;
   for (ConeContact& c : problem.contacts) c.give = 0;
   solution.residual = residual(problem);
   return solution;
+}
+
+ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps) {
+  ConeSolution solution;
+  while (true) {
+    for (ConeContact& c : problem.contacts)
+      if (c.borne == 0) c.most_friction = c.friction * std::max(Real(0), c.p.dot(c.n));
+    solution.residual = residual_of_known_friction(problem);
+    solution.reached = solution.residual <= tolerance;
+    if (solution.reached || solution.rounds == kRoundsCloser || solution.factorisations >= most_steps) return solution;
+    Round round(problem, give, Round::Friction::known);
+    solution.factorisations += round.minimise(kOfYielding * tolerance, most_steps - solution.factorisations);
+    ++solution.rounds;
+  }
 }
 
 bool throws(const ConeProblem& problem) {
@@ -85,12 +105,13 @@ bool throws(const ConeProblem& problem) {
 // Over a share s they take -(s p.u + s^2 p.A p / 2) of the energy of relative motion: least at s = -p.u / p.A p, and
 // more at 1 than at 0 where that is below a half. A spring's u counts from what it asks for, and its give is in A: it
 // may give energy.
-Real share_that_helps(const ConeProblem& problem) {
+Real share_that_helps(ConeProblem& problem) {
   if (problem.contacts.empty()) return 1;
+  respond(problem);
   Real along = 0, size2 = 0;
   for (const ConeBody& b : bodies_of(problem)) {
     along += b.gradient.dot(b.before);
-    size2 += b.gradient.dot(velocity_of(b, b.gradient));
+    size2 += b.gradient.dot(b.step);
   }
   for (const ConeContact& c : problem.contacts) along += c.p.dot(c.surface);
   for (const ConeLink& c : problem.links) {
@@ -101,29 +122,26 @@ Real share_that_helps(const ConeProblem& problem) {
   return best < 0.5 ? std::max(best, Real(0)) : 1;
 }
 
-// Bodies gain G.(v + v')/2 by a momentum G, of which surfaces give -p.surface. Contacts and joints are
-// taken together: what a joint pulls into a contact would else have its energy from there. What a drive gives is its
-// business. What bends give by a turn t of an arm in a substep is t^2/4 of the energy, and comes back after the move.
+// What bodies gain, less what surfaces give, which is -p.surface. Contacts and joints are taken together: what a joint
+// pulls into a contact would else have its energy from there. What a drive gives is its business. What bends give by a
+// turn t of an arm in a substep is t^2/4 of the energy, and comes back after the move.
 bool gives_energy(ConeProblem& problem, Real residual) {
-  find_momentum(problem);
-  Real gained = 0, before = 0, after = 0;
+  find_lock_impulses(problem);
+  Real before = 0, after = 0;  // J
   for (const ConeBody& b : bodies_of(problem)) {
-    const Vec6 mean = 0.5 * (b.before + b.v);
-    gained += b.gradient.dot(mean);
-    before += b.before.dot(momentum_of(b, b.before)) / 2;
+    before += b.unheld.dot(momentum_of(b, b.unheld)) / 2;
     after += b.v.dot(momentum_of(b, b.v)) / 2;
   }
-  Real inexact = 0, driven = 0;  // J
+  Real gained = after - before, inexact = 0, driven = 0;
   for (const ConeContact& c : problem.contacts) {
     gained += c.p.dot(c.surface);
     inexact += c.p.norm() * residual;
   }
   bool bends = false;
   for (const ConeLink& c : problem.links) {
-    gained += c.p * c.surface;
     inexact += std::fabs(c.p) * residual, driven += given_by_drive(problem, c);
-    bends |= c.bends;
   }
+  for (const ConeLink& c : problem.joint_rows()) gained += c.p * c.surface, bends |= c.bends;
   const Real turns = bends ? kBends * kBends / 2 : 0;
   // Loads without bound, as of a taut chain, would let any residual give any energy.
   return gained > driven + std::min(inexact, before) + (turns + 2e3 * kEpsilon) * (before + after);
@@ -131,7 +149,7 @@ bool gives_energy(ConeProblem& problem, Real residual) {
 
 bool drop_bends(ConeProblem& problem) {
   bool any = false;
-  for (ConeLink& c : problem.links)
+  for (ConeLink& c : problem.joint_rows())
     if (std::exchange(c.bends, false)) c.low = c.high = 0, any = true;
   return any;
 }

@@ -13,11 +13,19 @@
 
 namespace carom::dynamics {
 
+/// ConeContact::most_friction, by what was borne in the last substep.
+void bound_friction(ConeProblem& problem);
+
 /// Newton's method on it, from the impulses that act. One that is cut short keeps the impulses of its steps: what they
 /// do to the bodies is what was found, to the bit.
 /// @param give  of a contact's response   @param tolerance  m/s   @param most_steps  of Newton
 /// @return      its residual is that of the exact law
 ConeSolution solve_yielding(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps);
+
+/// From a solution that yields on: rounds in which each contact keeps to what it bore in the round before, friction as it is
+/// known: by what was borne in the last substep, of what begins to bear by the round before. What a contact gives shrinks by the softness of what it bears on.
+/// @param give  as of that solution: one matrix serves while the same contacts stick   @return its residual is of known friction
+ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps);
 
 /// Sum of k p^2 of contacts, kg m^2/s^2.
 Real borne(const ConeProblem& problem);
@@ -38,8 +46,8 @@ bool gives_energy(ConeProblem& problem, Real residual);
 
 /// How much of the impulses that a substep starts from is worth keeping: all, unless they would give energy where the
 /// bodies are by now; then as much as takes the most.
-/// @param problem  gradient: momentum that contacts give each body; before: velocities without   @return 0 to 1
-Real share_that_helps(const ConeProblem& problem);
+/// @param problem  gradient: momentum that rows give each body; before: velocities without   @return 0 to 1
+Real share_that_helps(ConeProblem& problem);
 
 /// Locks no longer ask for the bend of their arms.   @return whether any did
 bool drop_bends(ConeProblem& problem);

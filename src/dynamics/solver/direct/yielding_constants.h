@@ -23,6 +23,9 @@ inline constexpr Constant<std::uint32_t> kStepsOfYielding{
     "direct_steps_of_yielding", 10, "steps of Newton",
     "in which displacements are found at most, and what a large group bears that bore nothing",
     "fewer: overlaps last for longer, tracks gape; more: what is built overlapping stalls its first step"};
+inline constexpr Constant<std::uint32_t> kRoundsCloser{
+    "direct_rounds_closer", 3, "rounds", "after the solution in which contacts of what is joined yield",
+    "fewer: grippers let slip by what contacts give; more: steps of Newton for what the next substep finds anew"};
 inline constexpr Constant<int> kSweepsInstead{
     "direct_sweeps_instead", 20, "sweeps", "over few bodies, in a substep for which the work did not suffice",
     "fewer: a wave through a row of blocks runs too fast; more: time for nothing"};
@@ -32,12 +35,7 @@ inline constexpr Constant<Real> kWedged{
     "million times its mass has 1e-6, stacks of n cubes n^-2",
     "larger: what bears a heavy load counts as wedged, and starts from nothing in each step; smaller: bodies that "
     "surfaces close on keep impulses that throw them in the next step"};
-inline constexpr Constant<Real> kFarMore{
-    "direct_far_more", 10, "1",
-    "times what contacts bear that yield: where the exact law is not reached by as much more, it has no solution",
-    "larger: what is wedged bears more; smaller: an impact that could not be solved in time counts as wedged"};
-
-inline constexpr ConstantRow kYieldingConstants[] = {kGiveOfContacts, kGiveOfSweeps, kOfYielding, kStepsOfYielding,
-                                                     kSweepsInstead,  kWedged,       kFarMore};
+inline constexpr ConstantRow kYieldingConstants[] = {kGiveOfContacts, kGiveOfSweeps,  kOfYielding, kStepsOfYielding,
+                                                     kRoundsCloser,   kSweepsInstead, kWedged};
 
 }  // namespace carom::dynamics

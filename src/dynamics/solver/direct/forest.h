@@ -1,0 +1,24 @@
+// A group's forest as a whole: from the leaves to the roots and back, @see tree_node.h.
+#pragma once
+
+#include "dynamics/solver/direct/cone_problem.h"
+
+namespace carom::dynamics {
+
+/// Which node is held to which, as bodies are eliminated. Of each node but for where it is.
+/// @param nodes  by place, from `first` on
+void plant(std::span<TreeNode> nodes, std::span<const TreeJoint> joints, Elimination& order, std::uint32_t first);
+
+/// What the forest is made of, where bodies and their masses are now.
+void articulate(ConeProblem& problem);
+
+/// Lead velocities of bodies to the nearest, by their masses, at which all locks of the forest have what is asked.
+void obey_locks(ConeProblem& problem);
+
+/// ConeBody::step: the velocities that the momentum in ConeBody::gradient gives.
+void respond(ConeProblem& problem);
+
+/// ConeLink::p of locks in the forest: what bodies have gained since ConeBody::unheld beyond what all other rows gave.
+void find_lock_impulses(ConeProblem& problem);
+
+}  // namespace carom::dynamics
