@@ -3,9 +3,10 @@
 //
 //     v_child = X v_parent + S q + t
 //
-// X takes the child along as if both were one body, t obeys what the joint's locks ask, S spans what they leave free. In Newton's matrix such a child is as many
-// unknowns as its joint has degrees of freedom, and locks are no rows of the problem: they hold to rounding, whatever the
-// masses. Joints of a group form a forest. A joint that closes a loop has rows still, as have those of kLeastLocks.
+// X takes the child along as if both were one body, t obeys what the joint's locks ask, S spans what they leave free. In
+// Newton's matrix such a child is as many unknowns as its joint has degrees of freedom. Locks are no rows of the problem:
+// they hold to rounding, whatever the masses. Joints of a group form a forest. A joint that closes a loop has rows still,
+// as has one of fewer than kLeastLocks.
 //
 // Nothing here knows kinds of joints: S comes from the locked rows as they stand.
 // @source [Featherstone2008], articulated inertias; @oracle tests/unit/dynamics/test_forest
