@@ -26,12 +26,13 @@ void Round::take_back() {
 std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   constexpr Real kFalls = 0.5;  // where it is quadratic a step leaves nothing, or rounding
   std::uint32_t steps = 0;
+  bool is_reached = false;
   Real left = kInfinity;
   bool whole = false;  // the last step was
   for (; steps < most_steps; ++steps) {
     const Real now = find_gradient();
-    is_reached_ = now <= tolerance;
-    if (is_reached_) break;
+    is_reached = now <= tolerance;
+    if (is_reached) break;
     const NextFactor factor = find_factor(steps == 0 ? tolerance : 0);
     if (factor == NextFactor::none) break;
     if (factor == NextFactor::same && !(now < kFalls * left) && (whole || now <= rounding())) break;
@@ -48,7 +49,7 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
     for (ConeContact& c : problem_.contacts) c.u += length * c.du;
     for (ConeLink& c : problem_.links) c.u += length * c.du;
   }
-  if (is_known_ && !is_reached_) {
+  if (is_known_ && !is_reached) {
     for (ConeContact& c : problem_.contacts) c.p = c.traced_p;
     for (ConeLink& c : problem_.links) c.p = c.traced_p;
   }

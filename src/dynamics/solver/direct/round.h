@@ -8,9 +8,6 @@
 
 namespace carom::dynamics {
 
-/// Of a lock that closes a loop. Locks are linear: for them a hard round is as easy as a soft one, and one is enough.
-inline constexpr Real kSoftnessOfLocks = 1e-7;
-
 /// Minimises over velocities v
 ///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(z)|^2 / 2,   z = p0 - (y + give p0) / R,   R = softness * k + give,
 /// whose gradient is nought where momentum and the impulses P_K(z) agree.
@@ -28,8 +25,6 @@ class Round {
   void take_back();
   /// It ended where rounding decides which way to go: a softer round is better conditioned.
   bool is_stuck() const { return is_stuck_; }
-  /// It ended within the tolerance.
-  bool is_reached() const { return is_reached_; }
 
  private:
   Real resistance(const ConeContact& c) const { return softness_ * c.k + c.give; }
@@ -84,10 +79,13 @@ class Round {
   /// Bodies get the momentum of the impulses, to the bit.
   void accept();
 
+  /// Locks are linear: for them a hard round is as easy as a soft one, and one is enough.
+  static constexpr Real kSoftnessOfLocks = 1e-7;
+
   ConeProblem& problem_;
   Real softness_;
   bool is_known_ = false;  // friction
-  bool is_stuck_ = false, is_reached_ = false;
+  bool is_stuck_ = false;
 };
 
 // ---- Newton's matrix, for others that solve with it ----

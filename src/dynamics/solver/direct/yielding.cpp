@@ -66,7 +66,7 @@ ConeSolution solve_yielding(ConeProblem& problem, Real give, Real tolerance, std
   ConeSolution solution;
   Round round(problem, 0, Round::Friction::known);
   solution.factorisations = round.minimise(tolerance, most_steps);
-  solution.rounds = 1, solution.reached = round.is_reached();
+  solution.rounds = 1;
   for (ConeContact& c : problem.contacts) c.give = 0;
   solution.residual = residual(problem);
   return solution;
@@ -140,7 +140,6 @@ bool gives_energy(ConeProblem& problem, Real residual) {
   bool bends = false;
   for (const ConeLink& c : problem.links) {
     inexact += std::fabs(c.p) * residual, driven += given_by_drive(problem, c);
-    if (c.is_lock()) driven += kSoftnessOfLocks * c.k * c.start_p * c.start_p / 4;  // by what it is held to
   }
   for (const ConeLink& c : problem.joint_rows()) gained += c.p * c.surface, bends |= c.bends;
   const Real turns = bends ? kBends * kBends / 2 : 0;
