@@ -90,7 +90,6 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
   });
   if (world.plan->rotation_method) {
     Participants& one = world.wide->one_turner;
-    if (one.runs.empty()) one.add(0);
     for (std::size_t g = 0; g < d.groups(); ++g) ConeGroup(world, g).lead_on(to, h, one);
   }
   for (std::size_t g = 0; g < d.groups(); ++g) {

@@ -138,6 +138,7 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   d.solution.resize(d.groups());
   for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].is_too_large = d.newton_work(g) > most_factor;
   d.elimination.scratch().member.reserve(d.groups());  // @see share_out()
+  if (world.plan->rotation_method && world.wide->one_turner.runs.empty()) world.wide->one_turner.add(0);
   for (const Resistance& r : world.contacts->resisting)
     if (GroupRest* const rest = d.rest_of(world.contacts->rows[r.row])) rest->resists = true;
 }
