@@ -6,6 +6,7 @@
 #include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/load.h"
+#include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
 namespace {
