@@ -21,6 +21,23 @@ Met met_of(const carom_world_hit& hit, const Vec3& motion) {
   return met;
 }
 
+/// As the interface has it.
+struct Orientation {
+  double xyzw[4];
+  explicit Orientation(const Quat& q) : xyzw{q.x(), q.y(), q.z(), q.w()} {}
+};
+
+/// A question about one shape. It refers to what it is given.
+carom_query_shapes one_shape(const carom_shape& shape, const Vec3& at, const Orientation& orientation) {
+  carom_query_shapes query{};
+  query.struct_size = sizeof query;
+  query.scalar = CAROM_SCALAR_F64;
+  query.count = 1;
+  query.shapes = &shape;
+  query.positions = at.data(), query.orientations = orientation.xyzw;
+  return query;
+}
+
 }  // namespace
 
 bool Probe::can_follow(const Vec3& v) {
@@ -30,13 +47,9 @@ bool Probe::can_follow(const Vec3& v) {
 
 bool Probe::cast(const Vec3& from, const Vec3& motion, Real target, std::uint32_t flags, carom_body skip, Met& met) {
   if (!can_follow(from) || !can_follow(motion)) return false;
-  const double orientation[4] = {orientation_.x(), orientation_.y(), orientation_.z(), orientation_.w()};
-  carom_query_shapes query{};
-  query.struct_size = sizeof query;
-  query.scalar = CAROM_SCALAR_F64;
-  query.count = 1;
-  query.shapes = &shape_;
-  query.positions = from.data(), query.orientations = orientation, query.motions = motion.data();
+  const Orientation orientation(orientation_);
+  carom_query_shapes query = one_shape(shape_, from, orientation);
+  query.motions = motion.data();
   carom_query_desc desc = desc_;
   desc.target = target, desc.flags = flags;
   carom_error inner = CAROM_ERROR_INIT;
@@ -72,13 +85,8 @@ bool Probe::sweep(const Vec3& from, const Vec3& motion, Real gap, carom_body ski
 
 bool Probe::nearest(const Vec3& at, Real reach, Met& met) {
   if (!can_follow(at)) return false;
-  const double orientation[4] = {orientation_.x(), orientation_.y(), orientation_.z(), orientation_.w()};
-  carom_query_shapes query{};
-  query.struct_size = sizeof query;
-  query.scalar = CAROM_SCALAR_F64;
-  query.count = 1;
-  query.shapes = &shape_;
-  query.positions = at.data(), query.orientations = orientation;
+  const Orientation orientation(orientation_);
+  const carom_query_shapes query = one_shape(shape_, at, orientation);
   carom_world_hit hit;
   carom_error inner = CAROM_ERROR_INIT;
   const std::int32_t result = carom_world_find_nearest(world_, &query, reach, &desc_, &hit, sizeof hit, &inner);

@@ -1,7 +1,6 @@
 // Six by six numbers, and what is done with them.
 #pragma once
 
-#include <cstdint>
 #include <cstring>
 
 #include "core/vec6.h"
@@ -55,10 +54,10 @@ inline void subtract_product(Block& c, const Block& a, const Block& b) {
   }
 }
 /// Of n columns of a and rows of b.
-inline void subtract_product(Block& c, const Block& a, const Block& b, std::uint32_t n) {
+inline void subtract_product(Block& c, const Block& a, const Block& b, int n) {
   for (int i = 0; i < kDof; ++i) {
     RowOfTwos row(c.x[i]);
-    for (std::uint32_t k = 0; k < n; ++k) row.subtract(a.x[i][k], RowOfTwos(b.x[k]));
+    for (int k = 0; k < n; ++k) row.subtract(a.x[i][k], RowOfTwos(b.x[k]));
     row.store(c.x[i]);
   }
 }

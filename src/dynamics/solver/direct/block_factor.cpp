@@ -74,8 +74,8 @@ bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::
     if (!tree.empty() && tree[j - first].is_held()) {
       const TreeNode& node = tree[j - first];
       if (!factor_child(e, j, node, f)) return false;
-      const auto columns = static_cast<std::uint32_t>(node.freedom);
-      subtract_column(e, j, f, [&](Block& c, const Block& a, const Block& b) { subtract_product(c, a, b, columns); });
+      subtract_column(e, j, f,
+                      [&](Block& c, const Block& a, const Block& b) { subtract_product(c, a, b, node.freedom); });
       continue;
     }
     if (!factor_in_place(f.diagonal[j])) return false;

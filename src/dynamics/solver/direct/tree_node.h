@@ -123,7 +123,7 @@ inline void couple(TreeNode& node) {
 /// What a child leaves to its parent: to += X^T (inertia - coupling coupling^T) X.
 inline void add_left(const TreeNode& node, Block& to) {
   Block left = node.inertia;
-  subtract_product(left, node.coupling, transposed(node.coupling), static_cast<std::uint32_t>(node.freedom));
+  subtract_product(left, node.coupling, transposed(node.coupling), node.freedom);
   take_along(left, node.arm), hand_over(left, node.arm);
   add(to, left);
 }
