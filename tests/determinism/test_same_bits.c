@@ -179,7 +179,7 @@ static void so_are_those_of_particles(void** state) {
 /* The same of joints, by solver (sequential, soft_step, direct, auto): one of each kind between the world and the bodies of
  * the stage, a motor, a spring and limits on them; 200 steps. */
 static void so_are_those_of_joints(void** state) {
-  const uint64_t golden[4] = {0x298d8a7b53160b3bu, 0x73b5202a4336490bu, 0x8fbda363dae32767u, 0x6a241e01eb470863u};
+  const uint64_t golden[4] = {0x298d8a7b53160b3bu, 0x73b5202a4336490bu, 0x62a336b90a9022ecu, 0xb181479fc892d6e7u};
   uint32_t solver, kind;
   int wrong = 0;
   (void)state;
@@ -219,8 +219,8 @@ static void so_are_those_of_joints(void** state) {
 /* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver, and of sequential and
  * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void** state) {
-  const uint64_t golden[6] = {0x133f614f2290b65du, 0x6c1f27ea65de14aeu, 0xe29bc2b79c0a1a4cu,
-                              0xbdbd4aa89ec5118du, 0x2a96081f5931f52eu, 0xe59029ca216f6232u};
+  const uint64_t golden[6] = {0x133f614f2290b65du, 0x6c1f27ea65de14aeu, 0x9cf1839a53e0d69cu,
+                              0x6cf3bae1e0859d2au, 0x2a96081f5931f52eu, 0xe59029ca216f6232u};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;

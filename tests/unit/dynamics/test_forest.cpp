@@ -151,7 +151,7 @@ class Scene {
     }
     const int from = kind == kBall ? 3 : kind == kUniversal ? 2 : kind == kHinge ? 1 : 0;
     for (int k = from; k < 3; ++k) add_row(a, b, Vec3::zero(), axes.col(k), axes.col(k));
-    forest_.push_back({a, b, first, static_cast<std::uint32_t>(locks_.size()) - first});
+    forest_.push_back({a, b, first, static_cast<std::uint32_t>(locks_.size()) - first, 0, 0});
     if (parent != kInvalid) edges_.push_back({a, b});
   }
   void add_contact(std::uint32_t a, std::uint32_t b) {
@@ -249,7 +249,7 @@ static void rows_that_others_imply_bear_nothing(void**) {
   };
   const Vec3 one(0.5, 0, 0), other(0.5, 1, 0);
   for (int k = 0; k < 3; ++k) point(rows[k], Vec3::unit(k), one), point(rows[3 + k], Vec3::unit(k), other);
-  const TreeJoint joint[] = {{0, 1, 0, 6}};
+  const TreeJoint joint[] = {{0, 1, 0, 6, 0, 0}};
   const Edge edge[] = {{0, 1}};
   Elimination order(std::pmr::new_delete_resource());
   order.clear();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstring>
+#include <type_traits>
 
 #include "core/vec6.h"
 
@@ -33,11 +34,11 @@ struct RowOfTwos {
   }
 };
 
-inline Block transposed(const Block& a) {
-  Block t;
+inline bool is_zero(const Block& a) {
+  bool any = false;
   for (int i = 0; i < kDof; ++i)
-    for (int j = 0; j < kDof; ++j) t.x[j][i] = a.x[i][j];
-  return t;
+    for (int j = 0; j < kDof; ++j) any |= a.x[i][j] != 0;
+  return !any;
 }
 
 inline void add(Block& c, const Block& a) {
@@ -45,16 +46,22 @@ inline void add(Block& c, const Block& a) {
     for (int j = 0; j < kDof; ++j) c.x[i][j] += a.x[i][j];
 }
 
-/// c -= a b
-inline void subtract_product(Block& c, const Block& a, const Block& b) {
-  for (int i = 0; i < kDof; ++i) {
-    RowOfTwos row(c.x[i]);
-    for (int k = 0; k < kDof; ++k) row.subtract(a.x[i][k], RowOfTwos(b.x[k]));
-    row.store(c.x[i]);
-  }
+// Sizes below are numbers or, where a compiler is to unroll loops, constants.
+using WholeBlock = std::integral_constant<int, kDof>;
+
+/// The first n columns as rows.
+template <class N>
+Block transposed(const Block& a, N n) {
+  Block t;
+  for (int k = 0; k < n; ++k)
+    for (int i = 0; i < kDof; ++i) t.x[k][i] = a.x[i][k];
+  return t;
 }
-/// Of n columns of a and rows of b.
-inline void subtract_product(Block& c, const Block& a, const Block& b, int n) {
+inline Block transposed(const Block& a) { return transposed(a, WholeBlock()); }
+
+/// c -= a b, of n columns of a and rows of b.
+template <class N>
+void subtract_product(Block& c, const Block& a, const Block& b, N n) {
   for (int i = 0; i < kDof; ++i) {
     RowOfTwos row(c.x[i]);
     for (int k = 0; k < n; ++k) row.subtract(a.x[i][k], RowOfTwos(b.x[k]));
@@ -64,7 +71,8 @@ inline void subtract_product(Block& c, const Block& a, const Block& b, int n) {
 
 /// a := its lower Cholesky factor, of the first n rows and columns; what is above the diagonal is left.
 /// @return whether it was definite
-inline bool factor_in_place(Block& a, int n = kDof) {
+template <class N = WholeBlock>
+bool factor_in_place(Block& a, N n = {}) {
   for (int j = 0; j < n; ++j) {
     Real d = a.x[j][j];
     for (int k = 0; k < j; ++k) d -= a.x[j][k] * a.x[j][k];
@@ -94,14 +102,16 @@ inline void divide(Block& a, const Block& l) {
 }
 
 /// The first n equations of a lower triangular matrix, or of its transpose.
-inline void solve_lower(const Block& l, Vec6& y, int n = kDof) {
+template <class N = WholeBlock>
+void solve_lower(const Block& l, Vec6& y, N n = {}) {
   for (int i = 0; i < n; ++i) {
     Real s = y[i];
     for (int k = 0; k < i; ++k) s -= l.x[i][k] * y[k];
     y[i] = s / l.x[i][i];
   }
 }
-inline void solve_upper(const Block& l, Vec6& y, int n = kDof) {
+template <class N = WholeBlock>
+void solve_upper(const Block& l, Vec6& y, N n = {}) {
   for (int i = n; i-- > 0;) {
     Real s = y[i];
     for (int k = i + 1; k < n; ++k) s -= l.x[k][i] * y[k];

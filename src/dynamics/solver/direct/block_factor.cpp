@@ -11,10 +11,11 @@ void hand_over_column(const Elimination& e, std::uint32_t child, const TreeNode&
   const std::uint32_t parent = node.parent;
   std::uint32_t at_parent = 0;
   for (std::uint32_t k = e.column[child]; k < e.column[child + 1]; ++k) {
+    if (e.rows[k] == parent) at_parent = k;
+    if (is_zero(f.below[k])) continue;
     Block taken = f.below[k];
     take_along(taken, node.arm);
     if (e.rows[k] == parent) {
-      at_parent = k;
       add(f.diagonal[parent], taken), add(f.diagonal[parent], transposed(taken));
     } else if (e.rows[k] > parent) {
       add(f.below[f.at(e, e.rows[k], parent)], taken);
@@ -39,29 +40,31 @@ std::size_t BlockFactor::at(const Elimination& e, std::uint32_t row, std::uint32
 namespace {
 
 /// The column of a child: what its joint leaves free of it, @see TreeNode.
-bool factor_child(const Elimination& e, std::uint32_t j, const TreeNode& node, BlockFactor& f) {
-  if (node.parent != kInvalid) hand_over_column(e, j, node, f);
+template <class N>
+bool factor_child(const Elimination& e, std::uint32_t j, const TreeNode& node, BlockFactor& f, N n) {
   Block diagonal;
-  if (!factor_freed(f.diagonal[j], node.basis, node.freedom, diagonal)) return false;
+  if (!factor_freed(f.diagonal[j], node.basis, &node.driven, diagonal, n)) return false;
   f.diagonal[j] = diagonal;
-  for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
-    f.below[k] = freed(f.below[k], node.basis, node.freedom, diagonal);
+  for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k) {
+    const Block whole = f.below[k];
+    free_columns(whole, node.basis, diagonal, f.below[k], n);
+  }
   return true;
 }
 
-/// What a column leaves of those after it.   @param subtract  (c, a, b): c -= a b
-template <class Subtract>
-void subtract_column(const Elimination& e, std::uint32_t j, BlockFactor& f, const Subtract& subtract) {
+/// What a column of n unknowns leaves of those after it. Apart from its caller, where compilers run out of registers.
+template <class N>
+[[gnu::noinline]] void subtract_column(const Elimination& e, std::uint32_t j, BlockFactor& f, N n) {
   const std::uint32_t begin = e.column[j], end = e.column[j + 1];
   for (std::uint32_t l = begin; l < end; ++l) {
     const std::uint32_t column = e.rows[l];
-    const Block t = transposed(f.below[l]);
-    subtract(f.diagonal[column], f.below[l], t);
+    const Block t = transposed(f.below[l], n);
+    subtract_product(f.diagonal[column], f.below[l], t, n);
     // Every later row of this column is a row of that one too: walk both.
     std::uint32_t at = e.column[column];
     for (std::uint32_t k = l + 1; k < end; ++k) {
       while (e.rows[at] != e.rows[k]) ++at;
-      subtract(f.below[at], f.below[k], t);
+      subtract_product(f.below[at], f.below[k], t, n);
     }
   }
 }
@@ -73,14 +76,18 @@ bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::
   for (std::uint32_t j = first; j < last; ++j) {
     if (!tree.empty() && tree[j - first].is_held()) {
       const TreeNode& node = tree[j - first];
-      if (!factor_child(e, j, node, f)) return false;
-      subtract_column(e, j, f,
-                      [&](Block& c, const Block& a, const Block& b) { subtract_product(c, a, b, node.freedom); });
+      if (node.parent != kInvalid) hand_over_column(e, j, node, f);
+      const bool is_definite = with_freedom(node.freedom, [&](auto n) {
+        if (!factor_child(e, j, node, f, n)) return false;
+        subtract_column(e, j, f, n);
+        return true;
+      });
+      if (!is_definite) return false;
       continue;
     }
     if (!factor_in_place(f.diagonal[j])) return false;
     for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k) divide(f.below[k], f.diagonal[j]);
-    subtract_column(e, j, f, [](Block& c, const Block& a, const Block& b) { subtract_product(c, a, b); });
+    subtract_column(e, j, f, WholeBlock());
   }
   return true;
 }
@@ -88,12 +95,14 @@ bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::
 namespace {
 
 /// Forwards and backwards through the column of a node with n unknowns.
-void take_from_later(const Elimination& e, std::uint32_t j, const BlockFactor& f, int n, Vec6* x) {
+template <class N>
+void take_from_later(const Elimination& e, std::uint32_t j, const BlockFactor& f, Vec6* x, N n) {
   for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
     for (int i = 0; i < kDof; ++i)
       for (int c = 0; c < n; ++c) x[e.rows[k]][i] -= f.below[k].x[i][c] * x[j][c];
 }
-void take_from_this(const Elimination& e, std::uint32_t j, const BlockFactor& f, int n, Vec6* x) {
+template <class N>
+void take_from_this(const Elimination& e, std::uint32_t j, const BlockFactor& f, Vec6* x, N n) {
   for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
     for (int i = 0; i < kDof; ++i)
       for (int c = 0; c < n; ++c) x[j][c] -= f.below[k].x[i][c] * x[e.rows[k]][i];
@@ -110,26 +119,30 @@ void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, std::s
     const TreeNode* const node = child(j);
     if (!node) {
       solve_lower(f.diagonal[j], x[j]);
-      take_from_later(e, j, f, kDof, x);
+      take_from_later(e, j, f, x, WholeBlock());
       continue;
     }
     if (node->parent != kInvalid) x[node->parent] += handed_over(*node, x[j]);
-    x[j] = freely(*node, x[j]);
-    solve_lower(f.diagonal[j], x[j], node->freedom);
-    take_from_later(e, j, f, node->freedom, x);
+    with_freedom(node->freedom, [&](auto n) {
+      x[j] = freely(*node, x[j], n);
+      solve_lower(f.diagonal[j], x[j], n);
+      take_from_later(e, j, f, x, n);
+    });
   }
   for (std::uint32_t j = last; j-- > first;) {
     const TreeNode* const node = child(j);
     if (!node) {
-      take_from_this(e, j, f, kDof, x);
+      take_from_this(e, j, f, x, WholeBlock());
       solve_upper(f.diagonal[j], x[j]);
       continue;
     }
-    take_from_this(e, j, f, node->freedom, x);
-    solve_upper(f.diagonal[j], x[j], node->freedom);
-    const Vec6 q = x[j];
-    x[j] = node->parent != kInvalid ? with_parent(*node, x[node->parent]) : Vec6::zero();
-    add_free(*node, q, x[j]);
+    with_freedom(node->freedom, [&](auto n) {
+      take_from_this(e, j, f, x, n);
+      solve_upper(f.diagonal[j], x[j], n);
+      const Vec6 q = x[j];
+      x[j] = node->parent != kInvalid ? with_parent(*node, x[node->parent]) : Vec6::zero();
+      add_free(*node, q, x[j], n);
+    });
   }
 }
 

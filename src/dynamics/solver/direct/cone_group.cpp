@@ -177,19 +177,21 @@ void ConeGroup::find(Real goal, std::uint32_t most_steps) {
   solution_.residual = residual(problem_), solution_.reached = solution_.residual <= goal;
 }
 
-/// Of joints and contacts: what they bear is undetermined by the exact law, so contacts yield first, and less and less.
+/// Of joints and contacts: what they bear is undetermined by the exact law, so contacts yield first, from what they bore in
+/// the last substep on, and then less and less.
 void ConeGroup::find_shares(Real goal, std::uint32_t most_steps) {
   bound_friction(problem_);
   solution_.residual = residual_of_known_friction(problem_);
   solution_.reached = solution_.residual <= goal;
   if (solution_.reached) return;  // the last impulses solve it
-  find_yielding(goal, most_steps);
+  find_yielding(kForgets, goal, most_steps);
   const std::uint32_t taken = solution_.factorisations;
   solution_ = solve_closer(problem_, kGiveOfContacts, goal, std::max(most_steps, taken + kAlways) - taken);
   solution_.factorisations += taken, ++solution_.rounds;
   solution_.is_rejected = !is_sound();
   if (!solution_.is_rejected) return;
-  return_to_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
+  drop_impulses(problem_);
+  find_yielding(1, goal, most_steps);
   if (throws(problem_)) yield_more(goal, most_steps);
 }
 
@@ -197,7 +199,7 @@ void ConeGroup::find_shares(Real goal, std::uint32_t most_steps) {
 /// Where surfaces drive them they yield, since sweeps have no bound of energy.
 void ConeGroup::find_without_work(Real goal, std::uint32_t most_steps) {
   if (is_driven(problem_)) {
-    find_yielding(goal, kStepsOfYielding);
+    find_yielding(1, goal, kStepsOfYielding);
   } else {
     return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
     sweep(problem_, kSweepsInstead);
@@ -205,9 +207,9 @@ void ConeGroup::find_without_work(Real goal, std::uint32_t most_steps) {
   if (throws(problem_)) yield_more(goal, most_steps);
 }
 
-void ConeGroup::find_yielding(Real goal, std::uint32_t most_steps) {
-  solution_.factorisations += solve_yielding(problem_, kGiveOfContacts, kOfYielding * goal, most_steps).factorisations;
-  save_impulses<&ConeContact::yielding_p, &ConeLink::yielding_p>(problem_);
+void ConeGroup::find_yielding(Real forgets, Real goal, std::uint32_t most_steps) {
+  solution_.factorisations +=
+      solve_yielding(problem_, kGiveOfContacts, forgets, kOfYielding * goal, most_steps).factorisations;
 }
 
 /// Where no velocity obeys the law, as where surfaces close on a body, or it would shoot it out, which no machine does:
@@ -216,7 +218,7 @@ void ConeGroup::yield_more(Real goal, std::uint32_t most_steps) {
   if (is_few()) most_steps = std::max(most_steps, kFromNothing.value);
   for (Real give = kGiveOfContacts;; give = std::min(10 * give, kGiveOfSweeps.value)) {
     drop_impulses(problem_);
-    solution_.factorisations += solve_yielding(problem_, give, kOfYielding * goal, most_steps).factorisations;
+    solution_.factorisations += solve_yielding(problem_, give, 1, kOfYielding * goal, most_steps).factorisations;
     if (give >= kGiveOfSweeps || !throws(problem_)) return;
   }
 }

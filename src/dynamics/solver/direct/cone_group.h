@@ -54,7 +54,7 @@ class ConeGroup {
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
   void find_without_work(Real goal, std::uint32_t most_steps);
-  void find_yielding(Real goal, std::uint32_t most_steps);
+  void find_yielding(Real forgets, Real goal, std::uint32_t most_steps);
   void yield_more(Real goal, std::uint32_t most_steps);
   void find_exact(Real goal, std::uint32_t most_steps);
   void find_shares(Real goal, std::uint32_t most_steps);

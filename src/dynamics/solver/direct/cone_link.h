@@ -26,20 +26,23 @@ struct ConeLink {
   Real p, u;
   Real start_p, next_p;  // p as the substep began; as the next one begins
 
-  Real yielding_p, traced_p;  // as of a contact
+  Real traced_p;  // as of a contact
 
   // of a solve, of a round: as of a contact
   Real best, p0, u0, du;
   bool is_held = false;  // in the factor
-  bool bends = false;    // a lock whose target is the bend of its arm over the substep
+  // Of a limit or drive of a joint of the forest: S^T of its row, @see TreeNode.
+  bool is_of_child = false;
+  Vec6 of_child;
+  bool bends = false;  // a lock whose target is the bend of its arm over the substep
 
   /// Its impulse is whatever holds it: linear.
   bool is_lock() const { return k > 0 && low == high && give == 0 && most == kInfinity; }
 
   /// Its impulse is told by where it is, and a little by velocity: what it was a substep ago says less.
   bool is_spring() const { return k > 0 && low == high && give > k; }
-  /// What p is if nothing else acts, for velocities of bodies that give `v` without it, and `surface`.
-  Real alone(Real v) const { return std::clamp((low - v - surface) / (k + give), -most, most); }
+  /// What a spring gives while bodies have velocities that give `v`, and `surface`.
+  Real given(Real v) const { return std::clamp((low - v - surface) / give, -most, most); }
 
   /// What p becomes at velocity v, in a round of resistance r.
   Real pulled(Real v, Real r, Real from) const {

@@ -46,7 +46,6 @@ struct ConeContact {
   Real give;           // 1/kg, by which it yields: @see yielding.h
   Real borne;          // N s, along n, in the substep before
   Real most_friction;  // N s, where friction is known: of its impulse
-  Vec3 yielding_p;     // N s, of the solution with that
   Vec3 traced_p;       // N s, @see Round::trace()
   Vec3 p;              // N s, on B, world
   Vec3 u;              // m/s, relative velocity with p and all others acting

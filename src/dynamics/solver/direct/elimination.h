@@ -16,7 +16,7 @@ struct Edge {
 /// A joint of a forest, and the nodes that it holds.
 struct TreeJoint {
   std::uint32_t a, b;  // nodes, or kInvalid: what is no node
-  std::uint32_t first_row, rows;
+  std::uint32_t first_row, rows, first_drive, drives;
   friend bool operator==(const TreeJoint&, const TreeJoint&) = default;
 };
 

@@ -9,75 +9,8 @@ namespace {
 /// m, about how far its mass is from its middle: turns by it count as places do.
 Real size_of(const ConeBody& b) { return std::sqrt(b.inertia.trace() * b.inv_mass / 2); }
 
-/// The rows of a joint as they act on its child, angles times its size; made a basis of what they lock and leave free.
-class LockedRows {
- public:
-  LockedRows(std::span<const ConeLink> locks, bool child_is_a, Real size) : size_(size) {
-    for (const ConeLink& c : locks) {
-      const Vec3 &d = child_is_a ? c.d_a : c.d_b, turn = child_is_a ? c.w_a : c.w_b;
-      add({d, turn / size});
-    }
-  }
-
-  void write_basis(TreeNode& to) const {
-    Real q[kDof][kDof] = {};
-    for (std::uint32_t i = 0; i < kDof; ++i) {
-      q[i][i] = 1;
-      for (std::uint32_t k = rank_; k-- > 0;) reflect(k, q[i]);
-    }
-    to.freedom = kDof - static_cast<int>(rank_);
-    std::copy(place_, place_ + kDof, to.place);
-    for (int k = 0; k < to.freedom; ++k) write(q[static_cast<int>(rank_) + k], to.basis.x[k]);
-    // Columns of q^T lower^-1.
-    for (std::uint32_t i = 0; i < rank_; ++i) {
-      Real inverse[kDof], along[kDof] = {};
-      for (std::uint32_t k = i; k < rank_; ++k) {
-        Real s = k == i ? 1 : 0;
-        for (std::uint32_t l = i; l < k; ++l) s -= lower_[k][l] * inverse[l];
-        inverse[k] = s / lower_[k][k];
-        for (int c = 0; c < kDof; ++c) along[c] += inverse[k] * q[k][c];
-      }
-      write(along, to.basis.x[to.freedom + static_cast<int>(i)]);
-    }
-  }
-
- private:
-  // Of a row, what others do not imply.
-  static constexpr Real kImplied = 1e-9;
-
-  void add(const Vec6& row) {
-    Real a[kDof];
-    for (int c = 0; c < kDof; ++c) a[c] = row[c];
-    for (std::uint32_t k = 0; k < rank_; ++k) reflect(k, a);
-    Real tail2 = 0;
-    for (std::uint32_t c = rank_; c < kDof; ++c) tail2 += a[c] * a[c];
-    if (rank_ == kDof || !(tail2 > kImplied * kImplied * row.squared_norm())) {
-      place_[rows_++] = kDof;
-      return;
-    }
-    const Real tail = a[rank_] > 0 ? -std::sqrt(tail2) : std::sqrt(tail2);
-    for (std::uint32_t c = 0; c < rank_; ++c) lower_[rank_][c] = a[c];
-    lower_[rank_][rank_] = tail;
-    for (std::uint32_t c = 0; c < kDof; ++c) mirror_[rank_][c] = c < rank_ ? 0 : a[c];
-    mirror_[rank_][rank_] -= tail;
-    twice_[rank_] = 1 / (tail * (tail - a[rank_]));
-    place_[rows_++] = static_cast<std::uint8_t>(rank_++);
-  }
-  void reflect(std::uint32_t k, Real* a) const {
-    Real s = 0;
-    for (std::uint32_t c = k; c < kDof; ++c) s += mirror_[k][c] * a[c];
-    s *= twice_[k];
-    for (std::uint32_t c = k; c < kDof; ++c) a[c] -= s * mirror_[k][c];
-  }
-  void write(const Real* from, Real* to) const {
-    for (int c = 0; c < 3; ++c) to[c] = from[c], to[3 + c] = from[3 + c] / size_;
-  }
-
-  Real size_;
-  std::uint32_t rows_ = 0, rank_ = 0;
-  std::uint8_t place_[kDof] = {};  // @see TreeNode::place
-  Real lower_[kDof][kDof], mirror_[kDof][kDof], twice_[kDof];
-};
+/// How fast the child makes a row go.
+Vec6 row_of_child(const ConeLink& c, bool child_is_a) { return child_is_a ? Vec6(-c.d_a, -c.w_a) : Vec6(c.d_b, c.w_b); }
 
 std::span<ConeLink> locks_of(ConeProblem& problem, const TreeNode& node) {
   return problem.locks.subspan(node.first_row, node.rows);
@@ -91,11 +24,6 @@ Vec6 operator*(const Block& m, const Vec6& v) {
     y[r] = s;
   }
   return y;
-}
-
-void subtract_coupled(const TreeNode& node, const Vec6& y, Vec6& from) {
-  for (int r = 0; r < kDof; ++r)
-    for (int k = 0; k < node.freedom; ++k) from[r] -= node.coupling.x[r][k] * y[k];
 }
 
 /// Backwards over a forest: momentum of each node in scratch, what is left of it for the parent. ConeBody::step: y.
@@ -113,11 +41,14 @@ void gather_momentum(ConeProblem& problem, const Shift& shift) {
       continue;
     }
     if (const Vec6* const t = shift(j)) momentum -= node.inertia * *t;
-    y = freely(node, momentum);
-    solve_lower(node.factor, y, node.freedom);
-    if (node.parent == kInvalid) continue;
-    subtract_coupled(node, y, momentum);
-    problem.scratch[node.parent] += handed_over(node, momentum);
+    with_freedom(node.freedom, [&](auto n) {
+      y = freely(node, momentum, n);
+      solve_lower(node.factor, y, n);
+      if (node.parent == kInvalid) return;
+      for (int k = 0; k < n; ++k)
+        for (int r = 0; r < kDof; ++r) momentum[r] -= node.coupling.x[r][k] * y[k];
+      problem.scratch[node.parent] += handed_over(node, momentum);
+    });
   }
 }
 
@@ -132,16 +63,18 @@ void spread_velocities(ConeProblem& problem, const Shift& shift) {
       solve_upper(node.factor, v);
       continue;
     }
-    Vec6 y = v, along = Vec6::zero();
-    if (node.parent != kInvalid) {
-      along = with_parent(node, problem.bodies[problem.body_at(node.parent - problem.first)].step);
-      for (int r = 0; r < kDof; ++r)
-        for (int k = 0; k < node.freedom; ++k) y[k] -= node.coupling.x[r][k] * along[r];
-    }
-    solve_upper(node.factor, y, node.freedom);
-    if (const Vec6* const t = shift(j)) along += *t;
-    add_free(node, y, along);
-    v = along;
+    with_freedom(node.freedom, [&](auto n) {
+      Vec6 y = v, along = Vec6::zero();
+      if (node.parent != kInvalid) {
+        along = with_parent(node, problem.bodies[problem.body_at(node.parent - problem.first)].step);
+        for (int r = 0; r < kDof; ++r)
+          for (int k = 0; k < n; ++k) y[k] -= node.coupling.x[r][k] * along[r];
+      }
+      solve_upper(node.factor, y, n);
+      if (const Vec6* const t = shift(j)) along += *t;
+      add_free(node, y, along, n);
+      v = along;
+    });
   }
 }
 
@@ -150,13 +83,15 @@ constexpr auto kNoShift = [](std::uint32_t) -> const Vec6* { return nullptr; };
 }  // namespace
 
 void plant(std::span<TreeNode> nodes, std::span<const TreeJoint> joints, Elimination& order, std::uint32_t first) {
-  for (TreeNode& node : nodes) node.parent = kInvalid, node.rows = 0, node.freedom = kDof, node.has_children = false;
+  for (TreeNode& node : nodes)
+    node.parent = kInvalid, node.rows = node.drives = 0, node.freedom = kDof, node.has_children = false;
   const Elimination::Scratch& of = order.scratch();
   for (std::uint32_t j = 0; j < nodes.size(); ++j) {
     const std::uint32_t k = of.joint_at[first + j];
     if (k == kInvalid) continue;
     TreeNode& node = nodes[j];
     node.first_row = joints[k].first_row, node.rows = joints[k].rows;
+    node.first_drive = joints[k].first_drive, node.drives = joints[k].drives;
     node.child_is_a = joints[k].a == of.node_at[first + j];
     const std::uint32_t parent = node.child_is_a ? joints[k].b : joints[k].a;
     if (parent == kInvalid) continue;
@@ -164,6 +99,34 @@ void plant(std::span<TreeNode> nodes, std::span<const TreeJoint> joints, Elimina
     nodes[node.parent - first].has_children = true;
   }
 }
+
+namespace {
+
+/// A limit or drive of a joint that gapes acts on the parent where it acts on the child: it asks nothing of both as one
+/// body, and gives them no spin.
+void act_at_child(ConeLink& c, const TreeNode& node) {
+  if (node.child_is_a)
+    c.d_b = c.d_a, c.w_b = c.w_a + node.arm.cross(c.d_a);
+  else
+    c.d_a = c.d_b, c.w_a = c.w_b + node.arm.cross(c.d_b);
+}
+
+/// S, and how fast limits and drives go along it.
+void free_child(ConeProblem& problem, TreeNode& node) {
+  node.freedom = node.locks.freedom();
+  for (int k = 0; k < node.freedom; ++k) {
+    const Vec6 free = node.locks.free(k);
+    std::copy(free.at, free.at + kDof, node.basis.x[k]);
+  }
+  for (ConeLink& c : problem.links.subspan(node.first_drive, node.drives)) {
+    c.is_of_child = true;
+    if (node.parent != kInvalid) act_at_child(c, node);
+    c.of_child = freely(node, row_of_child(c, node.child_is_a), node.freedom);
+  }
+  node.driven = {};
+}
+
+}  // namespace
 
 void articulate(ConeProblem& problem) {
   const std::span<TreeNode> tree = problem.tree;
@@ -178,10 +141,13 @@ void articulate(ConeProblem& problem) {
       continue;
     }
     const ConeBody& body = problem.bodies[problem.body_at(j)];
-    LockedRows(locks_of(problem, node), node.child_is_a, size_of(body)).write_basis(node);
+    node.locks = LockedRows(size_of(body));
+    for (const ConeLink& c : locks_of(problem, node)) node.locks.add(row_of_child(c, node.child_is_a));
+    if (node.parent != kInvalid)
+      node.arm = body.place - problem.bodies[problem.body_at(node.parent - problem.first)].place;
+    free_child(problem, node);
     couple(node);
     if (node.parent == kInvalid) continue;
-    node.arm = body.place - problem.bodies[problem.body_at(node.parent - problem.first)].place;
     add_left(node, tree[node.parent - problem.first].inertia);
   }
 }
@@ -209,13 +175,11 @@ void obey_locks(ConeProblem& problem) {
     problem.scratch[problem.first + j].set_zero();
     Vec6& shift = problem.bodies[problem.body_at(j)].change;
     shift.set_zero();
+    if (!node.is_held()) continue;
     const std::span<const ConeLink> locks = locks_of(problem, node);
-    for (std::uint32_t i = 0; i < locks.size(); ++i) {
-      if (node.is_implied(i)) continue;
-      const Real u = locks[i].surface + relative<&ConeBody::v>(problem.bodies, locks[i]);
-      const Real lacks = node.child_is_a ? u - locks[i].low : locks[i].low - u;
-      for (int c = 0; c < kDof; ++c) shift[c] += lacks * node.along(i)[c];
-    }
+    shift = node.locks.velocity([&](std::uint32_t i) {
+      return locks[i].low - locks[i].surface - relative<&ConeBody::v>(problem.bodies, locks[i]);
+    });
   }
   const auto shift = [&](std::uint32_t j) { return &problem.bodies[problem.body_at(j)].change; };
   gather_momentum(problem, shift);
@@ -235,13 +199,10 @@ void find_lock_impulses(ConeProblem& problem) {
     const TreeNode& node = problem.tree[j];
     if (!node.is_held()) continue;
     const Vec6& wrench = problem.scratch[problem.first + j];
-    const std::span<ConeLink> locks = locks_of(problem, node);
-    for (std::uint32_t i = 0; i < locks.size(); ++i) {
-      Real p = 0;
-      for (int c = 0; !node.is_implied(i) && c < kDof; ++c) p += node.along(i)[c] * wrench[c];
-      locks[i].p = node.child_is_a ? -p : p;
-      locks[i].u = locks[i].low;
-    }
+    node.locks.find_impulses(wrench, [&](std::uint32_t i, Real p) {
+      ConeLink& lock = problem.locks[node.first_row + i];
+      lock.p = p, lock.u = lock.low;
+    });
     if (node.parent != kInvalid) problem.scratch[node.parent] += handed_over(node, wrench);
   }
 }

@@ -155,16 +155,25 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
   std::ranges::sort(of_forest);
   for (const std::uint32_t i : joints) {
     const JointLanes& joint = lanes_of(i);
-    if (!std::ranges::binary_search(of_forest, i)) add_rows(i, joint.first, joint.layout.equalities, false);
+    if (!std::ranges::binary_search(of_forest, i)) {
+      add_rows(i, joint.first, joint.layout.equalities, false);
+    } else {
+      const Link& link = c.links[i];
+      d.forest().joints.push_back({.a = d.node(link.moves_a, link.a),
+                                   .b = d.node(link.moves_b, link.b),
+                                   .first_row = 0,
+                                   .rows = joint.layout.equalities,
+                                   .first_drive = static_cast<std::uint32_t>(d.links.size()) - begin.link,
+                                   .drives = joint.layout.drives});
+    }
     add_rows(i, joint.first_drive, joint.layout.drives, true);
   }
   begin.lock = static_cast<std::uint32_t>(d.links.size());
-  for (const std::uint32_t i : of_forest) {
-    const Link& link = c.links[i];
-    const std::uint32_t locks = lanes_of(i).layout.equalities;
-    d.forest().joints.push_back({d.node(link.moves_a, link.a), d.node(link.moves_b, link.b),
-                                 static_cast<std::uint32_t>(d.links.size()) - begin.lock, locks});
-    add_rows(i, lanes_of(i).first, locks, false);
+  TreeJoint* of = d.forest().joints.data() + begin.forest;
+  for (const std::uint32_t i : joints) {
+    if (!std::ranges::binary_search(of_forest, i)) continue;
+    of++->first_row = static_cast<std::uint32_t>(d.links.size()) - begin.lock;
+    add_rows(i, lanes_of(i).first, lanes_of(i).layout.equalities, false);
   }
 }
 

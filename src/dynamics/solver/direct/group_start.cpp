@@ -184,8 +184,8 @@ Real ConeGroup::start(Real h) {
   if (is_joined()) stiffen(world_, problem_, link_row_, h);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
   hold_forest();
-  for (ConeLink& link : problem_.links)
-    if (link.is_spring()) link.p = link.start_p = link.alone(relative<&ConeBody::before>(problem_.bodies, link));
+  for (ConeLink& link : problem_.links)  // `gained` is what the substep before ended with, less nothing yet
+    if (link.is_spring()) link.p = link.start_p = link.given(-relative<&ConeBody::gained>(problem_.bodies, link));
   for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
   if (const Real share = share_that_helps(problem_); share < 1) {
     for (ConeContact& contact : problem_.contacts) contact.p *= share, contact.start_p = contact.p;

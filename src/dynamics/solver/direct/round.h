@@ -64,6 +64,8 @@ class Round {
   /// the masses they are assembled once a solve.
   void assemble();
   void assemble_locked();
+  /// Limits and drives of its joint, in its own unknowns.
+  void add_driven(TreeNode& node) const;
   void find_step();
   /// Where along the step the function is least, closely enough: a root of its derivative, which grows.
   /// @return 0 where the derivative at the start is but rounding

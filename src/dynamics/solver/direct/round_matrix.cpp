@@ -146,8 +146,19 @@ void Round::assemble_locked() {
   const Blocks common = problem_.factor->common(e);
   assemble_masses(problem_, common);
   for (const ConeLink& c : problem_.links)
-    if (c.k > 0 && c.is_lock()) add_link(e, common, c, 1 / resistance(c));
+    if (c.k > 0 && c.is_lock() && !c.is_of_child) add_link(e, common, c, 1 / resistance(c));
   problem_.locked_softness = softness_of_locks();
+}
+
+void Round::add_driven(TreeNode& node) const {
+  if (node.drives == 0) return;
+  node.driven = {};
+  for (const ConeLink& c : problem_.links.subspan(node.first_drive, node.drives)) {
+    if (!c.is_held) continue;
+    const Real w = 1 / (resistance(c) + c.give);
+    for (int i = 0; i < node.freedom; ++i)
+      for (int j = 0; j < node.freedom; ++j) node.driven.x[i][j] += w * c.of_child[i] * c.of_child[j];
+  }
 }
 
 void Round::assemble() {
@@ -184,7 +195,8 @@ void Round::assemble() {
     add(d, 3, 3, back * other);
   }
   for (const ConeLink& c : problem_.links)
-    if (c.is_held && !c.is_lock()) add_link(e, f, c, 1 / (resistance(c) + c.give));
+    if (c.is_held && !c.is_lock() && !c.is_of_child) add_link(e, f, c, 1 / (resistance(c) + c.give));
+  for (TreeNode& node : problem_.tree) add_driven(node);
   hold_locked(problem_);
 }
 

@@ -57,14 +57,12 @@ void bound_friction(ConeProblem& problem) {
   }
 }
 
-ConeSolution solve_yielding(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps) {
-  for (ConeContact& c : problem.contacts) {
-    c.give = give * c.k, c.slip = 0;
-  }
+ConeSolution solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance, std::uint32_t most_steps) {
+  for (ConeContact& c : problem.contacts) c.give = forgets * give * c.k, c.slip = 0;
   bound_friction(problem);
   problem.factored = problem.locked_softness = 0;
   ConeSolution solution;
-  Round round(problem, 0, Round::Friction::known);
+  Round round(problem, (1 - forgets) * give, Round::Friction::known);
   solution.factorisations = round.minimise(tolerance, most_steps);
   solution.rounds = 1;
   for (ConeContact& c : problem.contacts) c.give = 0;

@@ -11,13 +11,18 @@ inline constexpr Constant<Real> kGiveOfContacts{
     "load; far above what locks are anchored by, so that impulses that no load requires vanish",
     "larger: shares are those of softer contacts, and the exact law is farther away; smaller: what is wedged bears more, "
     "without end at 0"};
+inline constexpr Constant<Real> kForgets{
+    "direct_forgets", 0.1, "1",
+    "of what contacts bore in the last substep, by which they yield while it is found how joints and contacts share a load: "
+    "in so many substeps what the law leaves undetermined goes to its least",
+    "larger: what stands yields more, and is solved closer in rounds; smaller: what is wedged bears more and more"};
 inline constexpr Constant<Real> kGiveOfSweeps{
     "direct_last_give", 0.06, "1",
     "of a contact's response: softness in sweeps, and the most that contacts of a pinch yield; that of solver soft_step "
     "at 30 Hz and 1/240 s",
     "larger: bodies sink deeper in such a step; smaller: what is wedged bears more"};
 inline constexpr Constant<Real> kOfYielding{
-    "direct_of_yielding", 0.03, "1", "of what a solution may be off, to which that with contacts that yield is found",
+    "direct_of_yielding", 0.3, "1", "of what a solution may be off, to which that with contacts that yield is found",
     "larger: what joints bear is off by more; smaller: steps of Newton for nothing"};
 inline constexpr Constant<std::uint32_t> kStepsOfYielding{
     "direct_steps_of_yielding", 10, "steps of Newton",
@@ -35,7 +40,7 @@ inline constexpr Constant<Real> kWedged{
     "million times its mass has 1e-6, stacks of n cubes n^-2",
     "larger: what bears a heavy load counts as wedged, and starts from nothing in each step; smaller: bodies that "
     "surfaces close on keep impulses that throw them in the next step"};
-inline constexpr ConstantRow kYieldingConstants[] = {kGiveOfContacts, kGiveOfSweeps,  kOfYielding, kStepsOfYielding,
-                                                     kRoundsCloser,   kSweepsInstead, kWedged};
+inline constexpr ConstantRow kYieldingConstants[] = {kGiveOfContacts,  kForgets,      kGiveOfSweeps,  kOfYielding,
+                                                     kStepsOfYielding, kRoundsCloser, kSweepsInstead, kWedged};
 
 }  // namespace carom::dynamics
