@@ -2,6 +2,7 @@
 import json
 from pathlib import Path
 
+import emit_cpp
 import emit_js
 import emit_lua
 import emit_pages
@@ -35,6 +36,7 @@ def manifest_rows(api):
 
 FILES = {
     "bindings/api.json": api_json,
+    "include/carom/fill.hpp": emit_cpp.fill,
     "src/abi/manifest_rows.inc": manifest_rows,
     "src/abi/record_calls.inc": emit_record.record_calls,
     "src/tools/replay/calls.inc": emit_record.replay_calls,
