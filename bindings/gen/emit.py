@@ -9,6 +9,7 @@ import emit_pages
 import emit_python
 import emit_record
 import emit_records
+import emit_rust
 
 BY = "Written by bindings/gen/generate from include/carom; do not edit."
 
@@ -48,5 +49,6 @@ FILES = {
     "bindings/python/carom/_c.py": emit_python.declarations,
     "bindings/python/carom/records.py": emit_records.records,
     "bindings/python/carom/raw.pyi": emit_python.stubs,
+    "bindings/rust/carom-sys/src/lib.rs": emit_rust.sys,
     **emit_pages.pages(sorted(path.name for path in (Path(__file__).resolve().parents[2] / "include" / "carom").glob("*.h"))),
 }

@@ -45,6 +45,9 @@ class Host:
         self.environment = dict(os.environ, CAROM_SCENE=str(build / "bin" / "bindings_scene"))
         self.environment.pop("CAROM_PLUGIN_PATH", None)
 
+    def needs(self):
+        """Skip where the language is not there."""
+
     def run(self, command, good=True, folder=None, **more):
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True, cwd=folder or self.place,
                               env={**self.environment, **more})
@@ -145,12 +148,39 @@ class Cpp(Host):
         pass
 
 
-HOSTS = {"cpp": Cpp}
+class Rust(Host):
+    folder, block, suffix = "rust", "rust", "rs"
+
+    def needs(self):
+        version_of(["cargo", "--version"], r"(\d+)\.(\d+)", (1, 77), "Rust")
+
+    def build(self, names):
+        (self.place / "src" / "bin").mkdir(parents=True)
+        for name in names:
+            (self.place / "src" / "bin" / f"{name}.rs").write_text(self.program(name))
+        (self.place / "Cargo.toml").write_text(
+            '[package]\nname = "host"\nversion = "0.0.0"\nedition = "2021"\n[workspace]\n'
+            f'[dependencies]\ncarom = {{ path = "{ROOT / "bindings/rust/carom"}" }}\n')
+        self.environment["CARGO_TARGET_DIR"] = str(self.place / "target")
+        self.run(["cargo", "build", "--release", "--offline", "--quiet"])
+
+    def command(self, name):
+        return [self.place / "target" / "release" / name]
+
+    def own_tests(self):
+        self.run(["cargo", "test", "--locked", "--offline", "--quiet"], folder=ROOT / "bindings" / "rust")
+        done = self.run(["cargo", "build", "--offline", "--quiet"], good=False, PKG_CONFIG_PATH="", CAROM_LIBRARY_DIR="/no/such/folder")
+        if done.returncode == 0 or not re.search(r"/no/such/folder/libcarom\.so does not exist\. Set CAROM_LIBRARY_DIR", done.stderr):
+            sys.exit(f"a wrong CAROM_LIBRARY_DIR: {done.returncode}\n{done.stderr}")
+
+
+HOSTS = {"cpp": Cpp, "rust": Rust}
 
 
 def main():
     language, build = sys.argv[1], Path(sys.argv[2]).resolve()
     host = HOSTS[language](language, build)
+    host.needs()
     host.calls() if sys.argv[3:] == ["--calls"] else host.test()
 
 
