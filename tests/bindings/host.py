@@ -95,7 +95,7 @@ class Host:
         of_host = self.run(self.command("scene")).stdout.split()
         if len(set(of_c)) != 3 or of_host != of_c * 2:
             sys.exit(f"C got {of_c}, the host {of_host}: the scene, then once more with a shape that the host wrote")
-        here, older = ".".join(VERSION), ".".join([VERSION[0], str(int(VERSION[1]) - 1), VERSION[2]])
+        here, older = ".".join(VERSION), "0.0.1"
         said = f"carom {here}\n".encode(), f"carom {older}\n".encode()
         self.refuses("older", self.doctored("older", said), rf"libcarom\.so\.0\.9 is of version {older}.*{here}.*(install|Install)")
         if self.checks_layout:
@@ -174,7 +174,30 @@ class Rust(Host):
             sys.exit(f"a wrong CAROM_LIBRARY_DIR: {done.returncode}\n{done.stderr}")
 
 
-HOSTS = {"cpp": Cpp, "rust": Rust}
+class Go(Host):
+    folder, block, suffix = "go", "go", "go"
+
+    def needs(self):
+        version_of(["go", "version"], r"go(\d+)\.(\d+)", (1, 24), "Go")
+        self.environment.update(GOPROXY="off", GOFLAGS="-mod=mod -buildvcs=false", GOTOOLCHAIN="local")
+
+    def build(self, names):
+        (self.place / "go.mod").write_text("module host\n\ngo 1.24\n")
+        self.run(["go", "mod", "edit", "-require", "carom@v0.0.0", "-replace", f"carom={ROOT / 'bindings/go'}"])
+        for name in names:
+            (self.place / name).mkdir()
+            (self.place / name / "main.go").write_text(self.program(name))
+            self.run(["go", "build", "-o", self.place / f"{name}.exe", f"./{name}"])
+
+    def command(self, name):
+        return [self.place / f"{name}.exe"]
+
+    def own_tests(self):
+        self.run(["go", "vet", "./..."], folder=ROOT / "bindings" / "go")
+        self.run(["go", "test", "./..."], folder=ROOT / "bindings" / "go")
+
+
+HOSTS = {"cpp": Cpp, "rust": Rust, "go": Go}
 
 
 def main():

@@ -64,15 +64,19 @@ fn vendored() {
         Err(problem) => refuse(&format!("cmake cannot be run: {problem}")),
     };
     let switches = ["TOOLS", "TESTS"].map(|what| format!("-DCAROM_BUILD_{what}=OFF"));
-    cmake(Command::new("cmake").arg("-S").arg(&root).arg("-B").arg(&build).args(switches).args([
-        "-DCMAKE_BUILD_TYPE=Release",
-        "-DCAROM_UNITY=ON",
-        "-DCAROM_BUILD_STATIC=ON",
-        "-DCMAKE_ARCHIVE_OUTPUT_DIRECTORY=archive",
-    ]));
+    let archive = build.join("archive");
+    cmake(
+        Command::new("cmake")
+            .arg("-S")
+            .arg(&root)
+            .arg("-B")
+            .arg(&build)
+            .args(switches)
+            .args(["-DCMAKE_BUILD_TYPE=Release", "-DCAROM_UNITY=ON", "-DCAROM_BUILD_STATIC=ON"])
+            .arg(format!("-DCMAKE_ARCHIVE_OUTPUT_DIRECTORY={}", archive.display())),
+    );
     let jobs = env::var("NUM_JOBS").unwrap_or_else(|_| "1".into());
     cmake(Command::new("cmake").arg("--build").arg(&build).args(["--target", "carom_static", "-j", &jobs]));
-    let archive = build.join("archive");
     println!("cargo:rustc-link-search=native={}", archive.display());
     println!("cargo:rustc-link-lib=static=carom");
     println!("cargo:rustc-link-lib=dylib=stdc++");
