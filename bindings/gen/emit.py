@@ -4,6 +4,7 @@ from pathlib import Path
 
 import emit_cpp
 import emit_go
+import emit_java
 import emit_js
 import emit_lua
 import emit_pages
@@ -51,6 +52,7 @@ FILES = {
     "bindings/python/carom/records.py": emit_records.records,
     "bindings/python/carom/raw.pyi": emit_python.stubs,
     "bindings/go/raw/raw.go": emit_go.raw,
+    "bindings/java/carom/Raw.java": emit_java.raw,
     "bindings/rust/carom-sys/src/lib.rs": emit_rust.sys,
     **emit_pages.pages(sorted(path.name for path in (Path(__file__).resolve().parents[2] / "include" / "carom").glob("*.h"))),
 }

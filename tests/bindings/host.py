@@ -43,7 +43,8 @@ class Host:
         self.place = build / "tests" / "bindings" / "hosts" / language
         self.prefix = self.place / "prefix"
         self.environment = dict(os.environ, CAROM_SCENE=str(build / "bin" / "bindings_scene"))
-        self.environment.pop("CAROM_PLUGIN_PATH", None)
+        for name in ("CAROM_PLUGIN_PATH", "CAROM_LIBRARY", "CAROM_LIBRARY_DIR"):
+            self.environment.pop(name, None)
 
     def needs(self):
         """Skip where the language is not there."""
@@ -197,7 +198,44 @@ class Go(Host):
         self.run(["go", "test", "./..."], folder=ROOT / "bindings" / "go")
 
 
-HOSTS = {"cpp": Cpp, "rust": Rust, "go": Go}
+class Java(Host):
+    folder, block, suffix = "java", "java", "java"
+    said_when_missing = r"cannot load libcarom\.so\.0\.9. Remedy: .*CAROM_LIBRARY"
+
+    def needs(self):
+        """$JAVA_HOME, else what is on the PATH, else what the system has: the first that is new enough."""
+        homes = [Path(os.environ.get("JAVA_HOME", "/none")), Path(shutil.which("javac") or "/none/bin/javac").resolve().parents[1]]
+        for home in homes + sorted(Path("/usr/lib/jvm").glob("*")):
+            javac = home / "bin" / "javac"
+            if javac.exists():
+                found = re.search(r"javac (\d+)", subprocess.run([javac, "-version"], capture_output=True, text=True).stdout)
+                if found and int(found[1]) >= 22:
+                    self.bin = home / "bin"
+                    return
+        skip("no javac of Java 22 or newer in JAVA_HOME, on the PATH or in /usr/lib/jvm: java.lang.foreign came with it")
+
+    def build(self, names):
+        self.run([self.bin / "javac", "--release", "22", "-d", "carom", *(ROOT / "bindings/java/carom").glob("*.java")])
+        for name in names:
+            (self.place / f"{name}.java").write_text(self.program(name))
+            self.run([self.bin / "javac", "--release", "22", "-cp", "carom", "-d", "carom", f"{name}.java"])
+
+    def java(self, main):
+        return [self.bin / "java", "--enable-native-access=ALL-UNNAMED", "-cp", self.place / "carom", main]
+
+    def command(self, name):
+        return self.java(name)
+
+    def own_tests(self):
+        self.run([self.bin / "javac", "--release", "22", "-cp", "carom", "-d", "carom", ROOT / "bindings/java/test/CaromTest.java"])
+        if not re.search(r"^[1-9]\d* passed, 0 failed$", self.run(self.java("carom.CaromTest")).stdout, re.M):
+            sys.exit("CaromTest ran no test")
+        done = self.run(self.command("hello"), good=False, CAROM_LIBRARY="/no/such/libcarom.so")
+        if done.returncode == 0 or "cannot load /no/such/libcarom.so. Remedy: install" not in done.stderr:
+            sys.exit(f"a wrong CAROM_LIBRARY: {done.returncode}\n{done.stderr}")
+
+
+HOSTS = {"cpp": Cpp, "rust": Rust, "go": Go, "java": Java}
 
 
 def main():
