@@ -14,6 +14,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <mutex>
 #include <ranges>
 #include <span>
 #include <string>
@@ -64,6 +65,7 @@ struct Plugin {
 /// Lives as long as an engine or a world of it: an engine may be forgotten before its worlds.
 struct EngineOwner {
   carom_engine *pointer = nullptr;
+  std::mutex lock;  // of plugins
   std::deque<Plugin> plugins;
   ~EngineOwner() {
     if (pointer) carom_engine_destroy(pointer, nullptr);
@@ -302,6 +304,7 @@ class BasicEngine {
   }
   /// A kind of shape whose support function is C++, as long as the engine lives; so long must the texts of `params`.
   Out<carom_plugin> plugin(std::string id, std::initializer_list<carom_param> params, Support support) {
+    const std::lock_guard hold(owner_->lock);
     auto &kept = owner_->plugins.emplace_back(detail::Plugin{std::move(id), params, std::move(support)});
     auto description = carom::make<carom_shape_plugin>();
     description.abi_major = CAROM_PLUGIN_ABI_MAJOR, description.abi_minor = CAROM_PLUGIN_ABI_MINOR;
