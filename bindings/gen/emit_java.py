@@ -1,5 +1,7 @@
 """The raw layer of bindings/java: one class, by java.lang.foreign. Functions and constants have C's names, structs are classes over
 memory that the caller's Arena owns."""
+import re
+
 from c_reader import HeaderError
 
 VALUES = {"int32_t": ("int", "JAVA_INT"), "uint32_t": ("int", "JAVA_INT"), "uint64_t": ("long", "JAVA_LONG"), "int64_t": ("long", "JAVA_LONG"),
@@ -20,7 +22,12 @@ def name_of(c_name):
 
 
 def docs(text, indent):
-    return [f"{indent}/** " + text.replace("*/", "* /").replace("\\", "&#92;").replace("\n", f"\n{indent} *  ") + " */"] if text else []
+    if not text:
+        return []
+    text = re.sub(r"@(\w+)", r"\1:", text.replace("\n@{", ""))  # tags that Java does not know, or whose names it would look up
+    for plain, written in (("*/", "* /"), ("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ("\\", "&#92;")):
+        text = text.replace(plain, written)
+    return [f"{indent}/** " + text.replace("\n", f"\n{indent} *  ") + " */"]
 
 
 def value_of(constant):

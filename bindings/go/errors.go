@@ -5,11 +5,16 @@ package carom
 #cgo linux LDFLAGS: -ldl
 #define _GNU_SOURCE
 #include <carom/carom.h>
+#ifndef _WIN32
 #include <dlfcn.h>
+#endif
 
 static const char *carom_file(void) {
+#ifndef _WIN32
   Dl_info info;
-  return dladdr(carom_abi_manifest(), &info) && info.dli_fname ? info.dli_fname : "libcarom";
+  if (dladdr(carom_abi_manifest(), &info) && info.dli_fname) return info.dli_fname;
+#endif
+  return "libcarom";
 }
 */
 import "C"

@@ -504,8 +504,7 @@ public final class Raw {
     /** from `lower` to `upper`; where both are the same and the stops hard, it is locked */
     public static final int CAROM_AXIS_MODE_LIMITED = 2;
     public static final int CAROM_AXIS_MODE_COUNT = 3;
-    /** @name What a drive aims at
-     *  @{ */
+    /** name: What a drive aims at */
     public static final int CAROM_DRIVE_NONE = 0;
     /** force = stiffness (target - x) + damping (speed - x'), `max_force` at most */
     public static final int CAROM_DRIVE_POSITION = 1;
@@ -721,23 +720,23 @@ public final class Raw {
     /** whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points */
     public static final int CAROM_WANT_ANY = 1;
     /** Do the parts [begin, end) of a loop. Does not call back, throw or block.
-     *  @param context as run got it   @param begin, end range of parts */
+     *  param: context as run got it   param: begin, end range of parts */
     public static final FunctionDescriptor carom_job_fn = FunctionDescriptor.ofVoid(ADDRESS, JAVA_INT, JAVA_INT);
     /** Support function of a bounded convex set: the point of the set farthest along dir, in the shape's own frame.
      *  Contract: pure (same bits in, same bits out), callable from several threads at once; dir is finite and nonzero, of a
      *  length of 5e-324 to 1e308: divide it by its largest component before multiplying or squaring it; ties may be broken
      *  either way, but repeatably; no allocation, lock, I/O, change of the floating-point environment, or carom_* call.
-     *  @param user       as the plugin has it: state of a host's function; NULL for a file's
-     *  @param params     [param_len] the shape's parameters; owned by the engine, immutable
-     *  @param param_len  number of parameters
-     *  @param dir        [3] direction, shape frame, any positive length
-     *  @param out        [3] m, shape frame: argmax over x in the set of dir . x
-     *  @return 0; anything else reports a fault: the pair is skipped and the shape put in quarantine */
+     *  param: user       as the plugin has it: state of a host's function; NULL for a file's
+     *  param: params     [param_len] the shape's parameters; owned by the engine, immutable
+     *  param: param_len  number of parameters
+     *  param: dir        [3] direction, shape frame, any positive length
+     *  param: out        [3] m, shape frame: argmax over x in the set of dir . x
+     *  return: 0; anything else reports a fault: the pair is skipped and the shape put in quarantine */
     public static final FunctionDescriptor carom_support_fn = FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS);
     /** Take bytes of a recording, in order. Called on the thread that makes the call which is recorded, before that
      *  returns; no call of this library is allowed in it.
-     *  @param user as given to carom_world_record_begin()   @param bytes [size]   @param size number of bytes
-     *  @return 0; else recording stops, and carom_world_record_end() says so */
+     *  param: user as given to carom_world_record_begin()   param: bytes [size]   param: size number of bytes
+     *  return: 0; else recording stops, and carom_world_record_end() says so */
     public static final FunctionDescriptor carom_write_fn = FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG);
 
     private static int count(int given, int wanted) {
@@ -1437,7 +1436,7 @@ public final class Raw {
         /** CAROM_DRAW_BY_*, default BY_TYPE */
         public int colouring() { return segment.get(JAVA_INT, 8); }
         public DrawDesc colouring(int it) { segment.set(JAVA_INT, 8, it); return this; }
-        /** m, length of normals and axes, default 0.2; > 0 */
+        /** m, length of normals and axes, default 0.2; &gt; 0 */
         public double scale() { return segment.get(JAVA_DOUBLE, 16); }
         public DrawDesc scale(double it) { segment.set(JAVA_DOUBLE, 16, it); return this; }
     }
@@ -1661,7 +1660,7 @@ public final class Raw {
         /** x, y, z, w, frame to world; default identity */
         public double[] orientation() { return segment.asSlice(40, 32).toArray(JAVA_DOUBLE); }
         public ForceFieldDesc orientation(double... it) { MemorySegment.copy(it, 0, segment, JAVA_DOUBLE, 40, count(it.length, 4)); return this; }
-        /** m, > 0, may be infinite (default): where a uniform field ends along the axes of the frame, and a vortex along its y axis */
+        /** m, &gt; 0, may be infinite (default): where a uniform field ends along the axes of the frame, and a vortex along its y axis */
         public double[] half() { return segment.asSlice(72, 24).toArray(JAVA_DOUBLE); }
         public ForceFieldDesc half(double... it) { MemorySegment.copy(it, 0, segment, JAVA_DOUBLE, 72, count(it.length, 3)); return this; }
         /** m/s^2 or N, world: of a uniform field; T: of a magnetic one */
@@ -1676,13 +1675,13 @@ public final class Raw {
         /** likewise, of a vortex: along the axis */
         public double lift() { return segment.get(JAVA_DOUBLE, 136); }
         public ForceFieldDesc lift(double it) { segment.set(JAVA_DOUBLE, 136, it); return this; }
-        /** m, > 0, default 1 */
+        /** m, &gt; 0, default 1 */
         public double reference() { return segment.get(JAVA_DOUBLE, 144); }
         public ForceFieldDesc reference(double it) { segment.set(JAVA_DOUBLE, 144, it); return this; }
-        /** m, >= 0, default 0: softens the centre */
+        /** m, &gt;= 0, default 0: softens the centre */
         public double core() { return segment.get(JAVA_DOUBLE, 152); }
         public ForceFieldDesc core(double it) { segment.set(JAVA_DOUBLE, 152, it); return this; }
-        /** m, > 0, may be infinite (default): beyond that distance there is nothing */
+        /** m, &gt; 0, may be infinite (default): beyond that distance there is nothing */
         public double reach() { return segment.get(JAVA_DOUBLE, 160); }
         public ForceFieldDesc reach(double it) { segment.set(JAVA_DOUBLE, 160, it); return this; }
         /** [-2, 8]: 0 the same everywhere, 1 a line's, 2 (default) a point's, -1 a spring's */
@@ -1731,7 +1730,7 @@ public final class Raw {
         public SpringDesc user(long it) { segment.set(JAVA_LONG, 96, it); return this; }
     }
 
-    /** All of space where normal . x <= level is water. What of a body's colliders is in it (not sensors, not scenery) is
+    /** All of space where normal . x &lt;= level is water. What of a body's colliders is in it (not sensors, not scenery) is
      *  pushed by the weight of what it displaces, at the middle of that part, against the world's gravity, and is taken
      *  along by the current: F = -drag * density * volume * (v - current). Balls, ellipsoids, boxes and hulls displace
      *  exactly what they cover, other shapes what a hull of 256 of their support points covers, scaled to their volume.
@@ -1782,7 +1781,7 @@ public final class Raw {
         /** m, of the frame in A's coordinates */
         public double[] positionA() { return segment.asSlice(32, 24).toArray(JAVA_DOUBLE); }
         public JointDesc positionA(double... it) { MemorySegment.copy(it, 0, segment, JAVA_DOUBLE, 32, count(it.length, 3)); return this; }
-        /** x, y, z, w: joint -> A */
+        /** x, y, z, w: joint -&gt; A */
         public double[] orientationA() { return segment.asSlice(56, 32).toArray(JAVA_DOUBLE); }
         public JointDesc orientationA(double... it) { MemorySegment.copy(it, 0, segment, JAVA_DOUBLE, 56, count(it.length, 4)); return this; }
         /** m, in B */
@@ -1965,7 +1964,7 @@ public final class Raw {
         /** CAROM_GAINS_* */
         public int gains() { return segment.get(JAVA_INT, 8); }
         public JointOrientationDrive gains(int it) { segment.set(JAVA_INT, 8, it); return this; }
-        /** x, y, z, w: B's frame -> A's; of CAROM_DRIVE_POSITION. Half a turn off there is no shortest way */
+        /** x, y, z, w: B's frame -&gt; A's; of CAROM_DRIVE_POSITION. Half a turn off there is no shortest way */
         public double[] target() { return segment.asSlice(16, 32).toArray(JAVA_DOUBLE); }
         public JointOrientationDrive target(double... it) { MemorySegment.copy(it, 0, segment, JAVA_DOUBLE, 16, count(it.length, 4)); return this; }
         /** rad/s, [-1e6, 1e6], A's frame, of B relative to A */
@@ -2204,13 +2203,13 @@ public final class Raw {
 
     /** What several parameters fulfil together: the sum of weight[i] * params[param[i]] over its terms is at most `most`.
      *  Parameters that do not are refused when a shape is made (OUT_OF_RANGE, with `text`), and the plugin is not judged by
-     *  them. A lens that is thinner than its radius: {"height <= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}. */
+     *  them. A lens that is thinner than its radius: {"height &lt;= 0.99 radius", 2, {1, 0}, {1, -0.99}, 0}. */
     public static final class ParamRule {
         public static final int SIZE = 72;
         public final MemorySegment segment;
         public ParamRule(Arena arena) { segment = arena.allocate(SIZE, 8); }
         public ParamRule(MemorySegment at) { segment = at; }
-        /** for people: "height <= 0.99 radius" */
+        /** for people: "height &lt;= 0.99 radius" */
         public MemorySegment text() { return segment.get(ADDRESS, 0); }
         public ParamRule text(MemorySegment it) { segment.set(ADDRESS, 0, it); return this; }
         /** 1 to 4 */
@@ -2286,7 +2285,7 @@ public final class Raw {
         /** the only code */
         public MemorySegment support() { return segment.get(ADDRESS, 48); }
         public ShapePlugin support(MemorySegment it) { segment.set(ADDRESS, 48, it); return this; }
-        /** 0: exactly param_count parameters. k > 0: the last k entries repeat, so a shape has param_count + m*k parameters, m >= 0 (hull: x, y, z repeated) */
+        /** 0: exactly param_count parameters. k &gt; 0: the last k entries repeat, so a shape has param_count + m*k parameters, m &gt;= 0 (hull: x, y, z repeated) */
         public int paramTailGroup() { return segment.get(JAVA_INT, 56); }
         public ShapePlugin paramTailGroup(int it) { segment.set(JAVA_INT, 56, it); return this; }
         /** smallest number of groups in all, the declared one included (hull: 1) */
@@ -2344,10 +2343,10 @@ public final class Raw {
         /** m */
         public double separation() { return segment.get(JAVA_DOUBLE, 8); }
         public Distance separation(double it) { segment.set(JAVA_DOUBLE, 8, it); return this; }
-        /** m, separation >= lower */
+        /** m, separation &gt;= lower */
         public double lower() { return segment.get(JAVA_DOUBLE, 16); }
         public Distance lower(double it) { segment.set(JAVA_DOUBLE, 16, it); return this; }
-        /** m, separation <= upper */
+        /** m, separation &lt;= upper */
         public double upper() { return segment.get(JAVA_DOUBLE, 24); }
         public Distance upper(double it) { segment.set(JAVA_DOUBLE, 24, it); return this; }
         /** unit, world, from A to B */
@@ -3198,8 +3197,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_version", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Version of the library that is running (the CAROM_VERSION_* macros are the header's).
-     *  @param major, minor, patch as CAROM_VERSION_*
-     *  @status OK; NULL_ARGUMENT */
+     *  param: major, minor, patch as CAROM_VERSION_*
+     *  status: OK; NULL_ARGUMENT */
     public static int carom_version(MemorySegment major, MemorySegment minor, MemorySegment patch) {
         try { return (int) carom_version_.CALL.invokeExact(major, minor, patch); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3208,7 +3207,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_result_name", FunctionDescriptor.of(ADDRESS, JAVA_INT));
     }
     /** Name of a result code, e.g. "CAROM_E_BUSY"; "CAROM_E_?" for an unknown one. Static storage.
-     *  @param result of any call */
+     *  param: result of any call */
     public static String carom_result_name(int result) {
         try { return ((MemorySegment) carom_result_name_.CALL.invokeExact(result)).reinterpret(Long.MAX_VALUE).getString(0); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3217,7 +3216,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_result_remedy", FunctionDescriptor.of(ADDRESS, JAVA_INT));
     }
     /** What to do about a result code, in one sentence. Static storage.
-     *  @param result of any call */
+     *  param: result of any call */
     public static String carom_result_remedy(int result) {
         try { return ((MemorySegment) carom_result_remedy_.CALL.invokeExact(result)).reinterpret(Long.MAX_VALUE).getString(0); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3241,7 +3240,7 @@ public final class Raw {
     private static final class carom_accuracy_init_ {
         static final MethodHandle CALL = Library.call("carom_accuracy_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_accuracy_init(MemorySegment accuracy, int structSize) {
         try { return (int) carom_accuracy_init_.CALL.invokeExact(accuracy, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3250,8 +3249,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_set_accuracy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Set an error tolerance from the next step on.
-     *  @param accuracy NULL: none, as a world is created
-     *  @status OK; UNSUPPORTED; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are
+     *  param: accuracy NULL: none, as a world is created
+     *  status: OK; UNSUPPORTED; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE (also where both place and turn are
      *  0);
      *          BUSY; REENTRANT */
     public static int carom_world_set_accuracy(MemorySegment world, MemorySegment accuracy, MemorySegment error) {
@@ -3261,8 +3260,8 @@ public final class Raw {
     private static final class carom_world_get_accuracy_ {
         static final MethodHandle CALL = Library.call("carom_world_get_accuracy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param accuracy out   @param present out: 1 or 0; if 0, accuracy is filled with defaults
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
+    /** param: accuracy out   param: present out: 1 or 0; if 0, accuracy is filled with defaults
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
     public static int carom_world_get_accuracy(MemorySegment world, MemorySegment accuracy, MemorySegment present, MemorySegment error) {
         try { return (int) carom_world_get_accuracy_.CALL.invokeExact(world, accuracy, present, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3272,10 +3271,10 @@ public final class Raw {
     }
     /** Copy out the islands of the last step, worst first: by share, then by body. None without a tolerance.
      *  Bodies in free flight are in none: nothing acts on them but what is constant, and their step is exact.
-     *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
-     *  @param stride   sizeof(carom_island) as the caller knows it
-     *  @param count    out: how many there are (may exceed capacity; capacity are written)
-     *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
+     *  param: dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+     *  param: stride   sizeof(carom_island) as the caller knows it
+     *  param: count    out: how many there are (may exceed capacity; capacity are written)
+     *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public static int carom_world_get_islands(MemorySegment world, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_get_islands_.CALL.invokeExact(world, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3287,11 +3286,11 @@ public final class Raw {
      *  little over twice as much as they; nothing of the world itself changes. The same world gives the same result.
      *  Errors grow e-fold (`sensitive`) where they grow a hundredfold or more, and a quarter of the time or more goes by
      *  until they have grown to the root of that: half of it in chaos, a tenth where they grow in proportion to time.
-     *  @param dt      s, of a step: as for carom_world_step()
-     *  @param steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
-     *  @param growth  out, its struct_size set
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY
-     *  @thread reader */
+     *  param: dt      s, of a step: as for carom_world_step()
+     *  param: steps   1 to 1000000: several e-foldings of what is looked for, and more than the longest period
+     *  param: growth  out, its struct_size set
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY
+     *  thread: reader */
     public static int carom_world_measure_growth(MemorySegment world, double dt, int steps, MemorySegment growth, MemorySegment error) {
         try { return (int) carom_world_measure_growth_.CALL.invokeExact(world, dt, steps, growth, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3299,7 +3298,7 @@ public final class Raw {
     private static final class carom_material_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_material_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_material_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_material_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3307,7 +3306,7 @@ public final class Raw {
     private static final class carom_material_create_ {
         static final MethodHandle CALL = Library.call("carom_material_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY */
     public static int carom_material_create(MemorySegment world, MemorySegment desc, MemorySegment material, MemorySegment error) {
         try { return (int) carom_material_create_.CALL.invokeExact(world, desc, material, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3315,7 +3314,7 @@ public final class Raw {
     private static final class carom_material_update_ {
         static final MethodHandle CALL = Library.call("carom_material_update", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** Change a material in place; every collider that uses it follows.   @status as carom_material_create(); *_HANDLE */
+    /** Change a material in place; every collider that uses it follows.   status: as carom_material_create(); *_HANDLE */
     public static int carom_material_update(MemorySegment world, long material, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_material_update_.CALL.invokeExact(world, material, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3326,8 +3325,8 @@ public final class Raw {
     /** Resistance of a surface to rolling and to spinning about the normal, 0 when it is created. A contact that presses
      *  with a force N bears a moment of up to rolling * N in its plane and of up to spinning * N about its normal. Mixed as
      *  friction is; carom_material_update() leaves it alone.
-     *  @param rolling, spinning m, [0, 1e3]
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY */
+     *  param: rolling, spinning m, [0, 1e3]
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY */
     public static int carom_material_set_resistance(MemorySegment world, long material, double rolling, double spinning, MemorySegment error) {
         try { return (int) carom_material_set_resistance_.CALL.invokeExact(world, material, rolling, spinning, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3335,7 +3334,7 @@ public final class Raw {
     private static final class carom_material_get_resistance_ {
         static final MethodHandle CALL = Library.call("carom_material_get_resistance", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: rolling, spinning out: m   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_material_get_resistance(MemorySegment world, long material, MemorySegment rolling, MemorySegment spinning, MemorySegment error) {
         try { return (int) carom_material_get_resistance_.CALL.invokeExact(world, material, rolling, spinning, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3343,7 +3342,7 @@ public final class Raw {
     private static final class carom_material_destroy_ {
         static final MethodHandle CALL = Library.call("carom_material_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY */
+    /** status: OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY */
     public static int carom_material_destroy(MemorySegment world, long material, MemorySegment error) {
         try { return (int) carom_material_destroy_.CALL.invokeExact(world, material, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3351,7 +3350,7 @@ public final class Raw {
     private static final class carom_body_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_body_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_body_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_body_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3359,7 +3358,7 @@ public final class Raw {
     private static final class carom_body_create_ {
         static final MethodHandle CALL = Library.call("carom_body_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY;
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY;
      *          REENTRANT; LIMIT; OUT_OF_MEMORY */
     public static int carom_body_create(MemorySegment world, MemorySegment desc, MemorySegment body, MemorySegment error) {
         try { return (int) carom_body_create_.CALL.invokeExact(world, desc, body, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3368,7 +3367,7 @@ public final class Raw {
     private static final class carom_body_destroy_ {
         static final MethodHandle CALL = Library.call("carom_body_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** Destroys its colliders too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
+    /** Destroys its colliders too.   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
     public static int carom_body_destroy(MemorySegment world, long body, MemorySegment error) {
         try { return (int) carom_body_destroy_.CALL.invokeExact(world, body, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3378,7 +3377,7 @@ public final class Raw {
     }
     /** Everything there is to know about a body, with its masses as the engine uses them (fields: all of FIELD_* set; a
      *  body that cannot rotate reports zero inertia; a static or kinematic body reports mass 0).
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
     public static int carom_body_get(MemorySegment world, long body, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_body_get_.CALL.invokeExact(world, body, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3386,7 +3385,7 @@ public final class Raw {
     private static final class carom_body_set_pose_ {
         static final MethodHandle CALL = Library.call("carom_body_set_pose", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param position [3] m   @param orientation [4] x, y, z, w   @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
+    /** param: position [3] m   param: orientation [4] x, y, z, w   status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE;
      *  NOT_UNIT; BUSY; REENTRANT */
     public static int carom_body_set_pose(MemorySegment world, long body, MemorySegment position, MemorySegment orientation, MemorySegment error) {
         try { return (int) carom_body_set_pose_.CALL.invokeExact(world, body, position, orientation, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3395,8 +3394,8 @@ public final class Raw {
     private static final class carom_body_set_velocity_ {
         static final MethodHandle CALL = Library.call("carom_body_set_velocity", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param linear [3] m/s of the centre of mass   @param angular [3] rad/s, both world frame
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
+    /** param: linear [3] m/s of the centre of mass   param: angular [3] rad/s, both world frame
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
     public static int carom_body_set_velocity(MemorySegment world, long body, MemorySegment linear, MemorySegment angular, MemorySegment error) {
         try { return (int) carom_body_set_velocity_.CALL.invokeExact(world, body, linear, angular, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3404,8 +3403,8 @@ public final class Raw {
     private static final class carom_body_get_pose_ {
         static final MethodHandle CALL = Library.call("carom_body_get_pose", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param position [3] out, or NULL: m, world, origin of the body frame   @param orientation [4] out, or NULL: x, y, z,
-     *  w, body to world   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: position [3] out, or NULL: m, world, origin of the body frame   param: orientation [4] out, or NULL: x, y, z,
+     *  w, body to world   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_pose(MemorySegment world, long body, MemorySegment position, MemorySegment orientation, MemorySegment error) {
         try { return (int) carom_body_get_pose_.CALL.invokeExact(world, body, position, orientation, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3413,8 +3412,8 @@ public final class Raw {
     private static final class carom_body_get_velocity_ {
         static final MethodHandle CALL = Library.call("carom_body_get_velocity", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param linear [3] out, or NULL: m/s, world, of the centre of mass   @param angular [3] out, or NULL: rad/s, world
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: linear [3] out, or NULL: m/s, world, of the centre of mass   param: angular [3] out, or NULL: rad/s, world
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_velocity(MemorySegment world, long body, MemorySegment linear, MemorySegment angular, MemorySegment error) {
         try { return (int) carom_body_get_velocity_.CALL.invokeExact(world, body, linear, angular, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3424,12 +3423,12 @@ public final class Raw {
     }
     /** Set the mass of a dynamic body, as carom_body_desc would have. Its frame stays; the velocity of its centre is kept
      *  as that of the new centre. Wakes the body and its island. Snapshots of before do not fit any more (MISMATCH).
-     *  @param mass kg, at least 1e-300; or 0: from the densities of its colliders, with center and inertia NULL
-     *  @param center [3] m, body frame, or NULL: from its colliders
-     *  @param inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero;
+     *  param: mass kg, at least 1e-300; or 0: from the densities of its colliders, with center and inertia NULL
+     *  param: center [3] m, body frame, or NULL: from its colliders
+     *  param: inertia [9] kg m^2, body frame axes, about the centre, row-major, symmetric, positive definite or all zero;
      *  or NULL:
      *                 from its colliders, scaled to the mass
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0,
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a body that is not dynamic); NO_VOLUME (mass 0,
      *          and a collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_set_mass(MemorySegment world, long body, double mass, MemorySegment center, MemorySegment inertia, MemorySegment error) {
         try { return (int) carom_body_set_mass_.CALL.invokeExact(world, body, mass, center, inertia, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3439,8 +3438,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_body_get_mass", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** As the engine uses them: mass 0 of a body that is not dynamic, inertia 0 of one that cannot rotate.
-     *  @param mass out, or NULL: kg   @param center [3] out, or NULL: m, body frame   @param inertia [9] out, or NULL: kg
-     *  m^2, body frame axes, about the centre, row-major   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+     *  param: mass out, or NULL: kg   param: center [3] out, or NULL: m, body frame   param: inertia [9] out, or NULL: kg
+     *  m^2, body frame axes, about the centre, row-major   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_mass(MemorySegment world, long body, MemorySegment mass, MemorySegment center, MemorySegment inertia, MemorySegment error) {
         try { return (int) carom_body_get_mass_.CALL.invokeExact(world, body, mass, center, inertia, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3451,8 +3450,8 @@ public final class Raw {
     /** Make a static, kinematic or dynamic body of one that is there. A body that becomes static stops. One that is dynamic
      *  no longer loses the mass that it was given, pending forces and what only dynamic bodies may have
      *  (carom_attribute_info.of_dynamic). Snapshots of before do not fit any more. What it touches wakes.
-     *  @param type CAROM_BODY_*
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that
+     *  param: type CAROM_BODY_*
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; OUT_OF_RANGE (a half-space needs a static body, scenery one that
      *          is not dynamic; a joint or a spring needs a dynamic one); NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_set_type(MemorySegment world, long body, int type, MemorySegment error) {
         try { return (int) carom_body_set_type_.CALL.invokeExact(world, body, type, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3461,7 +3460,7 @@ public final class Raw {
     private static final class carom_body_get_type_ {
         static final MethodHandle CALL = Library.call("carom_body_get_type", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param type out: CAROM_BODY_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: type out: CAROM_BODY_*   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_type(MemorySegment world, long body, MemorySegment type, MemorySegment error) {
         try { return (int) carom_body_get_type_.CALL.invokeExact(world, body, type, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3469,7 +3468,7 @@ public final class Raw {
     private static final class carom_body_set_damping_ {
         static final MethodHandle CALL = Library.call("carom_body_set_damping", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_DOUBLE, JAVA_DOUBLE, ADDRESS));
     }
-    /** @param linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   @status OK; NULL_ARGUMENT; *_HANDLE;
+    /** param: linear, angular 1/s, [0, 1e6]: dv/dt = -linear v, likewise of spin   status: OK; NULL_ARGUMENT; *_HANDLE;
      *  NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_body_set_damping(MemorySegment world, long body, double linear, double angular, MemorySegment error) {
         try { return (int) carom_body_set_damping_.CALL.invokeExact(world, body, linear, angular, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3478,7 +3477,7 @@ public final class Raw {
     private static final class carom_body_get_damping_ {
         static final MethodHandle CALL = Library.call("carom_body_get_damping", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param linear, angular out: 1/s; either may be NULL   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: linear, angular out: 1/s; either may be NULL   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_damping(MemorySegment world, long body, MemorySegment linear, MemorySegment angular, MemorySegment error) {
         try { return (int) carom_body_get_damping_.CALL.invokeExact(world, body, linear, angular, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3486,7 +3485,7 @@ public final class Raw {
     private static final class carom_body_set_user_ {
         static final MethodHandle CALL = Library.call("carom_body_set_user", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS));
     }
-    /** @param user anything; the engine does not look   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
+    /** param: user anything; the engine does not look   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
     public static int carom_body_set_user(MemorySegment world, long body, long user, MemorySegment error) {
         try { return (int) carom_body_set_user_.CALL.invokeExact(world, body, user, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3494,7 +3493,7 @@ public final class Raw {
     private static final class carom_body_get_user_ {
         static final MethodHandle CALL = Library.call("carom_body_get_user", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param user out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: user out   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_user(MemorySegment world, long body, MemorySegment user, MemorySegment error) {
         try { return (int) carom_body_get_user_.CALL.invokeExact(world, body, user, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3503,9 +3502,9 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_body_get_colliders", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Number of a body's colliders, and their handles in the order of the slots.
-     *  @param colliders [capacity] or NULL   @param count out: how many there are (may exceed capacity; capacity are
+     *  param: colliders [capacity] or NULL   param: count out: how many there are (may exceed capacity; capacity are
      *  written)
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_colliders(MemorySegment world, long body, MemorySegment colliders, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_body_get_colliders_.CALL.invokeExact(world, body, colliders, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3514,8 +3513,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_body_add_force", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Add a force and a torque about the centre of mass, for the next step only.
-     *  @param force [3] N, world   @param torque [3] N m, world
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
+     *  param: force [3] N, world   param: torque [3] N m, world
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
     public static int carom_body_add_force(MemorySegment world, long body, MemorySegment force, MemorySegment torque, MemorySegment error) {
         try { return (int) carom_body_add_force_.CALL.invokeExact(world, body, force, torque, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3523,8 +3522,8 @@ public final class Raw {
     private static final class carom_body_add_impulse_ {
         static final MethodHandle CALL = Library.call("carom_body_add_impulse", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** Change velocities at once. @param impulse [3] N s, world   @param point [3] m, world: where it acts
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
+    /** Change velocities at once. param: impulse [3] N s, world   param: point [3] m, world: where it acts
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
     public static int carom_body_add_impulse(MemorySegment world, long body, MemorySegment impulse, MemorySegment point, MemorySegment error) {
         try { return (int) carom_body_add_impulse_.CALL.invokeExact(world, body, impulse, point, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3534,8 +3533,8 @@ public final class Raw {
     }
     /** How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
      *  rises. Wakes the body and its island.
-     *  @param factor any finite number; 1 when a body is created
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  param: factor any finite number; 1 when a body is created
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_set_gravity_factor(MemorySegment world, long body, double factor, MemorySegment error) {
         try { return (int) carom_body_set_gravity_factor_.CALL.invokeExact(world, body, factor, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3543,7 +3542,7 @@ public final class Raw {
     private static final class carom_body_get_gravity_factor_ {
         static final MethodHandle CALL = Library.call("carom_body_get_gravity_factor", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param factor out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: factor out   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_gravity_factor(MemorySegment world, long body, MemorySegment factor, MemorySegment error) {
         try { return (int) carom_body_get_gravity_factor_.CALL.invokeExact(world, body, factor, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3557,8 +3556,8 @@ public final class Raw {
      *  
      *  Every solver but CAROM_SOLVER_SEVERITY knows locks: a world with that dial refuses them, and a world with a locked
      *  body refuses that dial.
-     *  @param locks CAROM_LOCK_* bits, 0 when a body is created
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; UNSUPPORTED (unknown bits; or solver severity: set CAROM_DIAL_SOLVER to another
+     *  param: locks CAROM_LOCK_* bits, 0 when a body is created
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; UNSUPPORTED (unknown bits; or solver severity: set CAROM_DIAL_SOLVER to another
      *          first); OUT_OF_RANGE (a body that is not dynamic: it moves as its velocity says); BUSY; REENTRANT;
      *          OUT_OF_MEMORY */
     public static int carom_body_set_locks(MemorySegment world, long body, int locks, MemorySegment error) {
@@ -3568,7 +3567,7 @@ public final class Raw {
     private static final class carom_body_get_locks_ {
         static final MethodHandle CALL = Library.call("carom_body_get_locks", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param locks out: CAROM_LOCK_* bits   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: locks out: CAROM_LOCK_* bits   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_locks(MemorySegment world, long body, MemorySegment locks, MemorySegment error) {
         try { return (int) carom_body_get_locks_.CALL.invokeExact(world, body, locks, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3576,8 +3575,8 @@ public final class Raw {
     private static final class carom_attribute_get_info_ {
         static final MethodHandle CALL = Library.call("carom_attribute_get_info", FunctionDescriptor.of(JAVA_INT, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @param attribute CAROM_ATTRIBUTE_*   @param info out
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM */
+    /** param: attribute CAROM_ATTRIBUTE_*   param: info out
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM */
     public static int carom_attribute_get_info(int attribute, MemorySegment info, MemorySegment error) {
         try { return (int) carom_attribute_get_info_.CALL.invokeExact(attribute, info, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3586,8 +3585,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_body_set_attribute", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
     /** Set an attribute. Another value than it has wakes the body and its island.
-     *  @param value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are
+     *  param: value [4] in the units of carom_attribute_info; numbers that the attribute does not have must be 0
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a fraction where numbers are
      *  whole; a
      *          body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_set_attribute(MemorySegment world, long body, int attribute, MemorySegment value, MemorySegment error) {
@@ -3597,8 +3596,8 @@ public final class Raw {
     private static final class carom_body_get_attribute_ {
         static final MethodHandle CALL = Library.call("carom_body_get_attribute", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @param value [4] out: numbers that the attribute does not have are 0
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY */
+    /** param: value [4] out: numbers that the attribute does not have are 0
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; BUSY */
     public static int carom_body_get_attribute(MemorySegment world, long body, int attribute, MemorySegment value, MemorySegment error) {
         try { return (int) carom_body_get_attribute_.CALL.invokeExact(world, body, attribute, value, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3606,7 +3605,7 @@ public final class Raw {
     private static final class carom_body_is_asleep_ {
         static final MethodHandle CALL = Library.call("carom_body_is_asleep", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param asleep out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: asleep out: 1 or 0   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_is_asleep(MemorySegment world, long body, MemorySegment asleep, MemorySegment error) {
         try { return (int) carom_body_is_asleep_.CALL.invokeExact(world, body, asleep, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3614,7 +3613,7 @@ public final class Raw {
     private static final class carom_body_wake_ {
         static final MethodHandle CALL = Library.call("carom_body_wake", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** Wake a body and its island; if it is awake, its time of rest starts anew.   @status OK; NULL_ARGUMENT; *_HANDLE;
+    /** Wake a body and its island; if it is awake, its time of rest starts anew.   status: OK; NULL_ARGUMENT; *_HANDLE;
      *  BUSY; REENTRANT */
     public static int carom_body_wake(MemorySegment world, long body, MemorySegment error) {
         try { return (int) carom_body_wake_.CALL.invokeExact(world, body, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3625,8 +3624,8 @@ public final class Raw {
     }
     /** Say when a body is swept, from the next step on. Without effect on a static body, and where CAROM_DIAL_CONTINUOUS
      *  says otherwise: under CAROM_SWEEP_NONE no body is swept, under CAROM_SWEEP_FLAGGED only CAROM_CONTINUOUS_ALWAYS.
-     *  @param mode CAROM_CONTINUOUS_*
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT */
+     *  param: mode CAROM_CONTINUOUS_*
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (mode: pass one of CAROM_CONTINUOUS_*); BUSY; REENTRANT */
     public static int carom_body_set_continuous(MemorySegment world, long body, int mode, MemorySegment error) {
         try { return (int) carom_body_set_continuous_.CALL.invokeExact(world, body, mode, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3634,7 +3633,7 @@ public final class Raw {
     private static final class carom_body_get_continuous_ {
         static final MethodHandle CALL = Library.call("carom_body_get_continuous", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param mode out: CAROM_CONTINUOUS_*   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: mode out: CAROM_CONTINUOUS_*   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_continuous(MemorySegment world, long body, MemorySegment mode, MemorySegment error) {
         try { return (int) carom_body_get_continuous_.CALL.invokeExact(world, body, mode, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3645,8 +3644,8 @@ public final class Raw {
     /** Take a body out of steps, or back in, from the next step on. A disabled body keeps its pose and velocity. Nothing
      *  moves it, it touches nothing, and its joints and springs hold nothing. Queries do not find it. Bodies that rested on
      *  it wake. It costs a step nothing. A host may still read and write it.
-     *  @param enabled 1 or 0
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (enabled: pass 0 or 1); BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  param: enabled 1 or 0
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM (enabled: pass 0 or 1); BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_set_enabled(MemorySegment world, long body, int enabled, MemorySegment error) {
         try { return (int) carom_body_set_enabled_.CALL.invokeExact(world, body, enabled, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3654,7 +3653,7 @@ public final class Raw {
     private static final class carom_body_is_enabled_ {
         static final MethodHandle CALL = Library.call("carom_body_is_enabled", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param enabled out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: enabled out: 1 or 0   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_is_enabled(MemorySegment world, long body, MemorySegment enabled, MemorySegment error) {
         try { return (int) carom_body_is_enabled_.CALL.invokeExact(world, body, enabled, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3662,7 +3661,7 @@ public final class Raw {
     private static final class carom_collider_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_collider_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_collider_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_collider_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3672,7 +3671,7 @@ public final class Raw {
     }
     /** Put a shape on a body; the body's mass properties follow. The body's linear velocity is kept as that of its new
      *  centre.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a
      *  half-space on a
      *          body that moves); NO_VOLUME (a flat shape needs CAROM_BODY_FIELD_MASS or density 0); BUSY; REENTRANT;
      *          OUT_OF_MEMORY */
@@ -3687,9 +3686,9 @@ public final class Raw {
      *  same parameters that the engine has is used again; a new one lives as long as the engine, or until it is destroyed.
      *  Where a part of it fails nothing has changed, but for a plugin that was loaded. Its orientation is the identity, its
      *  friction 0.5, its restitution 0. carom_body_get_colliders() gives its collider.
-     *  @param type CAROM_BODY_*   @param name as carom_shape_create_named()   @param position [3] m, world
-     *  @param params [count] as carom_shape_create_named()   @param count number of params
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
+     *  param: type CAROM_BODY_*   param: name as carom_shape_create_named()   param: position [3] m, world
+     *  param: params [count] as carom_shape_create_named()   param: count number of params
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; PLUGIN_PATH; PLUGIN_LOAD;
      *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
     public static int carom_body_create_named(MemorySegment world, int type, MemorySegment name, MemorySegment params, long count, MemorySegment position, MemorySegment body, MemorySegment error) {
         try { return (int) carom_body_create_named_.CALL.invokeExact(world, type, name, params, count, position, body, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3698,7 +3697,7 @@ public final class Raw {
     private static final class carom_collider_destroy_ {
         static final MethodHandle CALL = Library.call("carom_collider_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
+    /** status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
     public static int carom_collider_destroy(MemorySegment world, long collider, MemorySegment error) {
         try { return (int) carom_collider_destroy_.CALL.invokeExact(world, collider, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3706,7 +3705,7 @@ public final class Raw {
     private static final class carom_collider_get_ {
         static final MethodHandle CALL = Library.call("carom_collider_get", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
     public static int carom_collider_get(MemorySegment world, long collider, MemorySegment desc, MemorySegment body, MemorySegment error) {
         try { return (int) carom_collider_get_.CALL.invokeExact(world, collider, desc, body, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3714,8 +3713,8 @@ public final class Raw {
     private static final class carom_collider_set_material_ {
         static final MethodHandle CALL = Library.call("carom_collider_set_material", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS));
     }
-    /** Give a collider another material. Wakes what its body touches.   @param material or CAROM_NULL_HANDLE: friction 0.5,
-     *  restitution 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
+    /** Give a collider another material. Wakes what its body touches.   param: material or CAROM_NULL_HANDLE: friction 0.5,
+     *  restitution 0   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_collider_set_material(MemorySegment world, long collider, long material, MemorySegment error) {
         try { return (int) carom_collider_set_material_.CALL.invokeExact(world, collider, material, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3723,8 +3722,8 @@ public final class Raw {
     private static final class carom_collider_set_density_ {
         static final MethodHandle CALL = Library.call("carom_collider_set_density", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_DOUBLE, ADDRESS));
     }
-    /** The body's mass follows, unless it was given. Wakes the body and its island.   @param density kg/m^3, [0, 1e9]
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
+    /** The body's mass follows, unless it was given. Wakes the body and its island.   param: density kg/m^3, [0, 1e9]
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; NO_VOLUME; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_collider_set_density(MemorySegment world, long collider, double density, MemorySegment error) {
         try { return (int) carom_collider_set_density_.CALL.invokeExact(world, collider, density, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3733,9 +3732,9 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_collider_set_pose", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Move a shape on its body; the body's mass follows. What is remembered of its contacts is dropped.
-     *  @param position [3] m, body frame: origin of the shape; each within 1e15   @param orientation [4] x, y, z, w, shape
+     *  param: position [3] m, body frame: origin of the shape; each within 1e15   param: orientation [4] x, y, z, w, shape
      *  to body
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_collider_set_pose(MemorySegment world, long collider, MemorySegment position, MemorySegment orientation, MemorySegment error) {
         try { return (int) carom_collider_set_pose_.CALL.invokeExact(world, collider, position, orientation, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3750,9 +3749,9 @@ public final class Raw {
      *  belt turns with its body. Nothing moves but by friction: a surface without friction moves nothing. On a body that
      *  moves it drives that body. Wakes what a change of the collider's filter wakes; what touches a surface that moves
      *  does not fall asleep.
-     *  @param linear  [3] m/s, axes of the shape; 0 when a collider is created
-     *  @param angular [3] rad/s, axes of the shape, about its origin
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;
+     *  param: linear  [3] m/s, axes of the shape; 0 when a collider is created
+     *  param: angular [3] rad/s, axes of the shape, about its origin
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (beyond 1e6 m/s or rad/s); BUSY; REENTRANT;
      *          OUT_OF_MEMORY */
     public static int carom_collider_set_surface_velocity(MemorySegment world, long collider, MemorySegment linear, MemorySegment angular, MemorySegment error) {
         try { return (int) carom_collider_set_surface_velocity_.CALL.invokeExact(world, collider, linear, angular, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3761,7 +3760,7 @@ public final class Raw {
     private static final class carom_collider_get_surface_velocity_ {
         static final MethodHandle CALL = Library.call("carom_collider_get_surface_velocity", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param linear, angular out: [3], as they were set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: linear, angular out: [3], as they were set   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_collider_get_surface_velocity(MemorySegment world, long collider, MemorySegment linear, MemorySegment angular, MemorySegment error) {
         try { return (int) carom_collider_get_surface_velocity_.CALL.invokeExact(world, collider, linear, angular, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3770,8 +3769,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_get_bodies", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Number of bodies, and their handles in creation order of the slots.
-     *  @param handles [capacity] or NULL   @param count out: how many there are
-     *  @status OK; NULL_ARGUMENT; BUSY */
+     *  param: handles [capacity] or NULL   param: count out: how many there are
+     *  status: OK; NULL_ARGUMENT; BUSY */
     public static int carom_world_get_bodies(MemorySegment world, MemorySegment handles, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_get_bodies_.CALL.invokeExact(world, handles, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3780,11 +3779,11 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_read", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
     }
     /** Read one field of n bodies.
-     *  @param handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
-     *  @param dst     n records of the field's scalars, `stride` bytes apart
-     *  @param stride  bytes from one record to the next; 0: tightly packed
-     *  @param field   CAROM_FIELD_*
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+     *  param: handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
+     *  param: dst     n records of the field's scalars, `stride` bytes apart
+     *  param: stride  bytes from one record to the next; 0: tightly packed
+     *  param: field   CAROM_FIELD_*
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
      *  BUSY */
     public static int carom_world_read(MemorySegment world, int field, int scalar, MemorySegment handles, long n, MemorySegment dst, long stride, MemorySegment error) {
         try { return (int) carom_world_read_.CALL.invokeExact(world, field, scalar, handles, n, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3794,8 +3793,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_write", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
     }
     /** Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
-     *  @param src n records of the field's scalars, `stride` bytes apart
-     *  @status as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT */
+     *  param: src n records of the field's scalars, `stride` bytes apart
+     *  status: as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT */
     public static int carom_world_write(MemorySegment world, int field, int scalar, MemorySegment handles, long n, MemorySegment src, long stride, MemorySegment error) {
         try { return (int) carom_world_write_.CALL.invokeExact(world, field, scalar, handles, n, src, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3803,7 +3802,7 @@ public final class Raw {
     private static final class carom_cast_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_cast_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_cast_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_cast_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3811,7 +3810,7 @@ public final class Raw {
     private static final class carom_motion_init_ {
         static final MethodHandle CALL = Library.call("carom_motion_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_motion_init(MemorySegment motion, int structSize) {
         try { return (int) carom_motion_init_.CALL.invokeExact(motion, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3819,12 +3818,12 @@ public final class Raw {
     private static final class carom_ray_cast_ {
         static final MethodHandle CALL = Library.call("carom_ray_cast", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, ADDRESS, JAVA_DOUBLE, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** Cast the ray origin + t direction, 0 <= t <= max, against a shape.
-     *  @param position, orientation  of the shape: [3] m, [4] x, y, z, w
-     *  @param origin [3] m   @param direction [3] m per unit of t, any length; zero asks whether the origin is inside
-     *  @param max    >= 0, may be infinite
-     *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED */
+    /** Cast the ray origin + t direction, 0 &lt;= t &lt;= max, against a shape.
+     *  param: position, orientation  of the shape: [3] m, [4] x, y, z, w
+     *  param: origin [3] m   param: direction [3] m per unit of t, any length; zero asks whether the origin is inside
+     *  param: max    &gt;= 0, may be infinite
+     *  param: desc   may be NULL: defaults     param: result struct_size set by the caller
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED */
     public static int carom_ray_cast(MemorySegment engine, long shape, MemorySegment position, MemorySegment orientation, MemorySegment origin, MemorySegment direction, double max, MemorySegment desc, MemorySegment result, MemorySegment error) {
         try { return (int) carom_ray_cast_.CALL.invokeExact(engine, shape, position, orientation, origin, direction, max, desc, result, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3833,10 +3832,10 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_shape_cast", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Move shape A along a straight line, without turning it, until it touches B.
-     *  @param motion [3] m, of A; times are fractions of it. If B moves too: the difference of the two
-     *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
-     *  @param position_* [3] m, world   @param orientation_* [4] x, y, z, w
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
+     *  param: motion [3] m, of A; times are fractions of it. If B moves too: the difference of the two
+     *  param: desc   may be NULL: defaults     param: result struct_size set by the caller
+     *  param: position_* [3] m, world   param: orientation_* [4] x, y, z, w
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
      *          half-spaces) */
     public static int carom_shape_cast(MemorySegment engine, long shapeA, MemorySegment positionA, MemorySegment orientationA, MemorySegment motion, long shapeB, MemorySegment positionB, MemorySegment orientationB, MemorySegment desc, MemorySegment result, MemorySegment error) {
         try { return (int) carom_shape_cast_.CALL.invokeExact(engine, shapeA, positionA, orientationA, motion, shapeB, positionB, orientationB, desc, result, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3847,9 +3846,9 @@ public final class Raw {
     }
     /** First contact of two shapes that both travel and turn, within a duration. UNDECIDED: the cap came first, nothing
      *  touches before `lower`.
-     *  @param motion_*  struct_size set by carom_motion_init()   @param duration s, 0 to 1e9
-     *  @param desc   may be NULL: defaults     @param result struct_size set by the caller; times in s
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
+     *  param: motion_*  struct_size set by carom_motion_init()   param: duration s, 0 to 1e9
+     *  param: desc   may be NULL: defaults     param: result struct_size set by the caller; times in s
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
      *          UNSUPPORTED (two half-spaces, or one that turns) */
     public static int carom_shape_time_of_impact(MemorySegment engine, long shapeA, MemorySegment motionA, long shapeB, MemorySegment motionB, double duration, MemorySegment desc, MemorySegment result, MemorySegment error) {
         try { return (int) carom_shape_time_of_impact_.CALL.invokeExact(engine, shapeA, motionA, shapeB, motionB, duration, desc, result, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3858,10 +3857,10 @@ public final class Raw {
     private static final class carom_shape_overlap_ {
         static final MethodHandle CALL = Library.call("carom_shape_overlap", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** Do two shapes overlap (or come nearer than desc->target)? Cheaper than their distance, with a proof of yes or no.
-     *  @param desc   may be NULL: defaults; tolerance is not used   @param result struct_size set by the caller
-     *  @param position_* [3] m, world   @param orientation_* [4] x, y, z, w
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
+    /** Do two shapes overlap (or come nearer than desc-&gt;target)? Cheaper than their distance, with a proof of yes or no.
+     *  param: desc   may be NULL: defaults; tolerance is not used   param: result struct_size set by the caller
+     *  param: position_* [3] m, world   param: orientation_* [4] x, y, z, w
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (two
      *          half-spaces) */
     public static int carom_shape_overlap(MemorySegment engine, long shapeA, MemorySegment positionA, MemorySegment orientationA, long shapeB, MemorySegment positionB, MemorySegment orientationB, MemorySegment desc, MemorySegment result, MemorySegment error) {
         try { return (int) carom_shape_overlap_.CALL.invokeExact(engine, shapeA, positionA, orientationA, shapeB, positionB, orientationB, desc, result, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3872,10 +3871,10 @@ public final class Raw {
     }
     /** Cast many rays against one or more shapes: the first hit of each. A bad ray, or one for which a support function
      *  misbehaves (status CAROM_QUERY_FAULT, that of `shape`), spoils no other. Nothing is allocated per ray.
-     *  @param shapes [shape_count]   @param positions [3 shape_count] m   @param orientations [4 shape_count] x, y, z, w
-     *  @param desc   may be NULL: defaults
-     *  @param shape_count number of shapes
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
+     *  param: shapes [shape_count]   param: positions [3 shape_count] m   param: orientations [4 shape_count] x, y, z, w
+     *  param: desc   may be NULL: defaults
+     *  param: shape_count number of shapes
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED;
      *          BUFFER_TOO_SMALL (a stride); LIMIT (2^32 - 1 shapes); OUT_OF_MEMORY */
     public static int carom_rays_cast(MemorySegment engine, MemorySegment shapes, MemorySegment positions, MemorySegment orientations, long shapeCount, MemorySegment rays, MemorySegment desc, MemorySegment hits, MemorySegment error) {
         try { return (int) carom_rays_cast_.CALL.invokeExact(engine, shapes, positions, orientations, shapeCount, rays, desc, hits, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3884,7 +3883,7 @@ public final class Raw {
     private static final class carom_character_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_character_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_character_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_character_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3892,7 +3891,7 @@ public final class Raw {
     private static final class carom_character_init_ {
         static final MethodHandle CALL = Library.call("carom_character_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** At the origin, in the air, without a shape.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** At the origin, in the air, without a shape.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_character_init(MemorySegment character, int structSize) {
         try { return (int) carom_character_init_.CALL.invokeExact(character, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3903,12 +3902,12 @@ public final class Raw {
     /** Give it a shape, or another one: to crouch, to stand up. The lowest point stays where it is, so the origin moves
      *  along `up`. With `fits` the new shape is looked at first. If something is within half the skin of it, `fits` becomes
      *  0 and nothing changes. Call it again after `up` has changed against the shape.
-     *  @param shape convex, of the world's engine: most take a capsule
-     *  @param desc may be NULL: defaults
-     *  @param character its shape, position, foot, head and reach change
-     *  @param fits out: 1 or 0; NULL: it is changed whatever is there, and a later move brings it out
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space, scenery; unknown bits); UNKNOWN_ENUM; *_HANDLE;
-     *          NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; PLUGIN_INVALID; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
+     *  param: shape convex, of the world's engine: most take a capsule
+     *  param: desc may be NULL: defaults
+     *  param: character its shape, position, foot, head and reach change
+     *  param: fits out: 1 or 0; NULL: it is changed whatever is there, and a later move brings it out
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space, scenery; unknown bits); UNKNOWN_ENUM; *_HANDLE;
+     *          NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; PLUGIN_INVALID; BUSY; REENTRANT; OUT_OF_MEMORY   thread: reader */
     public static int carom_character_set_shape(MemorySegment engine, MemorySegment world, MemorySegment desc, MemorySegment character, long shape, MemorySegment fits, MemorySegment error) {
         try { return (int) carom_character_set_shape_.CALL.invokeExact(engine, world, desc, character, shape, fits, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3923,18 +3922,18 @@ public final class Raw {
      *  follows `walk` plus the velocity of the ground that it left. Paths in the air are exact parabolas, so where it lands
      *  does not depend on dt beyond one dt's way. On open ground a move takes three queries, in a corner about ten. It
      *  allocates nothing but what queries do.
-     *  @param desc may be NULL: defaults
-     *  @param character all but shape, foot, head and reach may change
-     *  @param walk [3] m/s, world, each within 1e6: what it is to move at, relative to the ground; the part along `up`
+     *  param: desc may be NULL: defaults
+     *  param: character all but shape, foot, head and reach may change
+     *  param: walk [3] m/s, world, each within 1e6: what it is to move at, relative to the ground; the part along `up`
      *         counts only with CAROM_CHARACTER_FLIES
-     *  @param jump m/s, [0, 1e6], along `up`: on firm ground it takes off at this speed, and takes the velocity of the
+     *  param: jump m/s, [0, 1e6], along `up`: on firm ground it takes off at this speed, and takes the velocity of the
      *         ground with it; else, and with 0, it does not
-     *  @param dt s, [0, 1]
-     *  @accuracy stands `skin` and 2 % from surfaces, within 1e-5 m or 1e-6 of its size
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (unknown bits, reserved); UNKNOWN_ENUM; *_HANDLE (desc->body;
-     *          character->shape: call carom_character_set_shape() first); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
+     *  param: dt s, [0, 1]
+     *  accuracy: stands `skin` and 2 % from surfaces, within 1e-5 m or 1e-6 of its size
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (unknown bits, reserved); UNKNOWN_ENUM; *_HANDLE (desc-&gt;body;
+     *          character-&gt;shape: call carom_character_set_shape() first); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
      *          REENTRANT; OUT_OF_MEMORY
-     *  @thread reader */
+     *  thread: reader */
     public static int carom_character_move(MemorySegment world, MemorySegment desc, MemorySegment character, MemorySegment walk, double jump, double dt, MemorySegment error) {
         try { return (int) carom_character_move_.CALL.invokeExact(world, desc, character, walk, jump, dt, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3945,9 +3944,9 @@ public final class Raw {
     /** Push what the last move met, and press on what the character stands on, as forces of the next step. A dynamic body
      *  in its way gets the force that would bring it to the character's speed within dt, push_force at most. One under
      *  firm feet gets mass * gravity. Bodies that are gone are left out.
-     *  @param desc may be NULL: defaults   @param character as the last move left it   @param dt s, [1e-9, 1], of the next
+     *  param: desc may be NULL: defaults   param: character as the last move left it   param: dt s, [1e-9, 1], of the next
      *  step
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE;
      *          BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_character_push(MemorySegment world, MemorySegment desc, MemorySegment character, double dt, MemorySegment error) {
         try { return (int) carom_character_push_.CALL.invokeExact(world, desc, character, dt, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3959,10 +3958,10 @@ public final class Raw {
     /** Let a kinematic body of the host's follow the character, so that other bodies and characters touch it. It gets the
      *  velocity that brings it to the character's place in the next step of dt. Where that is over 1 m away, or the
      *  character has turned, it is placed there at once, at rest. Give the body the character's shape, and name it in
-     *  desc->body.
-     *  @param desc with a body   @param dt s, [1e-9, 1], of the next step
-     *  @param character as the last move left it
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE
+     *  desc-&gt;body.
+     *  param: desc with a body   param: dt s, [1e-9, 1], of the next step
+     *  param: character as the last move left it
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE
      *          (also: a body that is not kinematic); BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_character_move_body(MemorySegment world, MemorySegment desc, MemorySegment character, double dt, MemorySegment error) {
         try { return (int) carom_character_move_body_.CALL.invokeExact(world, desc, character, dt, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -3971,7 +3970,7 @@ public final class Raw {
     private static final class carom_dial_get_info_ {
         static final MethodHandle CALL = Library.call("carom_dial_get_info", FunctionDescriptor.of(JAVA_INT, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial >= CAROM_DIAL_COUNT of this library) */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (dial &gt;= CAROM_DIAL_COUNT of this library) */
     public static int carom_dial_get_info(int dial, MemorySegment info, MemorySegment error) {
         try { return (int) carom_dial_get_info_.CALL.invokeExact(dial, info, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3979,7 +3978,7 @@ public final class Raw {
     private static final class carom_dial_get_count_ {
         static final MethodHandle CALL = Library.call("carom_dial_get_count", FunctionDescriptor.of(JAVA_INT, ADDRESS));
     }
-    /** Number of dials this library has.   @status OK; NULL_ARGUMENT */
+    /** Number of dials this library has.   status: OK; NULL_ARGUMENT */
     public static int carom_dial_get_count(MemorySegment count) {
         try { return (int) carom_dial_get_count_.CALL.invokeExact(count); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3987,8 +3986,8 @@ public final class Raw {
     private static final class carom_dial_find_ {
         static final MethodHandle CALL = Library.call("carom_dial_find", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param name as in carom_dial_info.name
-     *  @status OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial) */
+    /** param: name as in carom_dial_info.name
+     *  status: OK; NULL_ARGUMENT; NOT_FOUND; READ_ONLY (this is a constant, not a dial) */
     public static int carom_dial_find(MemorySegment name, MemorySegment dial, MemorySegment error) {
         try { return (int) carom_dial_find_.CALL.invokeExact(name, dial, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -3996,7 +3995,7 @@ public final class Raw {
     private static final class carom_constant_get_count_ {
         static final MethodHandle CALL = Library.call("carom_constant_get_count", FunctionDescriptor.of(JAVA_INT, ADDRESS));
     }
-    /** Number of constants this library has.   @status OK; NULL_ARGUMENT */
+    /** Number of constants this library has.   status: OK; NULL_ARGUMENT */
     public static int carom_constant_get_count(MemorySegment count) {
         try { return (int) carom_constant_get_count_.CALL.invokeExact(count); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4004,8 +4003,8 @@ public final class Raw {
     private static final class carom_constant_get_info_ {
         static final MethodHandle CALL = Library.call("carom_constant_get_info", FunctionDescriptor.of(JAVA_INT, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @param constant from 0   @param info out
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant >= carom_constant_get_count()) */
+    /** param: constant from 0   param: info out
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM (constant &gt;= carom_constant_get_count()) */
     public static int carom_constant_get_info(int constant, MemorySegment info, MemorySegment error) {
         try { return (int) carom_constant_get_info_.CALL.invokeExact(constant, info, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4014,7 +4013,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_preset_name", FunctionDescriptor.of(ADDRESS, JAVA_INT));
     }
     /** Static name of a preset ("balanced"), or "?".
-     *  @param preset CAROM_PRESET_* */
+     *  param: preset CAROM_PRESET_* */
     public static String carom_preset_name(int preset) {
         try { return ((MemorySegment) carom_preset_name_.CALL.invokeExact(preset)).reinterpret(Long.MAX_VALUE).getString(0); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4024,9 +4023,9 @@ public final class Raw {
     }
     /** What a preset sets a dial to. Presets speak of dials that trade accuracy for time, and all of the same ones; how a
      *  world finds pairs, what sleeps, and what a host chose for its look they leave alone.
-     *  @param preset CAROM_PRESET_*   @param dial CAROM_DIAL_*   @param value out
-     *  @param value what the preset sets the dial to
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone) */
+     *  param: preset CAROM_PRESET_*   param: dial CAROM_DIAL_*   param: value out
+     *  param: value what the preset sets the dial to
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FOUND (presets leave this dial alone) */
     public static int carom_preset_get_dial(int preset, int dial, MemorySegment value, MemorySegment error) {
         try { return (int) carom_preset_get_dial_.CALL.invokeExact(preset, dial, value, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4034,7 +4033,7 @@ public final class Raw {
     private static final class carom_draw_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_draw_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_draw_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_draw_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4044,12 +4043,12 @@ public final class Raw {
     }
     /** All lines of the kinds that desc names, kind by kind in the order of the bits. Shapes whose support function fails
      *  are left out, and so are bodies in quarantine. The same world gives the same lines.
-     *  @param desc     NULL: defaults
-     *  @param dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
-     *  @param count    out: lines there are; more than capacity: the first `capacity` of them were written
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE,
+     *  param: desc     NULL: defaults
+     *  param: dst      [capacity] elements `stride` bytes apart (0: sizeof(carom_draw_line)), or NULL to count
+     *  param: count    out: lines there are; more than capacity: the first `capacity` of them were written
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a bit of what, reserved); UNKNOWN_ENUM; NOT_FINITE,
      *          OUT_OF_RANGE (scale); BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
-     *  @thread reader */
+     *  thread: reader */
     public static int carom_world_draw(MemorySegment world, MemorySegment desc, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_draw_.CALL.invokeExact(world, desc, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4057,7 +4056,7 @@ public final class Raw {
     private static final class carom_engine_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_engine_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_engine_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_engine_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4065,8 +4064,8 @@ public final class Raw {
     private static final class carom_engine_create_ {
         static final MethodHandle CALL = Library.call("carom_engine_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY */
+    /** Make an engine. param: desc may be NULL: defaults.   owns: the caller: carom_engine_destroy()
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY */
     public static int carom_engine_create(MemorySegment desc, MemorySegment engine, MemorySegment error) {
         try { return (int) carom_engine_create_.CALL.invokeExact(desc, engine, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4074,8 +4073,8 @@ public final class Raw {
     private static final class carom_engine_destroy_ {
         static final MethodHandle CALL = Library.call("carom_engine_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
-     *  REENTRANT   @thread writer: no other call may use the engine */
+    /** Destroy an engine; its worlds must be gone.   status: OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+     *  REENTRANT   thread: writer: no other call may use the engine */
     public static int carom_engine_destroy(MemorySegment engine, MemorySegment error) {
         try { return (int) carom_engine_destroy_.CALL.invokeExact(engine, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4083,7 +4082,7 @@ public final class Raw {
     private static final class carom_jobs_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_jobs_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_jobs_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_jobs_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4094,8 +4093,8 @@ public final class Raw {
     /** Say which threads share the work of steps in the engine's worlds, before the first of them is made. Support
      *  functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
      *  on the stepping one.
-     *  @param desc may be NULL: the stepping thread alone
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+     *  param: desc may be NULL: the stepping thread alone
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
      *  no more threads); OUT_OF_MEMORY; REENTRANT */
     public static int carom_engine_set_jobs(MemorySegment engine, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_engine_set_jobs_.CALL.invokeExact(engine, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4104,10 +4103,10 @@ public final class Raw {
     private static final class carom_plugin_load_ {
         static final MethodHandle CALL = Library.call("carom_plugin_load", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** Load a shape plugin from a shared object. @param path absolute.
+    /** Load a shape plugin from a shared object. param: path absolute.
      *  The plugin is checked before anything is called, then by its support points in 256 directions, with parameters that
      *  the bounds allow. Loading the same path twice is ALREADY_EXISTS.
-     *  @status OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY */
+     *  status: OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY */
     public static int carom_plugin_load(MemorySegment engine, MemorySegment path, MemorySegment plugin, MemorySegment error) {
         try { return (int) carom_plugin_load_.CALL.invokeExact(engine, path, plugin, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4116,7 +4115,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_plugin_register", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Register a plugin by pointer: static linking, WebAssembly, or a shape written in the host's language.
-     *  The struct and all it points to must outlive the engine.   @status as carom_plugin_load() */
+     *  The struct and all it points to must outlive the engine.   status: as carom_plugin_load() */
     public static int carom_plugin_register(MemorySegment engine, MemorySegment description, MemorySegment plugin, MemorySegment error) {
         try { return (int) carom_plugin_register_.CALL.invokeExact(engine, description, plugin, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4126,7 +4125,7 @@ public final class Raw {
     }
     /** Register the plugins of plugins/ that are linked into the library: in an archive (carom::carom_static), in
      *  WebAssembly, and where it was built with CAROM_LINK_SHAPES. Those that the engine has already are left as they are.
-     *  @status OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY */
+     *  status: OK; NULL_ARGUMENT; UNSUPPORTED (none is linked in: load files, or name shapes); LIMIT; OUT_OF_MEMORY */
     public static int carom_plugins_register_standard(MemorySegment engine, MemorySegment error) {
         try { return (int) carom_plugins_register_standard_.CALL.invokeExact(engine, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4134,7 +4133,7 @@ public final class Raw {
     private static final class carom_plugin_unload_ {
         static final MethodHandle CALL = Library.call("carom_plugin_unload", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** Forget a plugin (logically: the code stays mapped).   @status OK; NULL_ARGUMENT; IN_USE (shapes of it live);
+    /** Forget a plugin (logically: the code stays mapped).   status: OK; NULL_ARGUMENT; IN_USE (shapes of it live);
      *  *_HANDLE; REENTRANT */
     public static int carom_plugin_unload(MemorySegment engine, long plugin, MemorySegment error) {
         try { return (int) carom_plugin_unload_.CALL.invokeExact(engine, plugin, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4144,8 +4143,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_plugin_find", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Find a loaded plugin by its id.
-     *  @param id as in carom_shape_plugin.id
-     *  @status OK; NULL_ARGUMENT; NOT_FOUND (load it first) */
+     *  param: id as in carom_shape_plugin.id
+     *  status: OK; NULL_ARGUMENT; NOT_FOUND (load it first) */
     public static int carom_plugin_find(MemorySegment engine, MemorySegment id, MemorySegment plugin, MemorySegment error) {
         try { return (int) carom_plugin_find_.CALL.invokeExact(engine, id, plugin, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4155,7 +4154,7 @@ public final class Raw {
     }
     /** The plugin's own description, as its author compiled it: documentation, declarations, function. Only fields within
      *  its struct_size are there. Valid while the engine lives.
-     *  @status OK; NULL_ARGUMENT; *_HANDLE */
+     *  status: OK; NULL_ARGUMENT; *_HANDLE */
     public static int carom_plugin_describe(MemorySegment engine, long plugin, MemorySegment description, MemorySegment error) {
         try { return (int) carom_plugin_describe_.CALL.invokeExact(engine, plugin, description, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4165,9 +4164,9 @@ public final class Raw {
     }
     /** Say what to collect from the next step on; nothing at first. Contacts and overlaps that there are already begin in
      *  that step.
-     *  @param kinds     CAROM_EVENTS_* bits; 0: nothing
-     *  @param hit_speed m/s, [0, 1e9]: contacts that approach faster are hits
-     *  @status OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  param: kinds     CAROM_EVENTS_* bits; 0: nothing
+     *  param: hit_speed m/s, [0, 1e9]: contacts that approach faster are hits
+     *  status: OK; NULL_ARGUMENT; UNSUPPORTED (kinds); NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_world_collect_events(MemorySegment world, int kinds, double hitSpeed, MemorySegment error) {
         try { return (int) carom_world_collect_events_.CALL.invokeExact(world, kinds, hitSpeed, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4176,10 +4175,10 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_get_contact_events", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Copy them out, by the slots of the two colliders; of one pair END before BEGIN before HIT.
-     *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
-     *  @param stride   sizeof(carom_contact_event) as the caller knows it
-     *  @param count    out: how many there are (may exceed capacity; capacity are written)
-     *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
+     *  param: dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+     *  param: stride   sizeof(carom_contact_event) as the caller knows it
+     *  param: count    out: how many there are (may exceed capacity; capacity are written)
+     *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public static int carom_world_get_contact_events(MemorySegment world, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_get_contact_events_.CALL.invokeExact(world, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4221,8 +4220,8 @@ public final class Raw {
     }
     /** Two colliders of different bodies touch if each one's mask has a bit of the other's category; unless both are of one
      *  group other than 0: then they do if it is positive and do not if it is negative, whatever their masks say.
-     *  @param category, mask  any bits   @param group 0: none
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  param: category, mask  any bits   param: group 0: none
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_collider_set_filter(MemorySegment world, long collider, long category, long mask, int group, MemorySegment error) {
         try { return (int) carom_collider_set_filter_.CALL.invokeExact(world, collider, category, mask, group, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4230,7 +4229,7 @@ public final class Raw {
     private static final class carom_collider_get_filter_ {
         static final MethodHandle CALL = Library.call("carom_collider_get_filter", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param category, mask, group  out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: category, mask, group  out   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_collider_get_filter(MemorySegment world, long collider, MemorySegment category, MemorySegment mask, MemorySegment group, MemorySegment error) {
         try { return (int) carom_collider_get_filter_.CALL.invokeExact(world, collider, category, mask, group, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4238,7 +4237,7 @@ public final class Raw {
     private static final class carom_body_set_filter_ {
         static final MethodHandle CALL = Library.call("carom_body_set_filter", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, ADDRESS));
     }
-    /** The same for all colliders that a body has now.   @status as carom_collider_set_filter() */
+    /** The same for all colliders that a body has now.   status: as carom_collider_set_filter() */
     public static int carom_body_set_filter(MemorySegment world, long body, long category, long mask, int group, MemorySegment error) {
         try { return (int) carom_body_set_filter_.CALL.invokeExact(world, body, category, mask, group, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4248,8 +4247,8 @@ public final class Raw {
     }
     /** Let two bodies make no contacts with each other, whatever their filters say, or restore their contacts. Calls are
      *  counted: undo each one. Undoing more does nothing.
-     *  @param ignored 1 or 0
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (ignored; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  param: ignored 1 or 0
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (ignored; a body and itself); BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_ignore_collision(MemorySegment world, long bodyA, long bodyB, int ignored, MemorySegment error) {
         try { return (int) carom_body_ignore_collision_.CALL.invokeExact(world, bodyA, bodyB, ignored, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4260,8 +4259,8 @@ public final class Raw {
     /** Make a collider a sensor: it reports what overlaps it (carom_world_get_sensor_events()) and is touched by nothing.
      *  It obeys its filter, does not sense other sensors, and static sensors do not sense static bodies. Its density counts
      *  as before.
-     *  @param sensor 1 or 0
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  param: sensor 1 or 0
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (sensor); BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_collider_set_sensor(MemorySegment world, long collider, int sensor, MemorySegment error) {
         try { return (int) carom_collider_set_sensor_.CALL.invokeExact(world, collider, sensor, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4269,7 +4268,7 @@ public final class Raw {
     private static final class carom_collider_is_sensor_ {
         static final MethodHandle CALL = Library.call("carom_collider_is_sensor", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param sensor out: 1 or 0   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: sensor out: 1 or 0   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_collider_is_sensor(MemorySegment world, long collider, MemorySegment sensor, MemorySegment error) {
         try { return (int) carom_collider_is_sensor_.CALL.invokeExact(world, collider, sensor, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4279,8 +4278,8 @@ public final class Raw {
     }
     /** Add a force that acts at a point, for the next step only: carom_body_add_force() with its torque about the centre of
      *  mass as the body stands now.
-     *  @param force [3] N, world   @param point [3] m, world
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
+     *  param: force [3] N, world   param: point [3] m, world
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
     public static int carom_body_add_force_at(MemorySegment world, long body, MemorySegment force, MemorySegment point, MemorySegment error) {
         try { return (int) carom_body_add_force_at_.CALL.invokeExact(world, body, force, point, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4291,9 +4290,9 @@ public final class Raw {
     /** How air resists a body: F = -(linear + quadratic |u|) u at its centre, u its velocity relative to the air. Without
      *  other forces speeds follow the closed form at any step. (carom_body_desc.linear_damping is relative to the world,
      *  not to the air, and to mass.)
-     *  @param linear    kg/s, [0, 1e12]: slow, small bodies (6 pi eta r of a ball); 0 when a body is created
-     *  @param quadratic kg/m, [0, 1e12]: fast, large ones, rho c_d A / 2 (a ball of 0.1 m in air: 0.0087); 0 likewise
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  param: linear    kg/s, [0, 1e12]: slow, small bodies (6 pi eta r of a ball); 0 when a body is created
+     *  param: quadratic kg/m, [0, 1e12]: fast, large ones, rho c_d A / 2 (a ball of 0.1 m in air: 0.0087); 0 likewise
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_set_drag(MemorySegment world, long body, double linear, double quadratic, MemorySegment error) {
         try { return (int) carom_body_set_drag_.CALL.invokeExact(world, body, linear, quadratic, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4301,7 +4300,7 @@ public final class Raw {
     private static final class carom_body_get_drag_ {
         static final MethodHandle CALL = Library.call("carom_body_get_drag", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param linear, quadratic out   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: linear, quadratic out   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_drag(MemorySegment world, long body, MemorySegment linear, MemorySegment quadratic, MemorySegment error) {
         try { return (int) carom_body_get_drag_.CALL.invokeExact(world, body, linear, quadratic, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4310,8 +4309,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_set_wind", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
     /** How the air moves; it reaches bodies through their drag alone.
-     *  @param velocity [3] m/s, |each| <= 1e6; 0 when a world is created
-     *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+     *  param: velocity [3] m/s, |each| &lt;= 1e6; 0 when a world is created
+     *  status: OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_world_set_wind(MemorySegment world, MemorySegment velocity, MemorySegment error) {
         try { return (int) carom_world_set_wind_.CALL.invokeExact(world, velocity, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4319,7 +4318,7 @@ public final class Raw {
     private static final class carom_world_get_wind_ {
         static final MethodHandle CALL = Library.call("carom_world_get_wind", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; BUSY */
+    /** status: OK; NULL_ARGUMENT; BUSY */
     public static int carom_world_get_wind(MemorySegment world, MemorySegment velocity, MemorySegment error) {
         try { return (int) carom_world_get_wind_.CALL.invokeExact(world, velocity, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4328,7 +4327,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_force_field_name", FunctionDescriptor.of(ADDRESS, JAVA_INT));
     }
     /** Static name of a kind of field ("uniform"), or "?".
-     *  @param kind CAROM_FORCE_FIELD_* */
+     *  param: kind CAROM_FORCE_FIELD_* */
     public static String carom_force_field_name(int kind) {
         try { return ((MemorySegment) carom_force_field_name_.CALL.invokeExact(kind)).reinterpret(Long.MAX_VALUE).getString(0); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4336,7 +4335,7 @@ public final class Raw {
     private static final class carom_force_field_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_force_field_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_force_field_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_force_field_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4344,7 +4343,7 @@ public final class Raw {
     private static final class carom_force_field_create_ {
         static final MethodHandle CALL = Library.call("carom_force_field_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY;
      *          REENTRANT; LIMIT; OUT_OF_MEMORY */
     public static int carom_force_field_create(MemorySegment world, MemorySegment desc, MemorySegment field, MemorySegment error) {
         try { return (int) carom_force_field_create_.CALL.invokeExact(world, desc, field, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4353,7 +4352,7 @@ public final class Raw {
     private static final class carom_force_field_update_ {
         static final MethodHandle CALL = Library.call("carom_force_field_update", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** Change a field in place: move it, turn it up.   @status as carom_force_field_create(); *_HANDLE */
+    /** Change a field in place: move it, turn it up.   status: as carom_force_field_create(); *_HANDLE */
     public static int carom_force_field_update(MemorySegment world, long field, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_force_field_update_.CALL.invokeExact(world, field, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4361,7 +4360,7 @@ public final class Raw {
     private static final class carom_force_field_get_ {
         static final MethodHandle CALL = Library.call("carom_force_field_get", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
     public static int carom_force_field_get(MemorySegment world, long field, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_force_field_get_.CALL.invokeExact(world, field, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4369,7 +4368,7 @@ public final class Raw {
     private static final class carom_force_field_destroy_ {
         static final MethodHandle CALL = Library.call("carom_force_field_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
+    /** status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
     public static int carom_force_field_destroy(MemorySegment world, long field, MemorySegment error) {
         try { return (int) carom_force_field_destroy_.CALL.invokeExact(world, field, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4378,8 +4377,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_body_set_force_field_mask", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS));
     }
     /** Which fields a body feels. A field with a bit that few bodies have costs those few.
-     *  @param mask 1 when a body is created; 0: none
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  param: mask 1 when a body is created; 0: none
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_set_force_field_mask(MemorySegment world, long body, int mask, MemorySegment error) {
         try { return (int) carom_body_set_force_field_mask_.CALL.invokeExact(world, body, mask, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4387,7 +4386,7 @@ public final class Raw {
     private static final class carom_body_get_force_field_mask_ {
         static final MethodHandle CALL = Library.call("carom_body_get_force_field_mask", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_body_get_force_field_mask(MemorySegment world, long body, MemorySegment mask, MemorySegment error) {
         try { return (int) carom_body_get_force_field_mask_.CALL.invokeExact(world, body, mask, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4395,7 +4394,7 @@ public final class Raw {
     private static final class carom_spring_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_spring_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_spring_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_spring_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4403,7 +4402,7 @@ public final class Raw {
     private static final class carom_spring_create_ {
         static final MethodHandle CALL = Library.call("carom_spring_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT;
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT;
      *          OUT_OF_MEMORY */
     public static int carom_spring_create(MemorySegment world, MemorySegment desc, MemorySegment spring, MemorySegment error) {
         try { return (int) carom_spring_create_.CALL.invokeExact(world, desc, spring, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4413,8 +4412,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_spring_update", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_DOUBLE, JAVA_DOUBLE, JAVA_DOUBLE, ADDRESS));
     }
     /** Change what a spring is like; its ends stay.
-     *  @param rest m   @param stiffness N/m   @param damping N s/m; ranges as in carom_spring_desc
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+     *  param: rest m   param: stiffness N/m   param: damping N s/m; ranges as in carom_spring_desc
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_spring_update(MemorySegment world, long spring, double rest, double stiffness, double damping, MemorySegment error) {
         try { return (int) carom_spring_update_.CALL.invokeExact(world, spring, rest, stiffness, damping, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4422,7 +4421,7 @@ public final class Raw {
     private static final class carom_spring_get_ {
         static final MethodHandle CALL = Library.call("carom_spring_get", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
     public static int carom_spring_get(MemorySegment world, long spring, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_spring_get_.CALL.invokeExact(world, spring, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4430,8 +4429,8 @@ public final class Raw {
     private static final class carom_spring_get_state_ {
         static final MethodHandle CALL = Library.call("carom_spring_get_state", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param length out: m, as its ends stand   @param force out: N, above 0 it pulls them together, as it is set
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: length out: m, as its ends stand   param: force out: N, above 0 it pulls them together, as it is set
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_spring_get_state(MemorySegment world, long spring, MemorySegment length, MemorySegment force, MemorySegment error) {
         try { return (int) carom_spring_get_state_.CALL.invokeExact(world, spring, length, force, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4439,7 +4438,7 @@ public final class Raw {
     private static final class carom_spring_destroy_ {
         static final MethodHandle CALL = Library.call("carom_spring_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** Goes with its bodies, too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
+    /** Goes with its bodies, too.   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
     public static int carom_spring_destroy(MemorySegment world, long spring, MemorySegment error) {
         try { return (int) carom_spring_destroy_.CALL.invokeExact(world, spring, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4447,7 +4446,7 @@ public final class Raw {
     private static final class carom_water_init_ {
         static final MethodHandle CALL = Library.call("carom_water_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_water_init(MemorySegment water, int structSize) {
         try { return (int) carom_water_init_.CALL.invokeExact(water, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4455,8 +4454,8 @@ public final class Raw {
     private static final class carom_world_set_water_ {
         static final MethodHandle CALL = Library.call("carom_world_set_water", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param water NULL: none, as a world is created
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
+    /** param: water NULL: none, as a world is created
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_world_set_water(MemorySegment world, MemorySegment water, MemorySegment error) {
         try { return (int) carom_world_set_water_.CALL.invokeExact(world, water, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4464,8 +4463,8 @@ public final class Raw {
     private static final class carom_world_get_water_ {
         static final MethodHandle CALL = Library.call("carom_world_get_water", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param water out   @param present out: 1 or 0; if 0, water is filled with defaults
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
+    /** param: water out   param: present out: 1 or 0; if 0, water is filled with defaults
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
     public static int carom_world_get_water(MemorySegment world, MemorySegment water, MemorySegment present, MemorySegment error) {
         try { return (int) carom_world_get_water_.CALL.invokeExact(world, water, present, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4473,7 +4472,7 @@ public final class Raw {
     private static final class carom_joint_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_joint_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_joint_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_joint_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4482,7 +4481,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_joint_limit_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
     /** Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_joint_limit_init(MemorySegment limit, int structSize) {
         try { return (int) carom_joint_limit_init_.CALL.invokeExact(limit, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4491,7 +4490,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_joint_motor_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
     /** Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_joint_motor_init(MemorySegment motor, int structSize) {
         try { return (int) carom_joint_motor_init_.CALL.invokeExact(motor, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4500,7 +4499,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_joint_spring_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
     /** Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_joint_spring_init(MemorySegment spring, int structSize) {
         try { return (int) carom_joint_spring_init_.CALL.invokeExact(spring, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4508,7 +4507,7 @@ public final class Raw {
     private static final class carom_joint_transmission_init_ {
         static final MethodHandle CALL = Library.call("carom_joint_transmission_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** Ratio 1, anchors at the origin, the rope as long as it is.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_joint_transmission_init(MemorySegment transmission, int structSize) {
         try { return (int) carom_joint_transmission_init_.CALL.invokeExact(transmission, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4516,7 +4515,7 @@ public final class Raw {
     private static final class carom_joint_axis_init_ {
         static final MethodHandle CALL = Library.call("carom_joint_axis_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** Free, without drive and spring, `max_force` as large as may be.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_joint_axis_init(MemorySegment axis, int structSize) {
         try { return (int) carom_joint_axis_init_.CALL.invokeExact(axis, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4524,7 +4523,7 @@ public final class Raw {
     private static final class carom_joint_orientation_drive_init_ {
         static final MethodHandle CALL = Library.call("carom_joint_orientation_drive_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** No drive, the target as the frames are when they agree.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_joint_orientation_drive_init(MemorySegment drive, int structSize) {
         try { return (int) carom_joint_orientation_drive_init_.CALL.invokeExact(drive, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4533,7 +4532,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_joint_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
      *  NOT_UNIT;
      *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
      *          body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
@@ -4545,7 +4544,7 @@ public final class Raw {
     private static final class carom_joint_destroy_ {
         static final MethodHandle CALL = Library.call("carom_joint_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
+    /** status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
     public static int carom_joint_destroy(MemorySegment world, long joint, MemorySegment error) {
         try { return (int) carom_joint_destroy_.CALL.invokeExact(world, joint, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4553,8 +4552,8 @@ public final class Raw {
     private static final class carom_joint_get_ {
         static final MethodHandle CALL = Library.call("carom_joint_get", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param desc out: as it was made, with frames in body coordinates
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
+    /** param: desc out: as it was made, with frames in body coordinates
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
     public static int carom_joint_get(MemorySegment world, long joint, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_joint_get_.CALL.invokeExact(world, joint, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4562,7 +4561,7 @@ public final class Raw {
     private static final class carom_joint_get_state_ {
         static final MethodHandle CALL = Library.call("carom_joint_get_state", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
     public static int carom_joint_get_state(MemorySegment world, long joint, MemorySegment state, MemorySegment error) {
         try { return (int) carom_joint_get_state_.CALL.invokeExact(world, joint, state, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4571,8 +4570,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_joint_set_limit", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
     /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
-     *  @param coordinate CAROM_COORDINATE_*
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+     *  param: coordinate CAROM_COORDINATE_*
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
      *          limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_joint_set_limit(MemorySegment world, long joint, int coordinate, MemorySegment limit, MemorySegment error) {
         try { return (int) carom_joint_set_limit_.CALL.invokeExact(world, joint, coordinate, limit, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4582,8 +4581,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_joint_set_motor", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
     /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
-     *  @param coordinate CAROM_COORDINATE_*
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+     *  param: coordinate CAROM_COORDINATE_*
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
      *          limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_joint_set_motor(MemorySegment world, long joint, int coordinate, MemorySegment motor, MemorySegment error) {
         try { return (int) carom_joint_set_motor_.CALL.invokeExact(world, joint, coordinate, motor, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4593,8 +4592,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_joint_set_spring", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
     /** Set a limit, a motor, a spring of a coordinate that the joint's kind leaves free; its bodies wake.
-     *  @param coordinate CAROM_COORDINATE_*
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
+     *  param: coordinate CAROM_COORDINATE_*
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the kind has no such coordinate; a swing has a
      *          limit alone); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_joint_set_spring(MemorySegment world, long joint, int coordinate, MemorySegment spring, MemorySegment error) {
         try { return (int) carom_joint_set_spring_.CALL.invokeExact(world, joint, coordinate, spring, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4603,7 +4602,7 @@ public final class Raw {
     private static final class carom_joint_get_limit_ {
         static final MethodHandle CALL = Library.call("carom_joint_get_limit", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
     public static int carom_joint_get_limit(MemorySegment world, long joint, int coordinate, MemorySegment limit, MemorySegment error) {
         try { return (int) carom_joint_get_limit_.CALL.invokeExact(world, joint, coordinate, limit, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4611,7 +4610,7 @@ public final class Raw {
     private static final class carom_joint_get_motor_ {
         static final MethodHandle CALL = Library.call("carom_joint_get_motor", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
     public static int carom_joint_get_motor(MemorySegment world, long joint, int coordinate, MemorySegment motor, MemorySegment error) {
         try { return (int) carom_joint_get_motor_.CALL.invokeExact(world, joint, coordinate, motor, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4619,7 +4618,7 @@ public final class Raw {
     private static final class carom_joint_get_spring_ {
         static final MethodHandle CALL = Library.call("carom_joint_get_spring", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
     public static int carom_joint_get_spring(MemorySegment world, long joint, int coordinate, MemorySegment spring, MemorySegment error) {
         try { return (int) carom_joint_get_spring_.CALL.invokeExact(world, joint, coordinate, spring, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4634,7 +4633,7 @@ public final class Raw {
      *  Accuracy: second order in the substep, as all joints; the rope's length errs by what joint_frequency leaves, and
      *  under the direct solver by 1e-9 m; a gear's angles err by rounding, a few 1e-16 rad a substep. Oracle:
      *  tests/oracle/test_pulley_gear.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is neither pulley nor gear; a newer field); *_HANDLE;
      *          NOT_FINITE; OUT_OF_RANGE (also: a ratio of 0; 1 is what the init function gives); BUSY; REENTRANT */
     public static int carom_joint_set_transmission(MemorySegment world, long joint, MemorySegment transmission, MemorySegment error) {
         try { return (int) carom_joint_set_transmission_.CALL.invokeExact(world, joint, transmission, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4643,8 +4642,8 @@ public final class Raw {
     private static final class carom_joint_get_transmission_ {
         static final MethodHandle CALL = Library.call("carom_joint_get_transmission", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param transmission out: as it was set, with its length; ratio 0: not yet
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
+    /** param: transmission out: as it was set, with its length; ratio 0: not yet
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
     public static int carom_joint_get_transmission(MemorySegment world, long joint, MemorySegment transmission, MemorySegment error) {
         try { return (int) carom_joint_get_transmission_.CALL.invokeExact(world, joint, transmission, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4661,8 +4660,8 @@ public final class Raw {
      *  substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
      *  the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
      *  test_six_axis_scenes.
-     *  @param axis CAROM_AXIS_*
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+     *  param: axis CAROM_AXIS_*
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
      *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_joint_set_axis(MemorySegment world, long joint, int axis, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_joint_set_axis_.CALL.invokeExact(world, joint, axis, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4671,8 +4670,8 @@ public final class Raw {
     private static final class carom_joint_get_axis_ {
         static final MethodHandle CALL = Library.call("carom_joint_get_axis", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @param axis CAROM_AXIS_*   @param desc out: as it was set
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
+    /** param: axis CAROM_AXIS_*   param: desc out: as it was set
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED; *_HANDLE; BUSY */
     public static int carom_joint_get_axis(MemorySegment world, long joint, int axis, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_joint_get_axis_.CALL.invokeExact(world, joint, axis, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4683,7 +4682,7 @@ public final class Raw {
     /** Drive a ball, or a six-axis joint, to an orientation or to an angular velocity; the bodies wake. Of effect
      *  joint_motors. Accuracy: first order in the substep of where it is, as springs with dampers are; where nothing pulls
      *  it ends at the target to rounding. Oracle: tests/oracle/test_six_axis.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint is neither ball nor six-axis; a newer
      *          field; a reserved one); *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_joint_set_orientation_drive(MemorySegment world, long joint, MemorySegment drive, MemorySegment error) {
         try { return (int) carom_joint_set_orientation_drive_.CALL.invokeExact(world, joint, drive, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4692,8 +4691,8 @@ public final class Raw {
     private static final class carom_joint_get_orientation_drive_ {
         static final MethodHandle CALL = Library.call("carom_joint_get_orientation_drive", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param drive out: as it was set
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
+    /** param: drive out: as it was set
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
     public static int carom_joint_get_orientation_drive(MemorySegment world, long joint, MemorySegment drive, MemorySegment error) {
         try { return (int) carom_joint_get_orientation_drive_.CALL.invokeExact(world, joint, drive, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4704,10 +4703,10 @@ public final class Raw {
     /** Read one field of n joints, as carom_world_read() does of bodies.
      *  A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
      *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
-     *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
-     *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
-     *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+     *  param: field   CAROM_JOINT_READ_*   param: scalar CAROM_SCALAR_*
+     *  param: joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
+     *  param: dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
      *  BUSY */
     public static int carom_world_read_joints(MemorySegment world, int field, int scalar, MemorySegment joints, long n, MemorySegment dst, long stride, MemorySegment error) {
         try { return (int) carom_world_read_joints_.CALL.invokeExact(world, field, scalar, joints, n, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4717,8 +4716,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_get_joints", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Number of joints, and their handles in creation order of the slots.
-     *  @param joints [capacity] or NULL   @param count out: how many there are
-     *  @status OK; NULL_ARGUMENT; BUSY */
+     *  param: joints [capacity] or NULL   param: count out: how many there are
+     *  status: OK; NULL_ARGUMENT; BUSY */
     public static int carom_world_get_joints(MemorySegment world, MemorySegment joints, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_get_joints_.CALL.invokeExact(world, joints, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4727,8 +4726,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_enable_ledger", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS));
     }
     /** Keep a ledger from now on, anew if one is kept; or none. Off in a new world.
-     *  @param on  0 or 1
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM (on); BUSY; REENTRANT; OUT_OF_MEMORY: as it was */
+     *  param: on  0 or 1
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM (on); BUSY; REENTRANT; OUT_OF_MEMORY: as it was */
     public static int carom_world_enable_ledger(MemorySegment world, int on, MemorySegment error) {
         try { return (int) carom_world_enable_ledger_.CALL.invokeExact(world, on, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4737,10 +4736,10 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_get_ledger", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Copy out all causes, in the order above; none of a world that keeps no ledger.
-     *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
-     *  @param stride   sizeof(carom_ledger_entry) as the caller knows it
-     *  @param count    out: how many there are (may exceed capacity; capacity are written)
-     *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
+     *  param: dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+     *  param: stride   sizeof(carom_ledger_entry) as the caller knows it
+     *  param: count    out: how many there are (may exceed capacity; capacity are written)
+     *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public static int carom_world_get_ledger(MemorySegment world, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_get_ledger_.CALL.invokeExact(world, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4748,7 +4747,7 @@ public final class Raw {
     private static final class carom_world_get_ledger_state_ {
         static final MethodHandle CALL = Library.call("carom_world_get_ledger_state", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
     public static int carom_world_get_ledger_state(MemorySegment world, MemorySegment state, MemorySegment error) {
         try { return (int) carom_world_get_ledger_state_.CALL.invokeExact(world, state, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4756,7 +4755,7 @@ public final class Raw {
     private static final class carom_particles_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_particles_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_particles_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_particles_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4765,8 +4764,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_particles_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Make an empty set.
-     *  @param desc may be NULL: defaults
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
+     *  param: desc may be NULL: defaults
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
     public static int carom_particles_create(MemorySegment world, MemorySegment desc, MemorySegment set, MemorySegment error) {
         try { return (int) carom_particles_create_.CALL.invokeExact(world, desc, set, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4774,7 +4773,7 @@ public final class Raw {
     private static final class carom_particles_destroy_ {
         static final MethodHandle CALL = Library.call("carom_particles_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** Its particles too.   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
+    /** Its particles too.   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY; REENTRANT */
     public static int carom_particles_destroy(MemorySegment world, long set, MemorySegment error) {
         try { return (int) carom_particles_destroy_.CALL.invokeExact(world, set, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4782,8 +4781,8 @@ public final class Raw {
     private static final class carom_particles_get_ {
         static final MethodHandle CALL = Library.call("carom_particles_get", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param desc out: as it was made or updated; capacity: particles there is memory for
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
+    /** param: desc out: as it was made or updated; capacity: particles there is memory for
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; BUSY */
     public static int carom_particles_get(MemorySegment world, long set, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_particles_get_.CALL.invokeExact(world, set, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4792,8 +4791,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_particles_update", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Change what they have in common; particles that are there keep their mass.
-     *  @param desc may be NULL: defaults; capacity: memory for so many in all
-     *  @status as carom_particles_create(); *_HANDLE */
+     *  param: desc may be NULL: defaults; capacity: memory for so many in all
+     *  status: as carom_particles_create(); *_HANDLE */
     public static int carom_particles_update(MemorySegment world, long set, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_particles_update_.CALL.invokeExact(world, set, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4801,7 +4800,7 @@ public final class Raw {
     private static final class carom_particles_get_count_ {
         static final MethodHandle CALL = Library.call("carom_particles_get_count", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @param count out: particles in the set   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+    /** param: count out: particles in the set   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_particles_get_count(MemorySegment world, long set, MemorySegment count, MemorySegment error) {
         try { return (int) carom_particles_get_count_.CALL.invokeExact(world, set, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4810,11 +4809,11 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_particles_add", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_LONG, JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
     }
     /** Add n particles at the end; all values are checked before the first is added.
-     *  @param scalar          CAROM_SCALAR_*, of both arrays
-     *  @param positions       [n] m, world, three scalars each, within 1e15 m of the origin
-     *  @param position_stride bytes from one to the next; 0: tightly packed
-     *  @param velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31
+     *  param: scalar          CAROM_SCALAR_*, of both arrays
+     *  param: positions       [n] m, world, three scalars each, within 1e15 m of the origin
+     *  param: position_stride bytes from one to the next; 0: tightly packed
+     *  param: velocities      [n] m/s, world, likewise, at most 1e9 m/s; NULL: at rest
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUFFER_TOO_SMALL (stride); LIMIT (2^31
      *          - 1 in a set); BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_particles_add(MemorySegment world, long set, long n, int scalar, MemorySegment positions, long positionStride, MemorySegment velocities, long velocityStride, MemorySegment error) {
         try { return (int) carom_particles_add_.CALL.invokeExact(world, set, n, scalar, positions, positionStride, velocities, velocityStride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4824,8 +4823,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_particles_remove", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
     }
     /** Remove n particles. The others keep their order, so each moves up by as many as went before it.
-     *  @param indices [n] ascending, each once; NULL: all of them (n must be their number)
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
+     *  param: indices [n] ascending, each once; NULL: all of them (n must be their number)
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
     public static int carom_particles_remove(MemorySegment world, long set, MemorySegment indices, long n, MemorySegment error) {
         try { return (int) carom_particles_remove_.CALL.invokeExact(world, set, indices, n, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4834,11 +4833,11 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_particles_read", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
     }
     /** Read one field of n particles.
-     *  @param field   CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS
-     *  @param indices [n] in any order, or NULL: all of them (n must be their number)
-     *  @param dst     n records of the field's scalars, `stride` bytes apart
-     *  @param stride  bytes from one record to the next; 0: tightly packed
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE
+     *  param: field   CAROM_FIELD_POSITION, LINEAR_VELOCITY or MASS
+     *  param: indices [n] in any order, or NULL: all of them (n must be their number)
+     *  param: dst     n records of the field's scalars, `stride` bytes apart
+     *  param: stride  bytes from one record to the next; 0: tightly packed
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; UNSUPPORTED (a field that particles do not have); *_HANDLE; OUT_OF_RANGE
      *          (an index, n); BUFFER_TOO_SMALL (stride); BUSY */
     public static int carom_particles_read(MemorySegment world, long set, int field, int scalar, MemorySegment indices, long n, MemorySegment dst, long stride, MemorySegment error) {
         try { return (int) carom_particles_read_.CALL.invokeExact(world, set, field, scalar, indices, n, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4849,8 +4848,8 @@ public final class Raw {
     }
     /** Write one field of n particles; all values are checked before the first is written, bounds as carom_particles_add(),
      *  masses as carom_particles_desc. Arguments as carom_particles_read(); where an index comes twice, the last counts.
-     *  @param src n records of the field's scalars, `stride` bytes apart
-     *  @status as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY */
+     *  param: src n records of the field's scalars, `stride` bytes apart
+     *  status: as carom_particles_read(); NOT_FINITE; OUT_OF_RANGE; REENTRANT; OUT_OF_MEMORY */
     public static int carom_particles_write(MemorySegment world, long set, int field, int scalar, MemorySegment indices, long n, MemorySegment src, long stride, MemorySegment error) {
         try { return (int) carom_particles_write_.CALL.invokeExact(world, set, field, scalar, indices, n, src, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4861,9 +4860,9 @@ public final class Raw {
     /** A particle that has come further than 1e15 m or become faster than 1e9 m/s is put in quarantine: it is held still
      *  where it is and counts in no energy, until a host writes its position or removes it. carom_world_get_faults()
      *  reports the first of each set and step (CAROM_FAULT_PARTICLE_STATE), this call all that are held now, ascending.
-     *  @param indices [capacity] out; may be NULL if capacity is 0
-     *  @param count   out: how many there are (may exceed capacity; capacity are written)
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
+     *  param: indices [capacity] out; may be NULL if capacity is 0
+     *  param: count   out: how many there are (may exceed capacity; capacity are written)
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_particles_get_quarantined(MemorySegment world, long set, MemorySegment indices, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_particles_get_quarantined_.CALL.invokeExact(world, set, indices, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4872,8 +4871,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_get_particles", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Number of sets, and their handles in creation order of the slots.
-     *  @param sets [capacity] or NULL   @param count out: how many there are
-     *  @status OK; NULL_ARGUMENT; BUSY */
+     *  param: sets [capacity] or NULL   param: count out: how many there are
+     *  status: OK; NULL_ARGUMENT; BUSY */
     public static int carom_world_get_particles(MemorySegment world, MemorySegment sets, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_get_particles_.CALL.invokeExact(world, sets, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4891,8 +4890,8 @@ public final class Raw {
     }
     /** Forbid or force an effect from the next step on, for all bodies. Wakes all bodies. Forbidding one that the scene
      *  needs is allowed, and carom_world_get_plan() says so.
-     *  @param effect CAROM_EFFECT_*   @param mode CAROM_MODE_*
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT */
+     *  param: effect CAROM_EFFECT_*   param: mode CAROM_MODE_*
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT */
     public static int carom_world_set_effect(MemorySegment world, int effect, int mode, MemorySegment error) {
         try { return (int) carom_world_set_effect_.CALL.invokeExact(world, effect, mode, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4900,7 +4899,7 @@ public final class Raw {
     private static final class carom_world_get_effect_ {
         static final MethodHandle CALL = Library.call("carom_world_get_effect", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @param mode out   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
+    /** param: mode out   status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
     public static int carom_world_get_effect(MemorySegment world, int effect, MemorySegment mode, MemorySegment error) {
         try { return (int) carom_world_get_effect_.CALL.invokeExact(world, effect, mode, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4910,8 +4909,8 @@ public final class Raw {
     }
     /** The same for one body: its forces, its colliders, the contacts, joints and springs it is in. What is forbidden for
      *  the world is forbidden for it. Particles, events and the ledger are not a body's.
-     *  @param mode CAROM_MODE_*
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use
+     *  param: mode CAROM_MODE_*
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; UNSUPPORTED (PARTICLES, EVENTS, LEDGER: use
      *          carom_world_set_effect()); BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_set_effect(MemorySegment world, long body, int effect, int mode, MemorySegment error) {
         try { return (int) carom_body_set_effect_.CALL.invokeExact(world, body, effect, mode, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4920,7 +4919,7 @@ public final class Raw {
     private static final class carom_body_get_effect_ {
         static final MethodHandle CALL = Library.call("carom_body_get_effect", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @param mode out: of the body itself   @status OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY */
+    /** param: mode out: of the body itself   status: OK; NULL_ARGUMENT; *_HANDLE; UNKNOWN_ENUM; BUSY */
     public static int carom_body_get_effect(MemorySegment world, long body, int effect, MemorySegment mode, MemorySegment error) {
         try { return (int) carom_body_get_effect_.CALL.invokeExact(world, body, effect, mode, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4929,8 +4928,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_time_effects", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS));
     }
     /** Whether each force effect is timed by itself in carom_world_get_plan(), which costs two looks at the clock for each.
-     *  @param on 1 or 0 (as a world is created)
-     *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT */
+     *  param: on 1 or 0 (as a world is created)
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_world_time_effects(MemorySegment world, int on, MemorySegment error) {
         try { return (int) carom_world_time_effects_.CALL.invokeExact(world, on, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4939,10 +4938,10 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_get_plan", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Copy out the plan of the last step: stages first, then effects. Before the first step nothing has run.
-     *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
-     *  @param stride   sizeof(carom_plan_line) as the caller knows it
-     *  @param count    out: how many there are (may exceed capacity; capacity are written)
-     *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
+     *  param: dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+     *  param: stride   sizeof(carom_plan_line) as the caller knows it
+     *  param: count    out: how many there are (may exceed capacity; capacity are written)
+     *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public static int carom_world_get_plan(MemorySegment world, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_get_plan_.CALL.invokeExact(world, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4950,7 +4949,7 @@ public final class Raw {
     private static final class carom_distance_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_distance_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_distance_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_distance_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4959,9 +4958,9 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_shape_distance", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Signed distance of two shapes.
-     *  @param position_*     [3] m     @param orientation_* [4] x, y, z, w
-     *  @param desc   may be NULL: defaults     @param result struct_size set by the caller
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM;
+     *  param: position_*     [3] m     param: orientation_* [4] x, y, z, w
+     *  param: desc   may be NULL: defaults     param: result struct_size set by the caller
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM;
      *          UNSUPPORTED (two half-spaces) */
     public static int carom_shape_distance(MemorySegment engine, long shapeA, MemorySegment positionA, MemorySegment orientationA, long shapeB, MemorySegment positionB, MemorySegment orientationB, MemorySegment desc, MemorySegment result, MemorySegment error) {
         try { return (int) carom_shape_distance_.CALL.invokeExact(engine, shapeA, positionA, orientationA, shapeB, positionB, orientationB, desc, result, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4971,8 +4970,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_record_begin", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Record a world from now on, until carom_world_record_end() or until it is destroyed.
-     *  @param flags CAROM_RECORD_*   @param write is kept, and called with `user`
-     *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); IN_USE (it is being recorded); WRITE_FAILED; BUSY; REENTRANT;
+     *  param: flags CAROM_RECORD_*   param: write is kept, and called with `user`
+     *  status: OK; NULL_ARGUMENT; UNSUPPORTED (flags); IN_USE (it is being recorded); WRITE_FAILED; BUSY; REENTRANT;
      *          OUT_OF_MEMORY */
     public static int carom_world_record_begin(MemorySegment world, int flags, MemorySegment write, MemorySegment user, MemorySegment error) {
         try { return (int) carom_world_record_begin_.CALL.invokeExact(world, flags, write, user, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4982,7 +4981,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_record_end", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
     }
     /** Stop recording.
-     *  @status OK; NULL_ARGUMENT; NOT_FOUND (it is not being recorded); WRITE_FAILED (`write` said so, now or before: the
+     *  status: OK; NULL_ARGUMENT; NOT_FOUND (it is not being recorded); WRITE_FAILED (`write` said so, now or before: the
      *          recording ends there); OUT_OF_MEMORY (likewise, for lack of memory); BUSY; REENTRANT */
     public static int carom_world_record_end(MemorySegment world, MemorySegment error) {
         try { return (int) carom_world_record_end_.CALL.invokeExact(world, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4992,10 +4991,10 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_compare", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Compare a world with a snapshot, between steps; of a world of the same structure. Reads only.
-     *  @param difference its struct_size set by the caller
-     *  @param bytes [size] of carom_world_save()   @param size number of bytes
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
-     *          OUT_OF_MEMORY   @thread reader */
+     *  param: difference its struct_size set by the caller
+     *  param: bytes [size] of carom_world_save()   param: size number of bytes
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; CORRUPT, UNSUPPORTED, MISMATCH (as carom_world_restore()); BUSY; REENTRANT;
+     *          OUT_OF_MEMORY   thread: reader */
     public static int carom_world_compare(MemorySegment world, MemorySegment bytes, long size, MemorySegment difference, MemorySegment error) {
         try { return (int) carom_world_compare_.CALL.invokeExact(world, bytes, size, difference, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5003,11 +5002,11 @@ public final class Raw {
     private static final class carom_world_get_residuals_ {
         static final MethodHandle CALL = Library.call("carom_world_get_residuals", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param residuals with its struct_size set; filled. Before the first step, and after a step without contacts, what
+    /** param: residuals with its struct_size set; filled. Before the first step, and after a step without contacts, what
      *                   concerns them is 0.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
-     *  @accuracy rounding; effective masses are those along the normal
-     *  @cost linear in contact points, joints and bodies */
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
+     *  accuracy: rounding; effective masses are those along the normal
+     *  cost: linear in contact points, joints and bodies */
     public static int carom_world_get_residuals(MemorySegment world, MemorySegment residuals, MemorySegment error) {
         try { return (int) carom_world_get_residuals_.CALL.invokeExact(world, residuals, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5021,9 +5020,9 @@ public final class Raw {
      *  for lockstep and tests. The steps of a scene that is too expensive even with `fewest` take longer. A budget is the
      *  host's: no snapshot holds it, a copy begins without one, and a record (carom/record.h) has the substeps that it
      *  chose.
-     *  @param seconds  s of wall clock a step, 0 < seconds <= 10; 0: off, the dial keeps its value
-     *  @param fewest, most  substeps, 1 <= fewest <= most <= the dial's bound; ignored when off
-     *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
+     *  param: seconds  s of wall clock a step, 0 &lt; seconds &lt;= 10; 0: off, the dial keeps its value
+     *  param: fewest, most  substeps, 1 &lt;= fewest &lt;= most &lt;= the dial's bound; ignored when off
+     *  status: OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_world_set_budget(MemorySegment world, double seconds, int fewest, int most, MemorySegment error) {
         try { return (int) carom_world_set_budget_.CALL.invokeExact(world, seconds, fewest, most, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5031,7 +5030,7 @@ public final class Raw {
     private static final class carom_world_get_budget_ {
         static final MethodHandle CALL = Library.call("carom_world_get_budget", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param seconds, fewest, most  out: as set; 0 when off   @status OK; NULL_ARGUMENT; BUSY */
+    /** param: seconds, fewest, most  out: as set; 0 when off   status: OK; NULL_ARGUMENT; BUSY */
     public static int carom_world_get_budget(MemorySegment world, MemorySegment seconds, MemorySegment fewest, MemorySegment most, MemorySegment error) {
         try { return (int) carom_world_get_budget_.CALL.invokeExact(world, seconds, fewest, most, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5039,7 +5038,7 @@ public final class Raw {
     private static final class carom_mesh_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_mesh_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_mesh_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_mesh_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5048,7 +5047,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_shape_create_mesh", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Make scenery of a mesh. All is copied.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE (a count, an index, a vertex too far
      *          out, no triangle that has an area); LIMIT; OUT_OF_MEMORY */
     public static int carom_shape_create_mesh(MemorySegment engine, MemorySegment desc, MemorySegment shape, MemorySegment error) {
         try { return (int) carom_shape_create_mesh_.CALL.invokeExact(engine, desc, shape, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -5057,7 +5056,7 @@ public final class Raw {
     private static final class carom_height_field_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_height_field_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_height_field_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_height_field_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5066,7 +5065,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_shape_create_height_field", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Make scenery of a height field. All is copied.
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE (an infinite height, a spacing); OUT_OF_RANGE (a
      *          count, a spacing that is not positive, a height too far out, nothing but holes); LIMIT; OUT_OF_MEMORY */
     public static int carom_shape_create_height_field(MemorySegment engine, MemorySegment desc, MemorySegment shape, MemorySegment error) {
         try { return (int) carom_shape_create_height_field_.CALL.invokeExact(engine, desc, shape, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -5075,7 +5074,7 @@ public final class Raw {
     private static final class carom_shape_get_scenery_info_ {
         static final MethodHandle CALL = Library.call("carom_shape_get_scenery_info", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE; UNSUPPORTED (a convex shape) */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE (set info-&gt;struct_size); *_HANDLE; UNSUPPORTED (a convex shape) */
     public static int carom_shape_get_scenery_info(MemorySegment engine, long shape, MemorySegment info, MemorySegment error) {
         try { return (int) carom_shape_get_scenery_info_.CALL.invokeExact(engine, shape, info, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5084,11 +5083,11 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_shape_get_triangles", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Copy out triangles of scenery, for drawing: each by its three corners, as its surface faces. Holes are left out.
-     *  @param first   number of the first triangle wanted
-     *  @param corners [9 count] m, shape frame, or NULL to count
-     *  @param count   in: how many fit; out: how many were written (with NULL: how many there are from `first` on)
-     *  @param next    out: the number of the triangle to go on from; the number of triangles when all have been seen
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape) */
+     *  param: first   number of the first triangle wanted
+     *  param: corners [9 count] m, shape frame, or NULL to count
+     *  param: count   in: how many fit; out: how many were written (with NULL: how many there are from `first` on)
+     *  param: next    out: the number of the triangle to go on from; the number of triangles when all have been seen
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (first); UNSUPPORTED (a convex shape) */
     public static int carom_shape_get_triangles(MemorySegment engine, long shape, long first, MemorySegment corners, MemorySegment count, MemorySegment next, MemorySegment error) {
         try { return (int) carom_shape_get_triangles_.CALL.invokeExact(engine, shape, first, corners, count, next, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5098,8 +5097,8 @@ public final class Raw {
     }
     /** Make a shape. The parameters are copied. The support function is checked for these parameters (finite, repeatable,
      *  scale-free, samples in convex position), declarations are verified, and AABB and mass properties derived.
-     *  @param params [count] doubles, meaning as the plugin documents
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which);
+     *  param: params [count] doubles, meaning as the plugin documents
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (count or a bound; argument says which);
      *          PLUGIN_INVALID; DECLARATION_FALSE; OUT_OF_MEMORY */
     public static int carom_shape_create(MemorySegment engine, long plugin, MemorySegment params, long count, MemorySegment shape, MemorySegment error) {
         try { return (int) carom_shape_create_.CALL.invokeExact(engine, plugin, params, count, shape, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -5113,8 +5112,8 @@ public final class Raw {
      *  and loaded: in the folders of $CAROM_PLUGIN_PATH (absolute, separated by ':'; not in programs that run with raised
      *  privileges), beside the library, in the folder where plugins are installed. "half_space" is built in: normal x, y,
      *  z, offset.
-     *  @param name 1 to 64 letters, digits, _, - and dots   @param params [count] as carom_shape_create()
-     *  @status OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE;
+     *  param: name 1 to 64 letters, digits, _, - and dots   param: params [count] as carom_shape_create()
+     *  status: OK; NULL_ARGUMENT; NOT_FOUND (the message says where it was looked for); NOT_FINITE; OUT_OF_RANGE;
      *          PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY */
     public static int carom_shape_create_named(MemorySegment engine, MemorySegment name, MemorySegment params, long count, MemorySegment shape, MemorySegment error) {
         try { return (int) carom_shape_create_named_.CALL.invokeExact(engine, name, params, count, shape, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -5123,9 +5122,9 @@ public final class Raw {
     private static final class carom_shape_create_half_space_ {
         static final MethodHandle CALL = Library.call("carom_shape_create_half_space", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_DOUBLE, ADDRESS, ADDRESS));
     }
-    /** The built-in half-space { x : normal . x <= offset } in the shape's own frame; unbounded, so static bodies only.
-     *  @param normal [3] unit (within 1e-6)   @param offset m
-     *  @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY */
+    /** The built-in half-space { x : normal . x &lt;= offset } in the shape's own frame; unbounded, so static bodies only.
+     *  param: normal [3] unit (within 1e-6)   param: offset m
+     *  status: OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY */
     public static int carom_shape_create_half_space(MemorySegment engine, MemorySegment normal, double offset, MemorySegment shape, MemorySegment error) {
         try { return (int) carom_shape_create_half_space_.CALL.invokeExact(engine, normal, offset, shape, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5133,7 +5132,7 @@ public final class Raw {
     private static final class carom_shape_destroy_ {
         static final MethodHandle CALL = Library.call("carom_shape_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
+    /** status: OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
     public static int carom_shape_destroy(MemorySegment engine, long shape, MemorySegment error) {
         try { return (int) carom_shape_destroy_.CALL.invokeExact(engine, shape, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5141,7 +5140,7 @@ public final class Raw {
     private static final class carom_shape_get_info_ {
         static final MethodHandle CALL = Library.call("carom_shape_get_info", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE (set info-&gt;struct_size); *_HANDLE */
     public static int carom_shape_get_info(MemorySegment engine, long shape, MemorySegment info, MemorySegment error) {
         try { return (int) carom_shape_get_info_.CALL.invokeExact(engine, shape, info, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5149,9 +5148,9 @@ public final class Raw {
     private static final class carom_shape_get_params_ {
         static final MethodHandle CALL = Library.call("carom_shape_get_params", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** Copy out the parameters. @param count in: capacity of params; out: number of parameters.
-     *  @param params [count]
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed) */
+    /** Copy out the parameters. param: count in: capacity of params; out: number of parameters.
+     *  param: params [count]
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed) */
     public static int carom_shape_get_params(MemorySegment engine, long shape, MemorySegment params, MemorySegment count, MemorySegment error) {
         try { return (int) carom_shape_get_params_.CALL.invokeExact(engine, shape, params, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5160,8 +5159,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_shape_support", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Support points of the whole shape, core radius included, for n directions at once.
-     *  @param dirs [3n] nonzero, any length, shape frame   @param points [3n] m, shape frame
-     *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space,
+     *  param: dirs [3n] nonzero, any length, shape frame   param: points [3n] m, shape frame
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a zero direction); UNSUPPORTED (half-space,
      *          scenery); PLUGIN_INVALID (the support function failed; the points before are written) */
     public static int carom_shape_support(MemorySegment engine, long shape, MemorySegment dirs, long n, MemorySegment points, MemorySegment error) {
         try { return (int) carom_shape_support_.CALL.invokeExact(engine, shape, dirs, n, points, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -5171,11 +5170,11 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_save", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Write a snapshot, between steps. Reads only: other readers may be at work.
-     *  @param flags    CAROM_SNAPSHOT_*
-     *  @param buffer   [capacity] bytes, or NULL to get the size alone
-     *  @param capacity bytes; 0 if buffer is NULL
-     *  @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
-     *  @status OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
+     *  param: flags    CAROM_SNAPSHOT_*
+     *  param: buffer   [capacity] bytes, or NULL to get the size alone
+     *  param: capacity bytes; 0 if buffer is NULL
+     *  param: needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
+     *  status: OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   thread: reader */
     public static int carom_world_save(MemorySegment world, int flags, MemorySegment buffer, long capacity, MemorySegment needed, MemorySegment error) {
         try { return (int) carom_world_save_.CALL.invokeExact(world, flags, buffer, capacity, needed, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5189,8 +5188,8 @@ public final class Raw {
      *  begins anew. Shapes of the same plugin and numbers that the engine has are used, others made; they are the engine's,
      *  as if the host had made them (carom_collider_get() gives their handles). Any other world takes its state, as of one
      *  that is not whole.
-     *  @param bytes [size], of any alignment   @param size as carom_world_save() gave it
-     *  @status OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a
+     *  param: bytes [size], of any alignment   param: size as carom_world_save() gave it
+     *  status: OK; NULL_ARGUMENT; CORRUPT (damaged, cut off, or no snapshot: the message says what); UNSUPPORTED (of a
      *  newer
      *          format); MISMATCH (of a world of another structure: the message names the kind that differs; or a plugin of
      *          that id and version makes other shapes than it did); NOT_FOUND (a shape plugin is not loaded: the message
@@ -5204,8 +5203,8 @@ public final class Raw {
     }
     /** Make a world of the same engine that is as this one is, and goes on as it does, bit for bit. Nothing of this one
      *  changes; other readers may be at work. Lists and residuals of its last step, and a ledger, the copy has none of.
-     *  @param copy out: to be destroyed as any world
-     *  @status OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   @thread reader */
+     *  param: copy out: to be destroyed as any world
+     *  status: OK; NULL_ARGUMENT; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY   thread: reader */
     public static int carom_world_fork(MemorySegment world, MemorySegment copy, MemorySegment error) {
         try { return (int) carom_world_fork_.CALL.invokeExact(world, copy, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5215,10 +5214,10 @@ public final class Raw {
     }
     /** Handles of another world, as they are in this one: the same slots and generations. For what a host keeps of a world
      *  that it has forked, or of one that was saved whole, in another process too.
-     *  @param handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
-     *  @param translated [n] out; may be `handles`. All of them or, where one is refused, none
-     *  @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
-     *          worlds); BUSY; REENTRANT   @thread reader */
+     *  param: handles    [n] of bodies, colliders, materials, joints, particles, fields, springs; 0 stays 0
+     *  param: translated [n] out; may be `handles`. All of them or, where one is refused, none
+     *  status: OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
+     *          worlds); BUSY; REENTRANT   thread: reader */
     public static int carom_world_translate_handles(MemorySegment world, MemorySegment handles, long n, MemorySegment translated, MemorySegment error) {
         try { return (int) carom_world_translate_handles_.CALL.invokeExact(world, handles, n, translated, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5226,7 +5225,7 @@ public final class Raw {
     private static final class carom_vehicle_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_vehicle_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_vehicle_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_vehicle_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5234,7 +5233,7 @@ public final class Raw {
     private static final class carom_wheel_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_wheel_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_wheel_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_wheel_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5242,7 +5241,7 @@ public final class Raw {
     private static final class carom_vehicle_input_init_ {
         static final MethodHandle CALL = Library.call("carom_vehicle_input_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_vehicle_input_init(MemorySegment input, int structSize) {
         try { return (int) carom_vehicle_input_init_.CALL.invokeExact(input, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5250,7 +5249,7 @@ public final class Raw {
     private static final class carom_vehicle_init_ {
         static final MethodHandle CALL = Library.call("carom_vehicle_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** At idle speed, at rest.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** At idle speed, at rest.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_vehicle_init(MemorySegment vehicle, int structSize) {
         try { return (int) carom_vehicle_init_.CALL.invokeExact(vehicle, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5258,7 +5257,7 @@ public final class Raw {
     private static final class carom_wheel_init_ {
         static final MethodHandle CALL = Library.call("carom_wheel_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** In the air, at rest.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** In the air, at rest.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_wheel_init(MemorySegment wheel, int structSize) {
         try { return (int) carom_wheel_init_.CALL.invokeExact(wheel, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5268,17 +5267,17 @@ public final class Raw {
     }
     /** Look down, turn wheels and engine through dt, and leave the mean forces for the next step, which is to take dt. They
      *  add to forces that are pending. They keep a vehicle awake.
-     *  @param desc with a chassis
-     *  @param wheel_descs [n] one after another, each of the first one's struct_size
-     *  @param n 1 to CAROM_VEHICLE_WHEELS
-     *  @param input what the driver does
-     *  @param vehicle state, changes
-     *  @param wheels [n] states, change: as wheel_descs
-     *  @param dt s, [1e-4, 0.1]
-     *  @accuracy of the prediction first order in 1 ms; it leaves out what else acts on the chassis but gravity and
+     *  param: desc with a chassis
+     *  param: wheel_descs [n] one after another, each of the first one's struct_size
+     *  param: n 1 to CAROM_VEHICLE_WHEELS
+     *  param: input what the driver does
+     *  param: vehicle state, changes
+     *  param: wheels [n] states, change: as wheel_descs
+     *  param: dt s, [1e-4, 0.1]
+     *  accuracy: of the prediction first order in 1 ms; it leaves out what else acts on the chassis but gravity and
      *            pending forces. A chassis that swings on its springs faster than a third of 1 / dt trembles. Of springs
      *            stiffer than (m / 4) / 1 ms^2, m what the chassis weighs at the wheel, so much acts
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (unknown bits; a half-space or scenery as shape); *_HANDLE;
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (unknown bits; a half-space or scenery as shape); *_HANDLE;
      *          NOT_FINITE; NOT_UNIT; OUT_OF_RANGE (also: a chassis that is not dynamic, a gear that it has not); BUSY;
      *          REENTRANT; OUT_OF_MEMORY */
     public static int carom_vehicle_drive(MemorySegment world, MemorySegment desc, MemorySegment wheelDescs, long n, MemorySegment input, MemorySegment vehicle, MemorySegment wheels, double dt, MemorySegment error) {
@@ -5288,7 +5287,7 @@ public final class Raw {
     private static final class carom_world_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_world_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_world_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_world_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5296,9 +5295,9 @@ public final class Raw {
     private static final class carom_world_create_ {
         static final MethodHandle CALL = Library.call("carom_world_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param desc may be NULL: defaults   @owns the caller: carom_world_destroy(), before the engine
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in
-     *          all); OUT_OF_MEMORY   @thread engine */
+    /** param: desc may be NULL: defaults   owns: the caller: carom_world_destroy(), before the engine
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; LIMIT (65,535 engines and worlds in
+     *          all); OUT_OF_MEMORY   thread: engine */
     public static int carom_world_create(MemorySegment engine, MemorySegment desc, MemorySegment world, MemorySegment error) {
         try { return (int) carom_world_create_.CALL.invokeExact(engine, desc, world, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5306,7 +5305,7 @@ public final class Raw {
     private static final class carom_world_destroy_ {
         static final MethodHandle CALL = Library.call("carom_world_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** Destroys its bodies, colliders, materials and particles too.   @status OK; NULL_ARGUMENT; BUSY; REENTRANT */
+    /** Destroys its bodies, colliders, materials and particles too.   status: OK; NULL_ARGUMENT; BUSY; REENTRANT */
     public static int carom_world_destroy(MemorySegment world, MemorySegment error) {
         try { return (int) carom_world_destroy_.CALL.invokeExact(world, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5315,8 +5314,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_step", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_DOUBLE, ADDRESS));
     }
     /** Advance by dt.
-     *  @param dt s, in [1e-9, 1]
-     *  @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
+     *  param: dt s, in [1e-9, 1]
+     *  status: OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY
      *  Out of memory: no body has moved and forces are still pending; contact caches may have been dropped.
      *  A plugin that misbehaves does not fail the step: its pairs are skipped and carom_world_get_faults() reports it. */
     public static int carom_world_step(MemorySegment world, double dt, MemorySegment error) {
@@ -5326,8 +5325,8 @@ public final class Raw {
     private static final class carom_world_set_dial_ {
         static final MethodHandle CALL = Library.call("carom_world_set_dial", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, JAVA_DOUBLE, ADDRESS));
     }
-    /** @param value within the dial's bounds; whole for choices and integers
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+    /** param: value within the dial's bounds; whole for choices and integers
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_world_set_dial(MemorySegment world, int dial, double value, MemorySegment error) {
         try { return (int) carom_world_set_dial_.CALL.invokeExact(world, dial, value, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5335,7 +5334,7 @@ public final class Raw {
     private static final class carom_world_get_dial_ {
         static final MethodHandle CALL = Library.call("carom_world_get_dial", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** @param value as carom_world_set_dial() takes it   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
+    /** param: value as carom_world_set_dial() takes it   status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY */
     public static int carom_world_get_dial(MemorySegment world, int dial, MemorySegment value, MemorySegment error) {
         try { return (int) carom_world_get_dial_.CALL.invokeExact(world, dial, value, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5344,8 +5343,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_set_preset", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS));
     }
     /** Set all dials that presets speak of, from the next step on; see carom_preset_get_dial(). Later calls of
-     *  carom_world_set_dial() change them one by one.   @param preset CAROM_PRESET_*
-     *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT */
+     *  carom_world_set_dial() change them one by one.   param: preset CAROM_PRESET_*
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; BUSY; REENTRANT */
     public static int carom_world_set_preset(MemorySegment world, int preset, MemorySegment error) {
         try { return (int) carom_world_set_preset_.CALL.invokeExact(world, preset, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5353,7 +5352,7 @@ public final class Raw {
     private static final class carom_world_set_gravity_ {
         static final MethodHandle CALL = Library.call("carom_world_set_gravity", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @param gravity [3] m/s^2, |each| <= 1e6   @status OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+    /** param: gravity [3] m/s^2, |each| &lt;= 1e6   status: OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_world_set_gravity(MemorySegment world, MemorySegment gravity, MemorySegment error) {
         try { return (int) carom_world_set_gravity_.CALL.invokeExact(world, gravity, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5361,7 +5360,7 @@ public final class Raw {
     private static final class carom_world_get_gravity_ {
         static final MethodHandle CALL = Library.call("carom_world_get_gravity", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; BUSY */
+    /** status: OK; NULL_ARGUMENT; BUSY */
     public static int carom_world_get_gravity(MemorySegment world, MemorySegment gravity, MemorySegment error) {
         try { return (int) carom_world_get_gravity_.CALL.invokeExact(world, gravity, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5369,7 +5368,7 @@ public final class Raw {
     private static final class carom_world_get_report_ {
         static final MethodHandle CALL = Library.call("carom_world_get_report", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
     public static int carom_world_get_report(MemorySegment world, MemorySegment report, MemorySegment error) {
         try { return (int) carom_world_get_report_.CALL.invokeExact(world, report, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5378,7 +5377,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_stage_name", FunctionDescriptor.of(ADDRESS, JAVA_INT));
     }
     /** Static name of a stage ("broad"), or "?".
-     *  @param stage CAROM_STAGE_* */
+     *  param: stage CAROM_STAGE_* */
     public static String carom_stage_name(int stage) {
         try { return ((MemorySegment) carom_stage_name_.CALL.invokeExact(stage)).reinterpret(Long.MAX_VALUE).getString(0); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5387,10 +5386,10 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_get_contacts", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** Copy out the contact points of the last step, in a deterministic order; those of colliders destroyed since are gone.
-     *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
-     *  @param stride   sizeof(carom_contact) as the caller knows it
-     *  @param count    out: how many there are (may exceed capacity; capacity are written)
-     *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
+     *  param: dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+     *  param: stride   sizeof(carom_contact) as the caller knows it
+     *  param: count    out: how many there are (may exceed capacity; capacity are written)
+     *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public static int carom_world_get_contacts(MemorySegment world, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_get_contacts_.CALL.invokeExact(world, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5400,10 +5399,10 @@ public final class Raw {
     }
     /** Copy out the contact groups of the last step, in a deterministic order. Other solvers than CAROM_SOLVER_AUTO treat
      *  all groups alike: then there are none.
-     *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
-     *  @param stride   sizeof(carom_group) as the caller knows it
-     *  @param count    out: how many there are (may exceed capacity; capacity are written)
-     *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
+     *  param: dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+     *  param: stride   sizeof(carom_group) as the caller knows it
+     *  param: count    out: how many there are (may exceed capacity; capacity are written)
+     *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public static int carom_world_get_groups(MemorySegment world, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_get_groups_.CALL.invokeExact(world, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5421,8 +5420,8 @@ public final class Raw {
     }
     /** 64-bit hash of the dynamic state: equal iff (up to collision of the hash) every pose, velocity and cached contact
      *  has the same bits, and every particle's position and velocity.
-     *  @param hash of the state
-     *  @status OK; NULL_ARGUMENT; BUSY   @thread reader */
+     *  param: hash of the state
+     *  status: OK; NULL_ARGUMENT; BUSY   thread: reader */
     public static int carom_world_hash(MemorySegment world, MemorySegment hash, MemorySegment error) {
         try { return (int) carom_world_hash_.CALL.invokeExact(world, hash, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5430,7 +5429,7 @@ public final class Raw {
     private static final class carom_query_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_query_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_query_desc_init(MemorySegment desc, int structSize) {
         try { return (int) carom_query_desc_init_.CALL.invokeExact(desc, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5438,11 +5437,11 @@ public final class Raw {
     private static final class carom_world_cast_ray_ {
         static final MethodHandle CALL = Library.call("carom_world_cast_ray", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, JAVA_DOUBLE, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** What one ray meets first: origin + t direction, 0 <= t <= max.
-     *  @param origin [3] m   @param direction [3] m per unit of t, any length   @param max >= 0, may be infinite
-     *  @param desc   may be NULL: defaults   @param size sizeof(carom_world_hit) as the caller knows it
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE (desc->ignore); NOT_FINITE; OUT_OF_RANGE;
-     *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   @thread reader */
+    /** What one ray meets first: origin + t direction, 0 &lt;= t &lt;= max.
+     *  param: origin [3] m   param: direction [3] m per unit of t, any length   param: max &gt;= 0, may be infinite
+     *  param: desc   may be NULL: defaults   param: size sizeof(carom_world_hit) as the caller knows it
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE (desc-&gt;ignore); NOT_FINITE; OUT_OF_RANGE;
+     *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   thread: reader */
     public static int carom_world_cast_ray(MemorySegment world, MemorySegment origin, MemorySegment direction, double max, MemorySegment desc, MemorySegment hit, long size, MemorySegment error) {
         try { return (int) carom_world_cast_ray_.CALL.invokeExact(world, origin, direction, max, desc, hit, size, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5452,9 +5451,9 @@ public final class Raw {
     }
     /** What each of many rays meets first, or whether it meets anything. A bad ray (not finite, or max negative) spoils no
      *  other: its outcome is CAROM_CAST_BAD_RAY. Nothing is allocated per ray.
-     *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc->ignore); NOT_FINITE;
-     *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader */
+     *  param: want   CAROM_WANT_*   param: desc may be NULL: defaults
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; UNKNOWN_ENUM; *_HANDLE (desc-&gt;ignore); NOT_FINITE;
+     *          OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   thread: reader */
     public static int carom_world_cast_rays(MemorySegment world, MemorySegment rays, int want, MemorySegment desc, MemorySegment hits, MemorySegment error) {
         try { return (int) carom_world_cast_rays_.CALL.invokeExact(world, rays, want, desc, hits, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5463,10 +5462,10 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_cast_rays_all", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** All that each of many rays meets: by ray, then by time, then by slot. A bad ray has one record that says so.
-     *  @param dst    [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
-     *  @param stride sizeof(carom_world_hit) as the caller knows it
-     *  @param count  out: how many there are (may exceed capacity; the first `capacity` are written)
-     *  @status as carom_world_cast_rays()   @thread reader */
+     *  param: dst    [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+     *  param: stride sizeof(carom_world_hit) as the caller knows it
+     *  param: count  out: how many there are (may exceed capacity; the first `capacity` are written)
+     *  status: as carom_world_cast_rays()   thread: reader */
     public static int carom_world_cast_rays_all(MemorySegment world, MemorySegment rays, MemorySegment desc, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_cast_rays_all_.CALL.invokeExact(world, rays, desc, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5475,12 +5474,12 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_cast_shapes", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS));
     }
     /** What each of many shapes meets first as it moves by its motion without turning, or whether it meets anything.
-     *  @param shapes every shape, position, orientation and motion must be good, else nothing is written
-     *  @param want   CAROM_WANT_*   @param desc may be NULL: defaults
-     *  @param dst    [shapes->count] elements `stride` bytes apart   @param stride 0: tightly packed
-     *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space as query shape); UNKNOWN_ENUM; *_HANDLE;
+     *  param: shapes every shape, position, orientation and motion must be good, else nothing is written
+     *  param: want   CAROM_WANT_*   param: desc may be NULL: defaults
+     *  param: dst    [shapes-&gt;count] elements `stride` bytes apart   param: stride 0: tightly packed
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a half-space as query shape); UNKNOWN_ENUM; *_HANDLE;
      *  NOT_FINITE;
-     *          NOT_UNIT; OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   @thread reader */
+     *          NOT_UNIT; OUT_OF_RANGE; BUFFER_TOO_SMALL (a stride); BUSY; OUT_OF_MEMORY   thread: reader */
     public static int carom_world_cast_shapes(MemorySegment world, MemorySegment shapes, int want, MemorySegment desc, MemorySegment dst, long stride, MemorySegment error) {
         try { return (int) carom_world_cast_shapes_.CALL.invokeExact(world, shapes, want, desc, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5489,7 +5488,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_cast_shapes_all", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
     }
     /** All that each of many moving shapes meets: by shape, then by time, then by slot; as carom_world_cast_rays_all().
-     *  @status as carom_world_cast_rays_all(); NOT_UNIT   @thread reader */
+     *  status: as carom_world_cast_rays_all(); NOT_UNIT   thread: reader */
     public static int carom_world_cast_shapes_all(MemorySegment world, MemorySegment shapes, MemorySegment desc, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_cast_shapes_all_.CALL.invokeExact(world, shapes, desc, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5497,8 +5496,8 @@ public final class Raw {
     private static final class carom_world_overlap_shapes_ {
         static final MethodHandle CALL = Library.call("carom_world_overlap_shapes", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
     }
-    /** All that overlaps each of many shapes (or is nearer than desc->target): by shape, then by slot; arguments as
-     *  carom_world_cast_rays_all().   @status as carom_world_cast_rays_all(); NOT_UNIT   @thread reader */
+    /** All that overlaps each of many shapes (or is nearer than desc-&gt;target): by shape, then by slot; arguments as
+     *  carom_world_cast_rays_all().   status: as carom_world_cast_rays_all(); NOT_UNIT   thread: reader */
     public static int carom_world_overlap_shapes(MemorySegment world, MemorySegment shapes, MemorySegment desc, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
         try { return (int) carom_world_overlap_shapes_.CALL.invokeExact(world, shapes, desc, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5507,9 +5506,9 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_world_find_nearest", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_DOUBLE, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS));
     }
     /** The collider nearest to each of many shapes or points, and where: least signed distance.
-     *  @param reach  m, >= 0, may be infinite: farther ones are not looked for (then: MISS)
-     *  @param dst    as carom_world_cast_shapes()
-     *  @status as carom_world_cast_shapes()   @thread reader */
+     *  param: reach  m, &gt;= 0, may be infinite: farther ones are not looked for (then: MISS)
+     *  param: dst    as carom_world_cast_shapes()
+     *  status: as carom_world_cast_shapes()   thread: reader */
     public static int carom_world_find_nearest(MemorySegment world, MemorySegment shapes, double reach, MemorySegment desc, MemorySegment dst, long stride, MemorySegment error) {
         try { return (int) carom_world_find_nearest_.CALL.invokeExact(world, shapes, reach, desc, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }

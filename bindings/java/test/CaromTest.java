@@ -136,6 +136,20 @@ public final class CaromTest {
         }
     }
 
+    /** All functions are in the library, and refuse NULL. */
+    static void testEveryFunctionIsThere() throws ReflectiveOperationException {
+        int called = 0;
+        for (var method : Raw.class.getMethods()) {
+            if (!method.getName().startsWith("carom_")) continue;
+            Object[] arguments = Arrays.stream(method.getParameterTypes()).map(type -> type == int.class ? (Object) 0 : type == long.class ? 0L
+                : type == double.class ? 0.0 : java.lang.foreign.MemorySegment.NULL).toArray();
+            Object result = method.invoke(null, arguments);
+            same(result instanceof String text ? !text.isEmpty() : (int) result < 0, true);
+            called++;
+        }
+        same(called > 200, true);
+    }
+
     static void testAnotherLibraryIsRefused() {
         String ours = Raw.carom_abi_manifest();
         Library.check(ours, "x");

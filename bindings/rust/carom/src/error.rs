@@ -1,3 +1,4 @@
+//! Failures, and whether the library that was loaded fits this crate.
 use crate::raw;
 use std::collections::HashMap;
 use std::ffi::{c_char, c_void, CStr};
@@ -68,7 +69,13 @@ pub(crate) fn check_library() -> Result<()> {
     CHECKED.get_or_init(of_library).clone()
 }
 
+#[cfg(not(unix))]
+fn file_of(_: *const c_void) -> String {
+    "libcarom".into()
+}
+
 /// The file that an address belongs to.
+#[cfg(unix)]
 fn file_of(address: *const c_void) -> String {
     #[repr(C)]
     struct Info(*const c_char, *const c_void, *const c_char, *const c_void);
