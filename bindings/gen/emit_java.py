@@ -24,7 +24,7 @@ def name_of(c_name):
 def docs(text, indent):
     if not text:
         return []
-    text = re.sub(r"@(\w+)", r"\1:", text.replace("\n@{", ""))  # tags that Java does not know, or whose names it would look up
+    text = re.sub(r"@(\w+)", r"\1:", text)  # tags that Java does not know, or whose names it would look up
     for plain, written in (("*/", "* /"), ("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ("\\", "&#92;")):
         text = text.replace(plain, written)
     return [f"{indent}/** " + text.replace("\n", f"\n{indent} *  ") + " */"]

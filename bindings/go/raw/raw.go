@@ -787,8 +787,7 @@ const CAROM_AXIS_MODE_LIMITED = uint32(2)
 
 const CAROM_AXIS_MODE_COUNT = uint32(3)
 
-// @name What a drive aims at
-// @{
+// at nothing: no force
 const CAROM_DRIVE_NONE = uint32(0)
 
 // force = stiffness (target - x) + damping (speed - x'), `max_force` at most

@@ -504,7 +504,7 @@ public final class Raw {
     /** from `lower` to `upper`; where both are the same and the stops hard, it is locked */
     public static final int CAROM_AXIS_MODE_LIMITED = 2;
     public static final int CAROM_AXIS_MODE_COUNT = 3;
-    /** name: What a drive aims at */
+    /** at nothing: no force */
     public static final int CAROM_DRIVE_NONE = 0;
     /** force = stiffness (target - x) + damping (speed - x'), `max_force` at most */
     public static final int CAROM_DRIVE_POSITION = 1;

@@ -498,8 +498,7 @@ pub const CAROM_AXIS_MODE_LOCKED: u32 = 1;
 /// from `lower` to `upper`; where both are the same and the stops hard, it is locked
 pub const CAROM_AXIS_MODE_LIMITED: u32 = 2;
 pub const CAROM_AXIS_MODE_COUNT: u32 = 3;
-/// @name What a drive aims at
-/// @{
+/// at nothing: no force
 pub const CAROM_DRIVE_NONE: u32 = 0;
 /// force = stiffness (target - x) + damping (speed - x'), `max_force` at most
 pub const CAROM_DRIVE_POSITION: u32 = 1;
