@@ -7,14 +7,11 @@
 #define CAROM_HPP
 
 #include <carom/outcome.hpp>
+#include <carom/owners.hpp>
 
 #include <algorithm>
-#include <array>
-#include <deque>
-#include <functional>
 #include <initializer_list>
 #include <memory>
-#include <mutex>
 #include <ranges>
 #include <span>
 #include <string>
@@ -23,9 +20,6 @@
 
 namespace carom {
 
-using Vec3 = std::array<double, 3>;
-using Quat = std::array<double, 4>;  ///< x, y, z, w
-
 /// A record of CAROM_FIELD_POSE.
 struct Pose {
   using value_type = double;
@@ -33,51 +27,6 @@ struct Pose {
   Quat orientation{0, 0, 0, 1};
 };
 static_assert(sizeof(Pose) == 7 * sizeof(double));
-
-/// The farthest point of a shape along a direction: carom_support_fn says what it must keep to. It is called from several
-/// threads at once. An exception in it is a fault of the shape.
-using Support = std::function<Vec3(std::span<const double> params, const Vec3 &direction)>;
-
-namespace detail {
-
-struct Plugin {
-  std::string id;
-  std::vector<carom_param> params;
-  Support support;
-  static std::int32_t call(void *user, const double *params, std::uint64_t n, const double *d, double *out) noexcept {
-    const auto ask = [&] {
-      const Vec3 point = static_cast<Plugin *>(user)->support({params, std::size_t(n)}, {d[0], d[1], d[2]});
-      std::copy(point.begin(), point.end(), out);
-      return 0;
-    };
-#if defined(__cpp_exceptions)
-    try {
-      return ask();
-    } catch (...) {
-      return 1;
-    }
-#else
-    return ask();
-#endif
-  }
-};
-
-/// Lives as long as an engine or a world of it: an engine may be forgotten before its worlds.
-struct EngineOwner {
-  carom_engine *pointer = nullptr;
-  std::mutex lock;  // of plugins
-  std::deque<Plugin> plugins;
-  ~EngineOwner() {
-    if (pointer) carom_engine_destroy(pointer, nullptr);
-  }
-};
-
-struct WorldCloser {
-  std::shared_ptr<EngineOwner> engine;
-  void operator()(carom_world *world) const noexcept { carom_world_destroy(world, nullptr); }
-};
-
-}  // namespace detail
 
 /// A body of a world, by its handle; forgetting it destroys nothing.
 template <class P>
