@@ -2,12 +2,16 @@
 import json
 from pathlib import Path
 
+import emit_cpp
+import emit_go
+import emit_java
 import emit_js
 import emit_lua
 import emit_pages
 import emit_python
 import emit_record
 import emit_records
+import emit_rust
 
 BY = "Written by bindings/gen/generate from include/carom; do not edit."
 
@@ -35,6 +39,7 @@ def manifest_rows(api):
 
 FILES = {
     "bindings/api.json": api_json,
+    "include/carom/fill.hpp": emit_cpp.fill,
     "src/abi/manifest_rows.inc": manifest_rows,
     "src/abi/record_calls.inc": emit_record.record_calls,
     "src/tools/replay/calls.inc": emit_record.replay_calls,
@@ -46,5 +51,8 @@ FILES = {
     "bindings/python/carom/_c.py": emit_python.declarations,
     "bindings/python/carom/records.py": emit_records.records,
     "bindings/python/carom/raw.pyi": emit_python.stubs,
+    "bindings/go/raw/raw.go": emit_go.raw,
+    "bindings/java/carom/Raw.java": emit_java.raw,
+    "bindings/rust/carom-sys/src/lib.rs": emit_rust.sys,
     **emit_pages.pages(sorted(path.name for path in (Path(__file__).resolve().parents[2] / "include" / "carom").glob("*.h"))),
 }

@@ -52,7 +52,7 @@ class Header:
         if "@file" in token.text:
             self.api["headers"].append({"name": self.path.name, "doc": re.sub(r"^@file \S+\s*", "", plain_text(token.text))})
             self.file_since = since_of(token.text)
-        elif token.text.startswith("/**") and not token.text.startswith("/**<"):
+        elif token.text.startswith("/**") and not token.text.startswith("/**<") and "@{" not in token.text:  # the name of a group
             self.doc = plain_text(token.text)
 
     # ---- lines that begin with # ----

@@ -74,7 +74,7 @@ extern "C" {
 
 /** @name What a drive aims at
  *  @{ */
-#define CAROM_DRIVE_NONE 0u
+#define CAROM_DRIVE_NONE 0u     /* at nothing: no force */
 #define CAROM_DRIVE_POSITION 1u /* force = stiffness (target - x) + damping (speed - x'), `max_force` at most */
 #define CAROM_DRIVE_VELOCITY 2u /* the speed, by whatever force up to `max_force` */
 #define CAROM_DRIVE_EFFORT 3u   /* a force or torque, `max_force` at most, whatever the motion */

@@ -491,8 +491,7 @@ export const CAROM_AXIS_MODE_LOCKED: 1;
 /** from `lower` to `upper`; where both are the same and the stops hard, it is locked */
 export const CAROM_AXIS_MODE_LIMITED: 2;
 export const CAROM_AXIS_MODE_COUNT: 3;
-/** @name What a drive aims at
- *  @{ */
+/** at nothing: no force */
 export const CAROM_DRIVE_NONE: 0;
 /** force = stiffness (target - x) + damping (speed - x'), `max_force` at most */
 export const CAROM_DRIVE_POSITION: 1;

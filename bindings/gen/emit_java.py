@@ -1,0 +1,117 @@
+"""The raw layer of bindings/java: one class, by java.lang.foreign. Functions and constants have C's names, structs are classes over
+memory that the caller's Arena owns."""
+import re
+
+from c_reader import HeaderError
+
+VALUES = {"int32_t": ("int", "JAVA_INT"), "uint32_t": ("int", "JAVA_INT"), "uint64_t": ("long", "JAVA_LONG"), "int64_t": ("long", "JAVA_LONG"),
+          "double": ("double", "JAVA_DOUBLE")}
+POINTER = ("MemorySegment", "ADDRESS")
+TAKEN = {"default", "native", "switch", "class", "int", "long", "float", "double", "short", "char", "boolean", "static", "final", "abstract",
+         "interface", "package", "return", "new", "wait", "notify", "hashCode", "toString", "getClass", "equals", "segment"}
+
+
+def class_of(c_name):
+    return "".join(part.capitalize() for part in c_name.removeprefix("carom_").split("_"))
+
+
+def name_of(c_name):
+    first, *rest = c_name.split("_")
+    name = first + "".join(part.capitalize() for part in rest)
+    return name + "_" if name in TAKEN else name
+
+
+def docs(text, indent):
+    if not text:
+        return []
+    text = re.sub(r"@(\w+)", r"\1:", text)  # tags that Java does not know, or whose names it would look up
+    for plain, written in (("*/", "* /"), ("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ("\\", "&#92;")):
+        text = text.replace(plain, written)
+    return [f"{indent}/** " + text.replace("\n", f"\n{indent} *  ") + " */"]
+
+
+def value_of(constant):
+    value = constant["value"]
+    if constant["type"] == "string":
+        return "String", f'"{value}"'
+    if constant["type"] == "u64":
+        return "long", f"0x{value:x}L"
+    return "int", f"0x{value:x}" if value >= 2**31 else str(value)
+
+
+class Types:
+    def __init__(self, api):
+        self.values = {**VALUES, **{h["name"]: VALUES["uint64_t"] for h in api["handles"]}}
+
+    def of(self, c_type):
+        return POINTER if "*" in c_type else self.values.get(c_type, POINTER)  # the rest is a callback
+
+    def descriptor(self, returns, arguments):
+        layouts = [self.of(a["type"])[1] for a in arguments]
+        return f"FunctionDescriptor.ofVoid({', '.join(layouts)})" if returns == "void" else \
+            f"FunctionDescriptor.of({', '.join([self.of(returns)[1]] + layouts)})"
+
+    def field(self, owner, f):
+        """A getter and a setter that gives back the struct."""
+        name, at = name_of(f["name"]), f["offset"]
+        if f["type"] == "char":
+            return [f"public String {name}() {{ return segment.getString({at}); }}"]
+        java, layout = self.of(f["type"])
+        if "count" not in f:
+            return [f"public {java} {name}() {{ return segment.get({layout}, {at}); }}",
+                    f"public {owner} {name}({java} it) {{ segment.set({layout}, {at}, it); return this; }}"]
+        n = f["count"]
+        return [f"public {java}[] {name}() {{ return segment.asSlice({at}, {f['size']}).toArray({layout}); }}",
+                f"public {owner} {name}({java}... it) {{ MemorySegment.copy(it, 0, segment, {layout}, {at}, count(it.length, {n})); return this; }}"]
+
+
+def raw(api):
+    types = Types(api)
+    out = ["// Written by bindings/gen/generate from include/carom; do not edit.", "package carom;", "",
+           "import static java.lang.foreign.ValueLayout.*;", "", "import java.lang.foreign.*;", "import java.lang.invoke.MethodHandle;", "",
+           "/** All of include/carom: functions and constants under their own names, structs as classes. A handle is a long. */",
+           "public final class Raw {", "    private Raw() {}", "",
+           f'    public static final String VERSION = "{api["version"]}";', f'    public static final String SONAME = "{api["soname"]}";']
+    for c in api["constants"]:
+        out += docs(c["doc"], "    ") + ["    public static final {0} {2} = {1};".format(*value_of(c), c["name"])]
+    for c in api["callbacks"]:
+        out += docs(c["doc"], "    ") + [f"    public static final FunctionDescriptor {c['name']} = {types.descriptor(c['returns'], c['arguments'])};"]
+    out += ["", "    private static int count(int given, int wanted) {",
+            '        if (given != wanted) throw new IllegalArgumentException(wanted + " numbers are wanted, " + given + " given");',
+            "        return given;", "    }", ""]
+    for s in api["structs"]:
+        owner = class_of(s["name"])
+        out += docs(s["doc"], "    ") + [f"    public static final class {owner} {{", f"        public static final int SIZE = {s['size']};",
+                                         "        public final MemorySegment segment;"]
+        if s["init"]:
+            fill = f" {s['init']}(segment, SIZE);"
+        elif s["fields"][0]["name"] == "struct_size":
+            fill = " segment.set(JAVA_INT, 0, SIZE);"
+        else:
+            fill = ""
+        out += [f"        public {owner}(Arena arena) {{ segment = arena.allocate(SIZE, 8);{fill} }}",
+                f"        public {owner}(MemorySegment at) {{ segment = at; }}"]
+        for f in s["fields"]:
+            if f["name"] not in ("struct_size", "reserved", "reserved2"):
+                out += docs(f["doc"], "        ") + ["        " + line for line in types.field(owner, f)]
+        out += ["    }", ""]
+    names = [class_of(s["name"]) for s in api["structs"]]
+    if len(names) != len(set(names)):
+        raise HeaderError("two structs of one name in Java")
+    for f in api["functions"]:
+        given = ", ".join(f"{types.of(a['type'])[0]} {name_of(a['name'])}" for a in f["arguments"])
+        passed = ", ".join(name_of(a["name"]) for a in f["arguments"])
+        back, text = types.of(f["returns"])[0], f["returns"] == "const char *"
+        call = f"({back}) {f['name']}_.CALL.invokeExact({passed})"
+        if text:
+            call = f"({call}).reinterpret(Long.MAX_VALUE).getString(0)"
+        out += [f"    private static final class {f['name']}_ {{",
+                f'        static final MethodHandle CALL = Library.call("{f["name"]}", {types.descriptor(f["returns"], f["arguments"])});', "    }"]
+        out += docs(f["doc"], "    ")
+        out += [f"    public static {'String' if text else back} {f['name']}({given}) {{",
+                f"        try {{ return {call}; }} catch (Throwable problem) {{ throw Library.thrown(problem); }}", "    }", ""]
+    out += ["    /** The lines of carom_abi_manifest() that this class was written for. */", '    static final String LAYOUT = """']
+    for s in api["structs"]:
+        out.append(f"{s['name']} 0 {s['size']} struct")
+        out += [f"{s['name']}.{f['name']} {f['offset']} {f['size']} {f['kind']}" for f in s["fields"]]
+    return "\n".join(out + ['""";', "}", ""])

@@ -1,0 +1,3 @@
+module carom
+
+go 1.24

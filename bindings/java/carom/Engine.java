@@ -1,0 +1,118 @@
+package carom;
+
+import static java.lang.foreign.ValueLayout.*;
+
+import java.lang.foreign.*;
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+
+/** Owns plugins and shapes, makes worlds. Close it after its worlds. Any thread may use it. */
+public final class Engine implements AutoCloseable {
+    /** A call of Raw that takes an engine or a world, then what it takes besides, then the error. */
+    @FunctionalInterface
+    public interface Call {
+        int of(MemorySegment pointer, MemorySegment error);
+    }
+
+    private final Arena arena = Arena.ofAuto(); // what C has pointers to; a world has the engine, so they outlive both
+    private MemorySegment pointer;
+
+    public Engine() { this(1); }
+
+    /** @param threads that share the work of a step; the outcome is the same to the bit */
+    public Engine(int threads) {
+        Library.check();
+        var scratch = Library.Scratch.get();
+        scratch.check(Raw.carom_engine_create(MemorySegment.NULL, scratch.out, scratch.error.segment));
+        pointer = scratch.out.get(ADDRESS, 0);
+        if (threads > 1) {
+            try {
+                var jobs = new Raw.JobsDesc(arena).threads(threads);
+                call((p, e) -> Raw.carom_engine_set_jobs(p, jobs.segment, e));
+            } catch (RuntimeException refused) {
+                close();
+                throw refused;
+            }
+        }
+    }
+
+    /** Give back all memory; closing twice does nothing. Fails while worlds are open. */
+    @Override
+    public void close() {
+        if (pointer.equals(MemorySegment.NULL)) return;
+        call(Raw::carom_engine_destroy);
+        pointer = MemorySegment.NULL;
+    }
+
+    /** Any call of Raw on this engine. */
+    public void call(Call call) {
+        var scratch = Library.Scratch.get();
+        scratch.check(call.of(pointer, scratch.error.segment));
+    }
+
+    /** An empty world, with gravity along -y. */
+    public World world() {
+        var out = Library.Scratch.get().out;
+        call((p, e) -> Raw.carom_world_create(p, MemorySegment.NULL, out, e));
+        return new World(this, out.get(ADDRESS, 0));
+    }
+
+    /** By the name of its plugin: "sphere", "box", "half_space", or one on $CAROM_PLUGIN_PATH. @return a handle */
+    public long shape(String name, double... params) {
+        try (Arena local = Arena.ofConfined()) {
+            MemorySegment text = local.allocateFrom(name), numbers = numbers(local, params), out = Library.Scratch.get().out;
+            call((p, e) -> Raw.carom_shape_create_named(p, text, numbers, params.length, out, e));
+            return out.get(JAVA_LONG, 0);
+        }
+    }
+
+    /** A shape of a plugin. @return a handle */
+    public long shape(long plugin, double... params) {
+        try (Arena local = Arena.ofConfined()) {
+            MemorySegment numbers = numbers(local, params), out = Library.Scratch.get().out;
+            call((p, e) -> Raw.carom_shape_create(p, plugin, numbers, params.length, out, e));
+            return out.get(JAVA_LONG, 0);
+        }
+    }
+
+    // Never empty: a shape may have no parameters.
+    private static MemorySegment numbers(Arena arena, double[] numbers) {
+        return numbers.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_DOUBLE, numbers);
+    }
+
+    /** A kind of shape whose support function is Java, called on the thread that makes the call. @return a plugin, for shape() */
+    public synchronized long plugin(String id, Support support, Support.Param... params) {
+        MemorySegment table = arena.allocate(32L * (params.length + 1), 8);
+        for (int i = 0; i < params.length; i++)
+            new Raw.Param(table.asSlice(32L * i, 32)).name(arena.allocateFrom(params[i].name())).unit(arena.allocateFrom(params[i].unit()))
+                .min(params[i].min()).max(params[i].max());
+        var description = new Raw.ShapePlugin(arena).abiMajor(Raw.CAROM_PLUGIN_ABI_MAJOR).abiMinor(Raw.CAROM_PLUGIN_ABI_MINOR)
+            .flags(Raw.CAROM_PLUGIN_HOST_THREAD).id(arena.allocateFrom(id)).version(1).params(table).paramCount(params.length)
+            .support(Linker.nativeLinker().upcallStub(ASK.bindTo(support), Raw.carom_support_fn, arena));
+        var out = Library.Scratch.get().out;
+        call((p, e) -> Raw.carom_plugin_register(p, description.segment, out, e));
+        return out.get(JAVA_LONG, 0);
+    }
+
+    private static final MethodHandle ASK;
+
+    static {
+        try {
+            ASK = MethodHandles.lookup().findStatic(Engine.class, "ask", MethodType.methodType(int.class, Support.class,
+                MemorySegment.class, MemorySegment.class, long.class, MemorySegment.class, MemorySegment.class));
+        } catch (ReflectiveOperationException problem) {
+            throw new AssertionError(problem);
+        }
+    }
+
+    private static int ask(Support support, MemorySegment user, MemorySegment params, long n, MemorySegment direction, MemorySegment out) {
+        try { // nothing may be thrown through C
+            Vec3 point = support.farthest(params.reinterpret(8 * n).toArray(JAVA_DOUBLE), Vec3.of(direction.reinterpret(24).toArray(JAVA_DOUBLE)));
+            MemorySegment.copy(new double[] {point.x(), point.y(), point.z()}, 0, out.reinterpret(24), JAVA_DOUBLE, 0, 3);
+            return 0;
+        } catch (Throwable fault) {
+            return 1;
+        }
+    }
+}

@@ -1,0 +1,4 @@
+package carom;
+
+/** A body's place, m, and its orientation. */
+public record Pose(Vec3 position, Quat orientation) {}
