@@ -279,6 +279,7 @@ int32_t carom_spring_destroy(carom_world *world, carom_spring spring, carom_erro
 int32_t carom_water_init(carom_water *water, uint32_t struct_size);
 int32_t carom_world_set_water(carom_world *world, const carom_water *water, carom_error *error);
 int32_t carom_world_get_water(carom_world *world, carom_water *water, uint32_t *present, carom_error *error);
+const char *carom_joint_kind_name(uint32_t kind);
 int32_t carom_joint_desc_init(carom_joint_desc *desc, uint32_t struct_size);
 int32_t carom_joint_limit_init(carom_joint_limit *limit, uint32_t struct_size);
 int32_t carom_joint_motor_init(carom_joint_motor *motor, uint32_t struct_size);

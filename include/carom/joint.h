@@ -39,6 +39,10 @@ extern "C" {
 #define CAROM_JOINT_COUNT 9u
 /* clang-format on */
 
+/** Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
+ *  @param kind CAROM_JOINT_* */
+CAROM_API const char *carom_joint_kind_name(uint32_t kind);
+
 /** What may be limited, driven or sprung. */
 /* clang-format off */
 #define CAROM_COORDINATE_TWIST 0u    /* rad, of B about the x axes, whole turns counted: ball, hinge */

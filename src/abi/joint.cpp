@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "abi/ends.h"
-#include "core/float_scope.h"
 #include "abi/joint_numbers.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"
+#include "core/float_scope.h"
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/quarantine.h"
@@ -280,6 +280,10 @@ using namespace carom;
 using namespace carom::abi;
 
 extern "C" {
+
+const char* carom_joint_kind_name(uint32_t kind) {
+  return kind < CAROM_JOINT_COUNT ? row_of(static_cast<JointKind>(kind)).name : "?";
+}
 
 int32_t carom_joint_desc_init(carom_joint_desc* desc, uint32_t struct_size) {
   return init_struct(desc, struct_size, [](carom_joint_desc& d) { d.orientation_a[3] = d.orientation_b[3] = 1; });

@@ -707,3 +707,5 @@ export const CAROM_FAULT_PARTICLE_STATE: 6;
 export const CAROM_WANT_FIRST: 0;
 /** whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points */
 export const CAROM_WANT_ANY: 1;
+/** Kinds of joints by name. */
+export const JOINTS: { ball: 0, hinge: 1, slider: 2, weld: 3, distance: 4, universal: 5, pulley: 6, gear: 7, six_axis: 8 };

@@ -518,6 +518,9 @@ export interface Raw {
   /** @param water out   @param present out: 1 or 0; if 0, water is filled with defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_water(world: number, water: number, present: number, error: number): number;
+  /** Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
+   *  @param kind CAROM_JOINT_* */
+  carom_joint_kind_name(kind: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_desc_init(desc: number, struct_size: number): number;
   /** Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.

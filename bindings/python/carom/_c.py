@@ -747,6 +747,7 @@ FUNCTIONS = {
     "carom_water_init": ("0.9", c_int32, (POINTER(carom_water), c_uint32,)),
     "carom_world_set_water": ("0.9", c_int32, (c_void_p, POINTER(carom_water), POINTER(carom_error),)),
     "carom_world_get_water": ("0.9", c_int32, (c_void_p, POINTER(carom_water), POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_joint_kind_name": ("0.9", c_char_p, (c_uint32,)),
     "carom_joint_desc_init": ("0.9", c_int32, (POINTER(carom_joint_desc), c_uint32,)),
     "carom_joint_limit_init": ("0.9", c_int32, (POINTER(carom_joint_limit), c_uint32,)),
     "carom_joint_motor_init": ("0.9", c_int32, (POINTER(carom_joint_motor), c_uint32,)),

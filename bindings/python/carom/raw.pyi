@@ -1913,6 +1913,10 @@ def carom_world_get_water(world: Any, water: Any, present: Any, error: Any) -> i
     """@param water out   @param present out: 1 or 0; if 0, water is filled with defaults
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
     ...
+def carom_joint_kind_name(kind: Any) -> bytes:
+    """Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
+    @param kind CAROM_JOINT_*"""
+    ...
 def carom_joint_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...

@@ -1150,6 +1150,7 @@ inline const Row kRows[] = {
     GET_LIST(carom_world_get_joint_events, carom_joint_event),
     GET_LIST(carom_world_get_fault_events, carom_fault_event),
     // joints
+    {"carom_joint_kind_name", [](Context& c) { return call("carom_joint_kind_name", carom_joint_kind_name, {fixed_number(c.source.below(64))}); }},
     INIT(carom_joint_desc_init, carom_joint_desc),
     INIT(carom_joint_limit_init, carom_joint_limit),
     INIT(carom_joint_motor_init, carom_joint_motor),
