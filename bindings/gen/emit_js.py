@@ -86,8 +86,9 @@ def recorded_calls(api):
         if what == "bytes":
             return ["array", name, detail[0], 1]
         if what == "records":
-            width = re.sub(r"field_width\((\w+)\)", r"\1", detail[1])
-            return [what, name, detail[0], int(width) if width.isdigit() else width, detail[2]]
+            asked = re.fullmatch(r"(\w+)\((\w+)\)", detail[1])
+            width = asked[2] if asked else int(detail[1])
+            return [what, name, detail[0], width, detail[2]] + (["carom_" + asked[1]] if asked and asked[1] != "field_width" else [])
         return [what, name]
 
     rows = [f"  {name}: {json.dumps([spelled(name, a) for a in arguments])}," for name, arguments in emit_record.changing(api)]

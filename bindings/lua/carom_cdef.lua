@@ -303,7 +303,9 @@ int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axi
 int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, uint32_t axis, carom_joint_axis *desc, carom_error *error);
 int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint, const carom_joint_orientation_drive *drive, carom_error *error);
 int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint, carom_joint_orientation_drive *drive, carom_error *error);
+int32_t carom_joint_bulk_width(uint32_t field, uint32_t *width);
 int32_t carom_world_read_joints(carom_world *world, uint32_t field, uint32_t scalar, const carom_joint *joints, uint64_t n, void *dst, uint64_t stride, carom_error *error);
+int32_t carom_world_write_joints(carom_world *world, uint32_t field, uint32_t scalar, const carom_joint *joints, uint64_t n, const void *src, uint64_t stride, carom_error *error);
 int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *error);
 int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
@@ -644,15 +646,35 @@ return {
   CAROM_JOINT_WORLD_FRAME = 1,
   CAROM_JOINT_COLLIDE = 2,
   CAROM_JOINT_FIELD_LENGTH = 4,
-  CAROM_JOINT_READ_COORDINATES = 0,
-  CAROM_JOINT_READ_SPEEDS = 1,
-  CAROM_JOINT_READ_AXES = 2,
-  CAROM_JOINT_READ_AXIS_SPEEDS = 3,
-  CAROM_JOINT_READ_FORCE = 4,
-  CAROM_JOINT_READ_TORQUE = 5,
-  CAROM_JOINT_READ_ERROR = 6,
-  CAROM_JOINT_READ_BROKEN = 7,
-  CAROM_JOINT_READ_COUNT = 8,
+  CAROM_JOINT_BULK_COORDINATES = 0,
+  CAROM_JOINT_BULK_SPEEDS = 1,
+  CAROM_JOINT_BULK_AXES = 2,
+  CAROM_JOINT_BULK_AXIS_SPEEDS = 3,
+  CAROM_JOINT_BULK_FORCE = 4,
+  CAROM_JOINT_BULK_TORQUE = 5,
+  CAROM_JOINT_BULK_ERROR = 6,
+  CAROM_JOINT_BULK_BROKEN = 7,
+  CAROM_JOINT_BULK_POSITION = 8,
+  CAROM_JOINT_BULK_VELOCITY = 9,
+  CAROM_JOINT_BULK_EFFORT = 10,
+  CAROM_JOINT_BULK_TARGET = 11,
+  CAROM_JOINT_BULK_TARGET_VELOCITY = 12,
+  CAROM_JOINT_BULK_TARGET_EFFORT = 13,
+  CAROM_JOINT_BULK_MOTOR = 14,
+  CAROM_JOINT_BULK_SPRING = 15,
+  CAROM_JOINT_BULK_LIMIT = 16,
+  CAROM_JOINT_BULK_AXIS_EFFORTS = 17,
+  CAROM_JOINT_BULK_AXIS_TARGETS = 18,
+  CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES = 19,
+  CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS = 20,
+  CAROM_JOINT_BULK_AXIS_MAX_FORCES = 21,
+  CAROM_JOINT_BULK_AXIS_GAINS = 22,
+  CAROM_JOINT_BULK_AXIS_LIMITS = 23,
+  CAROM_JOINT_BULK_ORIENTATION_TARGET = 24,
+  CAROM_JOINT_BULK_ORIENTATION_VELOCITY = 25,
+  CAROM_JOINT_BULK_ORIENTATION_EFFORT = 26,
+  CAROM_JOINT_BULK_ORIENTATION_GAINS = 27,
+  CAROM_JOINT_BULK_COUNT = 28,
   CAROM_EFFECT_GYROSCOPIC = 0,
   CAROM_EFFECT_LINEAR_DAMPING = 1,
   CAROM_EFFECT_ANGULAR_DAMPING = 2,

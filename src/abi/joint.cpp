@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdio>
-#include <numbers>
 
 #include "abi/ends.h"
 #include "abi/joint_numbers.h"
@@ -150,23 +149,6 @@ bool read_transmission(Call& call, const World& world, Joint joint, const carom_
                    to.length, kLongestJoint);
 }
 
-struct Bounds {
-  double low, high;
-};
-Bounds bounds_of(std::uint32_t coordinate) {
-  constexpr double kPi = std::numbers::pi;
-  switch (coordinate) {
-    case CAROM_COORDINATE_TWIST:
-      return {-kMostTurned, kMostTurned};
-    case CAROM_COORDINATE_SWING:
-      return {0, kPi};
-    case CAROM_COORDINATE_SLIDE:
-      return {-kLongestJoint, kLongestJoint};
-    default:
-      return {0, kLongestJoint};
-  }
-}
-
 /// Names of the coordinates that a kind leaves free, of CAROM_COORDINATE_*: "TWIST, SWING"; or "none".
 std::array<char, 48> names_of_coordinates(JointKind kind) {
   static constexpr std::array<const char*, CAROM_COORDINATE_COUNT> kNames = {"TWIST", "SWING", "SLIDE", "DISTANCE"};
@@ -199,7 +181,7 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
   if (!free_coordinate(call, joint, coordinate) || !read_struct(call, 4, "limit", given, d) ||
       !known(call, 4, "limit->enabled", d.enabled, 2))
     return false;
-  const Bounds b = bounds_of(coordinate);
+  const CoordinateBounds b = bounds_of(coordinate);
   if (!in_range(call, 4, "limit->lower", d.lower, b.low, b.high) ||
       !in_range(call, 4, "limit->upper", d.upper, d.lower, b.high))
     return false;
@@ -224,7 +206,7 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
   if (!drivable(call, joint, coordinate) || !read_struct(call, 4, "spring", given, d) ||
       !known(call, 4, "spring->enabled", d.enabled, 2))
     return false;
-  const Bounds b = bounds_of(coordinate);
+  const CoordinateBounds b = bounds_of(coordinate);
   if (!in_range(call, 4, "spring->target", d.target, b.low, b.high) ||
       !in_range(call, 4, "spring->frequency", d.frequency, 0, kStiffest) ||
       !in_range(call, 4, "spring->damping", d.damping, 0, kMostDamping) ||

@@ -451,6 +451,14 @@ const Row kBulk[] = {
     {"write: second is not unit", CAROM_E_NOT_UNIT, 6, [](Bench& b, carom_error* e) { const double q[8] = {1, 0, 0, 0, 0, 0, 0, 0.9}; return carom_world_write(b.world, CAROM_FIELD_ORIENTATION, 1, b.bodies, 2, q, 0, e); }},
     {"write: float nan", CAROM_E_NOT_FINITE, 6, [](Bench& b, carom_error* e) { const float v[3] = {0, static_cast<float>(kNan), 0}; return carom_world_write(b.world, CAROM_FIELD_LINEAR_VELOCITY, 0, b.bodies, 1, v, 0, e); }},
     {"write: velocity of a static body", CAROM_E_OUT_OF_RANGE, 6, [](Bench& b, carom_error* e) { const double v[6] = {0, 0, 0, 0, 0, 1}; return carom_world_write(b.world, CAROM_FIELD_VELOCITY, 1, &b.ground, 1, v, 0, e); }},
+    {"write joints: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { return carom_world_write_joints(nullptr, CAROM_JOINT_BULK_TARGET, 1, &b.joint, 1, kZero, 0, e); }},
+    {"write joints: field", CAROM_E_UNKNOWN_ENUM, 2, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_COUNT, 1, nullptr, 0, kZero, 0, e); }},
+    {"write joints: read-only", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_EFFORT, 1, nullptr, 0, kZero, 0, e); }},
+    {"write joints: scalar", CAROM_E_UNKNOWN_ENUM, 3, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_TARGET, 2, nullptr, 0, kZero, 0, e); }},
+    {"write joints: n", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_TARGET, 1, nullptr, 77, kZero, 0, e); }},
+    {"write joints: a body", CAROM_E_WRONG_KIND, 4, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_TARGET, 1, b.bodies, 1, kZero, 0, e); }},
+    {"write joints: src", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_TARGET, 1, b.bodies, 1, nullptr, 0, e); }},
+    {"write joints: stride", CAROM_E_BUFFER_TOO_SMALL, 7, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_MOTOR, 1, b.bodies, 1, kZero, 8, e); }},
 };
 // clang-format on
 

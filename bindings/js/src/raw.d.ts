@@ -611,15 +611,25 @@ export interface Raw {
   /** @param drive out: as it was set
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_orientation_drive(world: number, joint: bigint, drive: number, error: number): number;
+  /** How many scalars a record of a field has.
+   *  @param field CAROM_JOINT_BULK_*   @param width out: of a record   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM */
+  carom_joint_bulk_width(field: number, width: number): number;
   /** Read one field of n joints, as carom_world_read() does of bodies.
    *  A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
-   *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
-   *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
+   *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). An effort errs in first order of the
+   *  step, by how far the axis turned in it. Oracle: tests/abi/test_joint_bulk.
+   *  @param field   CAROM_JOINT_BULK_*   @param scalar CAROM_SCALAR_*
    *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
-   *  BUSY */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
+   *  OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_read_joints(world: number, field: number, scalar: number, joints: number, n: bigint, dst: number, stride: bigint, error: number): number;
+  /** Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+   *  enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
+   *  @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+   *  @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+   *  OUT_OF_RANGE; REENTRANT */
+  carom_world_write_joints(world: number, field: number, scalar: number, joints: number, n: bigint, src: number, stride: bigint, error: number): number;
   /** Number of joints, and their handles in creation order of the slots.
    *  @param joints [capacity] or NULL   @param count out: how many there are
    *  @status OK; NULL_ARGUMENT; BUSY */

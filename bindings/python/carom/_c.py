@@ -266,15 +266,35 @@ CAROM_GAINS_COUNT = 3
 CAROM_JOINT_WORLD_FRAME = 1
 CAROM_JOINT_COLLIDE = 2
 CAROM_JOINT_FIELD_LENGTH = 4
-CAROM_JOINT_READ_COORDINATES = 0
-CAROM_JOINT_READ_SPEEDS = 1
-CAROM_JOINT_READ_AXES = 2
-CAROM_JOINT_READ_AXIS_SPEEDS = 3
-CAROM_JOINT_READ_FORCE = 4
-CAROM_JOINT_READ_TORQUE = 5
-CAROM_JOINT_READ_ERROR = 6
-CAROM_JOINT_READ_BROKEN = 7
-CAROM_JOINT_READ_COUNT = 8
+CAROM_JOINT_BULK_COORDINATES = 0
+CAROM_JOINT_BULK_SPEEDS = 1
+CAROM_JOINT_BULK_AXES = 2
+CAROM_JOINT_BULK_AXIS_SPEEDS = 3
+CAROM_JOINT_BULK_FORCE = 4
+CAROM_JOINT_BULK_TORQUE = 5
+CAROM_JOINT_BULK_ERROR = 6
+CAROM_JOINT_BULK_BROKEN = 7
+CAROM_JOINT_BULK_POSITION = 8
+CAROM_JOINT_BULK_VELOCITY = 9
+CAROM_JOINT_BULK_EFFORT = 10
+CAROM_JOINT_BULK_TARGET = 11
+CAROM_JOINT_BULK_TARGET_VELOCITY = 12
+CAROM_JOINT_BULK_TARGET_EFFORT = 13
+CAROM_JOINT_BULK_MOTOR = 14
+CAROM_JOINT_BULK_SPRING = 15
+CAROM_JOINT_BULK_LIMIT = 16
+CAROM_JOINT_BULK_AXIS_EFFORTS = 17
+CAROM_JOINT_BULK_AXIS_TARGETS = 18
+CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES = 19
+CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS = 20
+CAROM_JOINT_BULK_AXIS_MAX_FORCES = 21
+CAROM_JOINT_BULK_AXIS_GAINS = 22
+CAROM_JOINT_BULK_AXIS_LIMITS = 23
+CAROM_JOINT_BULK_ORIENTATION_TARGET = 24
+CAROM_JOINT_BULK_ORIENTATION_VELOCITY = 25
+CAROM_JOINT_BULK_ORIENTATION_EFFORT = 26
+CAROM_JOINT_BULK_ORIENTATION_GAINS = 27
+CAROM_JOINT_BULK_COUNT = 28
 CAROM_EFFECT_GYROSCOPIC = 0
 CAROM_EFFECT_LINEAR_DAMPING = 1
 CAROM_EFFECT_ANGULAR_DAMPING = 2
@@ -771,7 +791,9 @@ FUNCTIONS = {
     "carom_joint_get_axis": ("0.9", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_axis), POINTER(carom_error),)),
     "carom_joint_set_orientation_drive": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),
     "carom_joint_get_orientation_drive": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),
+    "carom_joint_bulk_width": ("0.9", c_int32, (c_uint32, POINTER(c_uint32),)),
     "carom_world_read_joints": ("0.9", c_int32, (c_void_p, c_uint32, c_uint32, POINTER(carom_joint), c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
+    "carom_world_write_joints": ("0.9", c_int32, (c_void_p, c_uint32, c_uint32, POINTER(carom_joint), c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
     "carom_world_get_joints": ("0.9", c_int32, (c_void_p, POINTER(carom_joint), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_enable_ledger": ("0.9", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
     "carom_world_get_ledger": ("0.9", c_int32, (c_void_p, POINTER(carom_ledger_entry), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),

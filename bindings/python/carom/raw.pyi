@@ -272,15 +272,35 @@ CAROM_GAINS_COUNT: int
 CAROM_JOINT_WORLD_FRAME: int
 CAROM_JOINT_COLLIDE: int
 CAROM_JOINT_FIELD_LENGTH: int
-CAROM_JOINT_READ_COORDINATES: int
-CAROM_JOINT_READ_SPEEDS: int
-CAROM_JOINT_READ_AXES: int
-CAROM_JOINT_READ_AXIS_SPEEDS: int
-CAROM_JOINT_READ_FORCE: int
-CAROM_JOINT_READ_TORQUE: int
-CAROM_JOINT_READ_ERROR: int
-CAROM_JOINT_READ_BROKEN: int
-CAROM_JOINT_READ_COUNT: int
+CAROM_JOINT_BULK_COORDINATES: int
+CAROM_JOINT_BULK_SPEEDS: int
+CAROM_JOINT_BULK_AXES: int
+CAROM_JOINT_BULK_AXIS_SPEEDS: int
+CAROM_JOINT_BULK_FORCE: int
+CAROM_JOINT_BULK_TORQUE: int
+CAROM_JOINT_BULK_ERROR: int
+CAROM_JOINT_BULK_BROKEN: int
+CAROM_JOINT_BULK_POSITION: int
+CAROM_JOINT_BULK_VELOCITY: int
+CAROM_JOINT_BULK_EFFORT: int
+CAROM_JOINT_BULK_TARGET: int
+CAROM_JOINT_BULK_TARGET_VELOCITY: int
+CAROM_JOINT_BULK_TARGET_EFFORT: int
+CAROM_JOINT_BULK_MOTOR: int
+CAROM_JOINT_BULK_SPRING: int
+CAROM_JOINT_BULK_LIMIT: int
+CAROM_JOINT_BULK_AXIS_EFFORTS: int
+CAROM_JOINT_BULK_AXIS_TARGETS: int
+CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES: int
+CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS: int
+CAROM_JOINT_BULK_AXIS_MAX_FORCES: int
+CAROM_JOINT_BULK_AXIS_GAINS: int
+CAROM_JOINT_BULK_AXIS_LIMITS: int
+CAROM_JOINT_BULK_ORIENTATION_TARGET: int
+CAROM_JOINT_BULK_ORIENTATION_VELOCITY: int
+CAROM_JOINT_BULK_ORIENTATION_EFFORT: int
+CAROM_JOINT_BULK_ORIENTATION_GAINS: int
+CAROM_JOINT_BULK_COUNT: int
 CAROM_EFFECT_GYROSCOPIC: int
 CAROM_EFFECT_LINEAR_DAMPING: int
 CAROM_EFFECT_ANGULAR_DAMPING: int
@@ -2030,15 +2050,27 @@ def carom_joint_get_orientation_drive(world: Any, joint: Any, drive: Any, error:
     """@param drive out: as it was set
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
+def carom_joint_bulk_width(field: Any, width: Any) -> int:
+    """How many scalars a record of a field has.
+    @param field CAROM_JOINT_BULK_*   @param width out: of a record   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM"""
+    ...
 def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n: Any, dst: Any, stride: Any, error: Any) -> int:
     """Read one field of n joints, as carom_world_read() does of bodies.
     A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
-    Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
-    @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
+    Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). An effort errs in first order of the
+    step, by how far the axis turned in it. Oracle: tests/abi/test_joint_bulk.
+    @param field   CAROM_JOINT_BULK_*   @param scalar CAROM_SCALAR_*
     @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
-    BUSY"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
+    OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
+    ...
+def carom_world_write_joints(world: Any, field: Any, scalar: Any, joints: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
+    """Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+    enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
+    @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+    @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+    OUT_OF_RANGE; REENTRANT"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of joints, and their handles in creation order of the slots.

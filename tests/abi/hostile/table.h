@@ -613,6 +613,11 @@ inline void wrong_last(Context& c, Argument& list, const std::vector<uint64_t>& 
     list.wrong.push_back({"last: " + w.what, of(bad), w.codes});
   }
 }
+inline uint32_t kind_of_joint(Context& c, carom_joint joint) {
+  auto d = fresh<carom_joint_desc>(carom_joint_desc_init);
+  carom_joint_get(c.own.world, joint, &d, nullptr);
+  return d.kind;
+}
 inline uint32_t size_of_set(Context& c) {
   uint64_t n = 0;
   if (!c.own.live[kParticles].empty())
@@ -1179,11 +1184,33 @@ inline const Row kRows[] = {
        std::vector<carom_joint> some;
        for (const Owned& o : c.own.live[kJoint])
          if (some.size() < 2) some.push_back(o.handle);
-       Bulk b = bulk(c, some, {{CAROM_JOINT_READ_SPEEDS, 4}, {CAROM_JOINT_READ_AXIS_SPEEDS, 6}, {CAROM_JOINT_READ_FORCE, 3}, {CAROM_JOINT_READ_ERROR, 2}}, CAROM_JOINT_READ_COUNT, false);
+       Bulk b = bulk(c, some, {{CAROM_JOINT_BULK_SPEEDS, 4}, {CAROM_JOINT_BULK_AXIS_SPEEDS, 6}, {CAROM_JOINT_BULK_FORCE, 3}, {CAROM_JOINT_BULK_ERROR, 2}}, CAROM_JOINT_BULK_COUNT, false);
        wrong_last(c, b.list, some, kJoint);
        if (c.own.live[kJoint].size() > some.size())
          b.list.wrong.push_back({"all of them, but another n", of(nullptr), kRange, 5});
        return call("carom_world_read_joints", carom_world_read_joints, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
+     }},
+    ROW(carom_joint_bulk_width, choice(c, CAROM_JOINT_BULK_COUNT), out(c, 4)),
+    {"carom_world_write_joints", [](Context& c) {
+       const bool axes = c.source.below(2) == 1;  // of six-axis joints, else of hinges
+       const uint32_t kind = axes ? CAROM_JOINT_SIX_AXIS : CAROM_JOINT_HINGE;
+       std::vector<carom_joint> some, others;
+       for (const Owned& o : c.own.live[kJoint])
+         if (kind_of_joint(c, o.handle) != kind) others.push_back(o.handle);
+         else if (some.size() < 2) some.push_back(o.handle);
+       Bulk b = axes ? bulk(c, some, {{CAROM_JOINT_BULK_AXIS_TARGETS, 6}, {CAROM_JOINT_BULK_AXIS_MAX_FORCES, 6}, {CAROM_JOINT_BULK_AXIS_GAINS, 12}, {CAROM_JOINT_BULK_ORIENTATION_GAINS, 2}}, CAROM_JOINT_BULK_COUNT, true)
+                     : bulk(c, some, {{CAROM_JOINT_BULK_TARGET, 1}, {CAROM_JOINT_BULK_TARGET_VELOCITY, 1}, {CAROM_JOINT_BULK_TARGET_EFFORT, 1}}, CAROM_JOINT_BULK_COUNT, true);
+       wrong_last(c, b.list, some, kJoint);
+       if (c.own.live[kJoint].size() > some.size())
+         b.list.wrong.push_back({"all of them, but another n", of(nullptr), kRange, 5});
+       if (!some.empty() && !others.empty() && kind_of_joint(c, others[0]) == CAROM_JOINT_WELD) {
+         auto* list = static_cast<carom_joint*>(c.take(8 * some.size()));
+         std::memcpy(list, some.data(), 8 * some.size());
+         list[some.size() - 1] = others[0];
+         b.list.wrong.push_back({"last: a weld", of(list), kUnsupported});
+       }
+       for (const uint32_t f : {CAROM_JOINT_BULK_SPEEDS, CAROM_JOINT_BULK_EFFORT, CAROM_JOINT_BULK_AXIS_EFFORTS}) b.field.wrong.push_back({"read only", of(uint64_t(f)), kUnsupported});
+       return call("carom_world_write_joints", carom_world_write_joints, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
      }},
     // forces
     ROW(carom_body_set_drag, world(c), handle(c, kBody), number(c, {0, 1e12, false, 0, 1}), number(c, {0, 1e12, false, 0, 1}), error(c)),
