@@ -459,6 +459,21 @@ const Row kBulk[] = {
     {"write joints: a body", CAROM_E_WRONG_KIND, 4, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_TARGET, 1, b.bodies, 1, kZero, 0, e); }},
     {"write joints: src", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_TARGET, 1, b.bodies, 1, nullptr, 0, e); }},
     {"write joints: stride", CAROM_E_BUFFER_TOO_SMALL, 7, [](Bench& b, carom_error* e) { return carom_world_write_joints(b.world, CAROM_JOINT_BULK_MOTOR, 1, b.bodies, 1, kZero, 8, e); }},
+    {"tree: world", CAROM_E_NULL_ARGUMENT, 1, [](Bench& b, carom_error* e) { uint64_t n; return carom_tree_get_coordinates(nullptr, b.bodies[0], nullptr, 0, 0, &n, e); }},
+    {"tree: a joint", CAROM_E_INVALID_HANDLE, 2, [](Bench& b, carom_error* e) { uint64_t n; return carom_tree_get_coordinates(b.world, 0, nullptr, 0, 0, &n, e); }},
+    {"tree: ground", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { uint64_t n; return carom_tree_get_coordinates(b.world, b.ground, nullptr, 0, 0, &n, e); }},
+    {"tree: dst", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { uint64_t n; return carom_tree_get_coordinates(b.world, b.bodies[0], nullptr, sizeof(carom_tree_coordinate), 1, &n, e); }},
+    {"tree: stride", CAROM_E_BUFFER_TOO_SMALL, 4, [](Bench& b, carom_error* e) { uint64_t n; carom_tree_coordinate c; return carom_tree_get_coordinates(b.world, b.bodies[0], &c, 4, 1, &n, e); }},
+    {"tree: count", CAROM_E_NULL_ARGUMENT, 6, [](Bench& b, carom_error* e) { return carom_tree_get_coordinates(b.world, b.bodies[0], nullptr, 0, 0, nullptr, e); }},
+    {"tree speeds: n", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { double v[7]; return carom_tree_get_speeds(b.world, b.bodies[0], v, 7, e); }},
+    {"tree speeds: speeds", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_tree_get_speeds(b.world, b.bodies[0], nullptr, 6, e); }},
+    {"tree forces: speeds", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { double v[6]; const double u[6] = {0, 0, 0, 0, 0, kNan}; return carom_tree_get_forces(b.world, b.bodies[0], u, nullptr, v, 6, e); }},
+    {"tree forces: accelerations", CAROM_E_NOT_FINITE, 4, [](Bench& b, carom_error* e) { double v[6]; const double a[6] = {0, 0, 0, 0, 0, kInf}; return carom_tree_get_forces(b.world, b.bodies[0], nullptr, a, v, 6, e); }},
+    {"tree forces: too large", CAROM_E_NOT_FINITE, 3, [](Bench& b, carom_error* e) { double v[6]; const double u[6] = {0, 0, 0, 1e200, 2e200, 1e200}; return carom_tree_get_forces(b.world, b.bodies[3], u, nullptr, v, 6, e); }},
+    {"tree forces: forces", CAROM_E_NULL_ARGUMENT, 5, [](Bench& b, carom_error* e) { return carom_tree_get_forces(b.world, b.bodies[0], nullptr, nullptr, nullptr, 6, e); }},
+    {"tree forces: n", CAROM_E_OUT_OF_RANGE, 6, [](Bench& b, carom_error* e) { double v[6]; return carom_tree_get_forces(b.world, b.bodies[0], nullptr, nullptr, v, 0, e); }},
+    {"tree mass: n", CAROM_E_OUT_OF_RANGE, 4, [](Bench& b, carom_error* e) { double v[36]; return carom_tree_get_mass(b.world, b.bodies[0], v, 36, e); }},
+    {"tree mass: mass", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_tree_get_mass(b.world, b.bodies[0], nullptr, 6, e); }},
 };
 // clang-format on
 

@@ -1074,6 +1074,12 @@ class carom_shape_info(ctypes.Structure):
     inertia_error: float
     is_scenery: int
     reserved: int
+class carom_tree_coordinate(ctypes.Structure):
+    """What a number of a tree stands for."""
+    joint: int
+    body: int
+    axis: int
+    reserved: int
 class carom_vehicle_desc(ctypes.Structure):
     """Chassis, engine and gears. Fill with carom_vehicle_desc_init(): a car of 1.2 t, whose chassis the host names."""
     struct_size: int
@@ -2341,6 +2347,42 @@ def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: 
     @param translated [n] out; may be `handles`. All of them or, where one is refused, none
     @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
             worlds); BUSY; REENTRANT   @thread reader"""
+    ...
+def carom_tree_get_coordinates(world: Any, body: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Copy out what the coordinates of a tree are.
+    @param body     any dynamic body of the tree; its base, where nothing holds the tree
+    @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride   sizeof(carom_tree_coordinate) as the caller knows it
+    @param count    out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (the body is not moved by forces); UNSUPPORTED (no tree);
+            BUFFER_TOO_SMALL (stride); BUSY; OUT_OF_MEMORY"""
+    ...
+def carom_tree_get_speeds(world: Any, body: Any, speeds: Any, n: Any, error: Any) -> int:
+    """The speeds that a tree has now.
+    Accuracy: rounding of the bodies' velocities. What joints do not leave free of these counts as nothing.
+    @param speeds out, [n]   @param n how many coordinates there are
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY;
+            OUT_OF_MEMORY"""
+    ...
+def carom_tree_get_forces(world: Any, body: Any, speeds: Any, accelerations: Any, forces: Any, n: Any, error: Any) -> int:
+    """Inverse dynamics: the forces that give a tree these accelerations, at the present pose.
+        forces = M accelerations + what gyroscopic and centrifugal terms and gravity ask
+    With speeds of 0 and no accelerations these hold the tree against gravity.
+    Accuracy: 1e-14 of the largest term, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+    @param speeds        [n] m/s and rad/s, or NULL: those of now
+    @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
+    @param forces        out, [n] N and N m
+    @param n             how many coordinates there are
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+            OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY"""
+    ...
+def carom_tree_get_mass(world: Any, body: Any, mass: Any, n: Any, error: Any) -> int:
+    """The mass matrix of a tree at the present pose, symmetric and positive definite: with speeds v its energy of motion
+    is v^T M v / 2. Where two axes of one joint agree M is singular.
+    Accuracy: 1e-14 of the largest entry that a sum has, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+    @param mass out, [n n] row by row: kg, kg m and kg m^2   @param n how many coordinates there are
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree);
+            NOT_FINITE (bodies too far apart or too heavy for numbers); BUSY; OUT_OF_MEMORY"""
     ...
 def carom_vehicle_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""

@@ -482,6 +482,13 @@ class JointEventRecord(Record):
     step: int
 
 
+class TreeCoordinateRecord(Record):
+    """What a number of a tree stands for"""
+    joint: Joint | None
+    body: Body | None
+    axis: str
+
+
 class FaultEventRecord(Record):
     """A support function that returned a false point"""
     kind: str

@@ -618,6 +618,24 @@ inline uint32_t kind_of_joint(Context& c, carom_joint joint) {
   carom_joint_get(c.own.world, joint, &d, nullptr);
   return d.kind;
 }
+/// A body that is one of a tree, and how many coordinates that has.
+struct Tree {
+  Argument body, n;
+  uint64_t size = 0;
+};
+inline Tree some_tree(Context& c) {
+  Tree t;
+  t.body = handle(c, kBody), t.body.impossible = true;
+  for (const Owned& o : c.own.live[kBody])
+    if (carom_tree_get_coordinates(c.own.world, o.handle, nullptr, 0, 0, &t.size, nullptr) == CAROM_OK && t.size) {
+      t.body.good = of(o.handle), t.body.impossible = false;
+      break;
+    }
+  t.n = fixed_number(t.size);
+  t.n.wrong.push_back({"one more", of(t.size + 1), kRange});
+  t.n.wrong.push_back({"a lot", of(~uint64_t(0)), kRange});
+  return t;
+}
 inline uint32_t size_of_set(Context& c) {
   uint64_t n = 0;
   if (!c.own.live[kParticles].empty())
@@ -1189,6 +1207,37 @@ inline const Row kRows[] = {
        if (c.own.live[kJoint].size() > some.size())
          b.list.wrong.push_back({"all of them, but another n", of(nullptr), kRange, 5});
        return call("carom_world_read_joints", carom_world_read_joints, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
+     }},
+    // trees
+    {"carom_tree_get_coordinates", [](Context& c) {
+       const Tree tree = some_tree(c);
+       Argument stride = fixed_number(sizeof(carom_tree_coordinate));
+       for (const uint64_t s : {uint64_t(0), uint64_t(4), uint64_t(sizeof(carom_tree_coordinate) + 1)}) stride.wrong.push_back({"stride " + std::to_string(s), of(s), kSmall});
+       Argument dst = out(c, sizeof(carom_tree_coordinate) * 2);
+       return call("carom_tree_get_coordinates", carom_tree_get_coordinates, {world(c), tree.body, dst, stride, fixed_number(2), out(c, 8), error(c)});
+     }},
+    {"carom_tree_get_speeds", [](Context& c) {
+       const Tree tree = some_tree(c);
+       return call("carom_tree_get_speeds", carom_tree_get_speeds, {world(c), tree.body, out(c, 8 * tree.size), tree.n, error(c)});
+     }},
+    {"carom_tree_get_forces", [](Context& c) {
+       const Tree tree = some_tree(c);
+       const auto numbers = [&] {
+         auto* values = static_cast<double*>(c.take(8 * tree.size + 1));
+         for (uint64_t k = 0; k < tree.size; ++k) values[k] = c.between(-2, 2);
+         Argument a = fixed(values);
+         for (const double x : {kNan, kInf, -kInf}) {
+           auto* bad = static_cast<double*>(c.take(8 * tree.size + 1));
+           std::memcpy(bad, values, 8 * tree.size);
+           if (tree.size) bad[tree.size - 1] = x, a.wrong.push_back({"last is " + shown(x), of(bad), kNotFinite});
+         }
+         return a;
+       };
+       return call("carom_tree_get_forces", carom_tree_get_forces, {world(c), tree.body, numbers(), numbers(), out(c, 8 * tree.size), tree.n, error(c)});
+     }},
+    {"carom_tree_get_mass", [](Context& c) {
+       const Tree tree = some_tree(c);
+       return call("carom_tree_get_mass", carom_tree_get_mass, {world(c), tree.body, out(c, 8 * tree.size * tree.size), tree.n, error(c)});
      }},
     ROW(carom_joint_bulk_width, choice(c, CAROM_JOINT_BULK_COUNT), out(c, 4)),
     {"carom_world_write_joints", [](Context& c) {
