@@ -16,8 +16,16 @@ def _value(constant):
     return f"{value}n" if constant["type"] == "u64" else str(value)
 
 
+def _kinds_of_joints(api):
+    """{ ball: 0, ... }: what the package takes for CAROM_JOINT_*."""
+    values = {c["name"]: c["value"] for c in api["constants"]}
+    names = next(e["values"] for e in api["enumerations"] if e["name"] == "joint")
+    return "{ " + ", ".join(f"{name.removeprefix('CAROM_JOINT_').lower()}: {values[name]}" for name in names) + " }"
+
+
 def constants(api):
-    return "\n".join([BY] + [f"export const {c['name']} = {_value(c)};" for c in api["constants"]]) + "\n"
+    lines = [f"export const {c['name']} = {_value(c)};" for c in api["constants"]]
+    return "\n".join([BY] + lines + [f"export const JOINTS = {_kinds_of_joints(api)};"]) + "\n"
 
 
 def _comment(text, indent):
@@ -31,6 +39,7 @@ def constant_types(api):
     for c in api["constants"]:
         out += _comment(c["doc"], "")
         out.append(f"export const {c['name']}: {_value(c)};")
+    out += ["/** Kinds of joints by name. */", f"export const JOINTS: {_kinds_of_joints(api)};"]
     return "\n".join(out) + "\n"
 
 
@@ -77,8 +86,9 @@ def recorded_calls(api):
         if what == "bytes":
             return ["array", name, detail[0], 1]
         if what == "records":
-            width = re.sub(r"field_width\((\w+)\)", r"\1", detail[1])
-            return [what, name, detail[0], int(width) if width.isdigit() else width, detail[2]]
+            asked = re.fullmatch(r"(\w+)\((\w+)\)", detail[1])
+            width = asked[2] if asked else int(detail[1])
+            return [what, name, detail[0], width, detail[2]] + (["carom_" + asked[1]] if asked and asked[1] != "field_width" else [])
         return [what, name]
 
     rows = [f"  {name}: {json.dumps([spelled(name, a) for a in arguments])}," for name, arguments in emit_record.changing(api)]

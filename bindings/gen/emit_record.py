@@ -24,6 +24,8 @@ NOT_RECORDED = {"carom_world_record_begin", "carom_world_record_end", "carom_wor
 SIZED = {
     ("carom_world_write", "handles"): ("array", "n"),
     ("carom_world_write", "src"): ("records", "n", "field_width(field)", "scalar", "stride"),
+    ("carom_world_write_joints", "joints"): ("array", "n"),
+    ("carom_world_write_joints", "src"): ("records", "n", "joint_bulk_width(field)", "scalar", "stride"),
     ("carom_particles_add", "positions"): ("records", "n", "3", "scalar", "position_stride"),
     ("carom_particles_add", "velocities"): ("records", "n", "3", "scalar", "velocity_stride"),
     ("carom_particles_remove", "indices"): ("array", "n"),

@@ -42,6 +42,7 @@ RECORDS = {
     "carom_sensor_event": {"kind": "str"},
     "carom_sleep_event": {"kind": "str"},
     "carom_joint_event": {},
+    "carom_tree_coordinate": {"axis": "str"},
     "carom_fault_event": {"kind": "str"},
     "carom_plan_line": {"runs": "bool", "mode": "str", "effect": "int | None"},
     "carom_ledger_entry": {},

@@ -42,7 +42,7 @@ GROUPS = {
     "CAROM_JOINT_WORLD_FRAME": ("joint_fields", "bits"),
     "CAROM_JOINT_COLLIDE": ("joint_fields", "bits"),
     "CAROM_JOINT_FIELD_": ("joint_fields", "bits"),
-    "CAROM_JOINT_READ_": ("joint_read", "choice"),
+    "CAROM_JOINT_BULK_": ("joint_bulk", "choice"),
     "CAROM_JOINT_": ("joint", "choice"),
     "CAROM_COORDINATE_": ("coordinate", "choice"),
     "CAROM_AXIS_MODE_": ("axis_mode", "choice"),

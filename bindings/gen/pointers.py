@@ -33,6 +33,13 @@ LENGTHS = {
     ("carom_body_create_named", "params"): "count",
     ("carom_world_read_joints", "dst"): "n * width of field",
     ("carom_world_read_joints", "joints"): "n",
+    ("carom_world_write_joints", "src"): "n * width of field",
+    ("carom_world_write_joints", "joints"): "n",
+    ("carom_tree_get_speeds", "speeds"): "n",
+    ("carom_tree_get_forces", "speeds"): "n",
+    ("carom_tree_get_forces", "accelerations"): "n",
+    ("carom_tree_get_forces", "forces"): "n",
+    ("carom_tree_get_mass", "mass"): "n * n",
     ("carom_shape_get_params", "params"): "*count",
     ("carom_shape_get_triangles", "corners"): "9 * *count",
     ("carom_shape_support", "dirs"): "3 * n",
@@ -59,6 +66,7 @@ STRIDES = {
 # Where the argument's own documentation does not tell: it is "as" that of another function, or tells of another's NULL.
 NULLABLE = {
     ("carom_world_write", "handles"),
+    ("carom_world_write_joints", "joints"),
     ("carom_particles_write", "indices"),
     ("carom_shape_get_params", "params"),
     ("carom_world_cast_rays_all", "desc"),

@@ -57,6 +57,7 @@ typedef struct carom_mesh_desc carom_mesh_desc;
 typedef struct carom_height_field_desc carom_height_field_desc;
 typedef struct carom_scenery_info carom_scenery_info;
 typedef struct carom_shape_info carom_shape_info;
+typedef struct carom_tree_coordinate carom_tree_coordinate;
 typedef struct carom_vehicle_desc carom_vehicle_desc;
 typedef struct carom_wheel_desc carom_wheel_desc;
 typedef struct carom_vehicle_input carom_vehicle_input;
@@ -138,6 +139,7 @@ struct carom_mesh_desc { uint32_t struct_size; uint32_t flags; const double *ver
 struct carom_height_field_desc { uint32_t struct_size; uint32_t flags; uint32_t columns; uint32_t rows; const double *heights; double spacing[2]; };
 struct carom_scenery_info { uint32_t struct_size; uint32_t flags; uint64_t triangles; uint64_t vertices; uint64_t dropped; uint64_t boundary_edges; uint64_t bytes; };
 struct carom_shape_info { uint32_t struct_size; uint32_t form; uint32_t is_half_space; uint32_t mass_exact; carom_plugin plugin; uint64_t param_count; double core_radius; double bounding_radius; double aabb_min[3]; double aabb_max[3]; double volume; double volume_min; double volume_max; double centroid[3]; double centroid_error; double inertia[9]; double inertia_error; uint32_t is_scenery; uint32_t reserved; };
+struct carom_tree_coordinate { carom_joint joint; carom_body body; uint32_t axis; uint32_t reserved; };
 struct carom_vehicle_desc { uint32_t struct_size; uint32_t flags; carom_body chassis; double up[3]; double forward[3]; uint64_t category; uint64_t mask; uint32_t torque_count; uint32_t gear_count; double torque_speeds[8]; double torques[8]; double idle_speed; double max_speed; double engine_inertia; double engine_drag; double gears[8]; double reverse; double final_drive; double clutch_torque; double shift_up; double shift_down; double shift_time; double limited_slip; };
 struct carom_wheel_desc { uint32_t struct_size; uint32_t anti_roll_partner; carom_shape shape; double position[3]; double radius; double inertia; double travel; double stiffness; double damping_bump; double damping_rebound; double anti_roll; double max_steer; double drive; double brake; double handbrake; double rolling; double grip; double side_grip; double peak_slip; double side_peak_slip; double slide; double slide_slip; double relaxation; };
 struct carom_vehicle_input { uint32_t struct_size; int32_t gear; double throttle; double brake; double handbrake; double steer; };
@@ -279,6 +281,7 @@ int32_t carom_spring_destroy(carom_world *world, carom_spring spring, carom_erro
 int32_t carom_water_init(carom_water *water, uint32_t struct_size);
 int32_t carom_world_set_water(carom_world *world, const carom_water *water, carom_error *error);
 int32_t carom_world_get_water(carom_world *world, carom_water *water, uint32_t *present, carom_error *error);
+const char *carom_joint_kind_name(uint32_t kind);
 int32_t carom_joint_desc_init(carom_joint_desc *desc, uint32_t struct_size);
 int32_t carom_joint_limit_init(carom_joint_limit *limit, uint32_t struct_size);
 int32_t carom_joint_motor_init(carom_joint_motor *motor, uint32_t struct_size);
@@ -302,7 +305,9 @@ int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axi
 int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, uint32_t axis, carom_joint_axis *desc, carom_error *error);
 int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint, const carom_joint_orientation_drive *drive, carom_error *error);
 int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint, carom_joint_orientation_drive *drive, carom_error *error);
+int32_t carom_joint_bulk_width(uint32_t field, uint32_t *width);
 int32_t carom_world_read_joints(carom_world *world, uint32_t field, uint32_t scalar, const carom_joint *joints, uint64_t n, void *dst, uint64_t stride, carom_error *error);
+int32_t carom_world_write_joints(carom_world *world, uint32_t field, uint32_t scalar, const carom_joint *joints, uint64_t n, const void *src, uint64_t stride, carom_error *error);
 int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *error);
 int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
@@ -351,6 +356,10 @@ int32_t carom_world_save(carom_world *world, uint32_t flags, void *buffer, uint6
 int32_t carom_world_restore(carom_world *world, const void *bytes, uint64_t size, carom_error *error);
 int32_t carom_world_fork(carom_world *world, carom_world **copy, carom_error *error);
 int32_t carom_world_translate_handles(carom_world *world, const uint64_t *handles, uint64_t n, uint64_t *translated, carom_error *error);
+int32_t carom_tree_get_coordinates(carom_world *world, carom_body body, carom_tree_coordinate *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
+int32_t carom_tree_get_speeds(carom_world *world, carom_body body, double *speeds, uint64_t n, carom_error *error);
+int32_t carom_tree_get_forces(carom_world *world, carom_body body, const double *speeds, const double *accelerations, double *forces, uint64_t n, carom_error *error);
+int32_t carom_tree_get_mass(carom_world *world, carom_body body, double *mass, uint64_t n, carom_error *error);
 int32_t carom_vehicle_desc_init(carom_vehicle_desc *desc, uint32_t struct_size);
 int32_t carom_wheel_desc_init(carom_wheel_desc *desc, uint32_t struct_size);
 int32_t carom_vehicle_input_init(carom_vehicle_input *input, uint32_t struct_size);
@@ -643,15 +652,35 @@ return {
   CAROM_JOINT_WORLD_FRAME = 1,
   CAROM_JOINT_COLLIDE = 2,
   CAROM_JOINT_FIELD_LENGTH = 4,
-  CAROM_JOINT_READ_COORDINATES = 0,
-  CAROM_JOINT_READ_SPEEDS = 1,
-  CAROM_JOINT_READ_AXES = 2,
-  CAROM_JOINT_READ_AXIS_SPEEDS = 3,
-  CAROM_JOINT_READ_FORCE = 4,
-  CAROM_JOINT_READ_TORQUE = 5,
-  CAROM_JOINT_READ_ERROR = 6,
-  CAROM_JOINT_READ_BROKEN = 7,
-  CAROM_JOINT_READ_COUNT = 8,
+  CAROM_JOINT_BULK_COORDINATES = 0,
+  CAROM_JOINT_BULK_SPEEDS = 1,
+  CAROM_JOINT_BULK_AXES = 2,
+  CAROM_JOINT_BULK_AXIS_SPEEDS = 3,
+  CAROM_JOINT_BULK_FORCE = 4,
+  CAROM_JOINT_BULK_TORQUE = 5,
+  CAROM_JOINT_BULK_ERROR = 6,
+  CAROM_JOINT_BULK_BROKEN = 7,
+  CAROM_JOINT_BULK_POSITION = 8,
+  CAROM_JOINT_BULK_VELOCITY = 9,
+  CAROM_JOINT_BULK_EFFORT = 10,
+  CAROM_JOINT_BULK_TARGET = 11,
+  CAROM_JOINT_BULK_TARGET_VELOCITY = 12,
+  CAROM_JOINT_BULK_TARGET_EFFORT = 13,
+  CAROM_JOINT_BULK_MOTOR = 14,
+  CAROM_JOINT_BULK_SPRING = 15,
+  CAROM_JOINT_BULK_LIMIT = 16,
+  CAROM_JOINT_BULK_AXIS_EFFORTS = 17,
+  CAROM_JOINT_BULK_AXIS_TARGETS = 18,
+  CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES = 19,
+  CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS = 20,
+  CAROM_JOINT_BULK_AXIS_MAX_FORCES = 21,
+  CAROM_JOINT_BULK_AXIS_GAINS = 22,
+  CAROM_JOINT_BULK_AXIS_LIMITS = 23,
+  CAROM_JOINT_BULK_ORIENTATION_TARGET = 24,
+  CAROM_JOINT_BULK_ORIENTATION_VELOCITY = 25,
+  CAROM_JOINT_BULK_ORIENTATION_EFFORT = 26,
+  CAROM_JOINT_BULK_ORIENTATION_GAINS = 27,
+  CAROM_JOINT_BULK_COUNT = 28,
   CAROM_EFFECT_GYROSCOPIC = 0,
   CAROM_EFFECT_LINEAR_DAMPING = 1,
   CAROM_EFFECT_ANGULAR_DAMPING = 2,
@@ -741,5 +770,5 @@ return {
   CAROM_WANT_FIRST = 0,
   CAROM_WANT_ANY = 1,
   VERSION = "0.9.0",
-  ROWS = 776, -- of the layout manifest
+  ROWS = 781, -- of the layout manifest
 }

@@ -27,6 +27,7 @@
 #include <carom/scenery.h>
 #include <carom/shape.h>
 #include <carom/snapshot.h>
+#include <carom/tree.h>
 #include <carom/vehicle.h>
 #include <carom/world.h>
 #include <carom/world_query.h>

@@ -39,6 +39,10 @@ extern "C" {
 #define CAROM_JOINT_COUNT 9u
 /* clang-format on */
 
+/** Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
+ *  @param kind CAROM_JOINT_* */
+CAROM_API const char *carom_joint_kind_name(uint32_t kind);
+
 /** What may be limited, driven or sprung. */
 /* clang-format off */
 #define CAROM_COORDINATE_TWIST 0u    /* rad, of B about the x axes, whole turns counted: ball, hinge */
@@ -323,30 +327,70 @@ CAROM_API int32_t carom_joint_set_orientation_drive(carom_world *world, carom_jo
 CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_joint joint,
                                                     carom_joint_orientation_drive *drive, carom_error *error);
 
-/** @name What carom_world_read_joints() reads
+/** @name What carom_world_read_joints() reads, and carom_world_write_joints() writes
+ *  The number before the colon is how many scalars a record has. A joint of one motion is a hinge (its motion is the
+ *  twist), a slider (slide), a distance joint or a pulley (distance). Six numbers are by CAROM_AXIS_*. What is set has
+ *  the bounds of the call that sets it for one joint.
+ *  TARGET_EFFORT is a motor of speed 1e6, of its sign, whose max_force it is. Of any other motor it is read as 0.
  *  @{ */
-#define CAROM_JOINT_READ_COORDINATES 0u /* 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now */
-#define CAROM_JOINT_READ_SPEEDS 1u      /* 4: m/s or rad/s, their rates, from the present velocities */
-#define CAROM_JOINT_READ_AXES 2u        /* 6: m and rad, by CAROM_AXIS_* */
-#define CAROM_JOINT_READ_AXIS_SPEEDS 3u /* 6: m/s and rad/s, their rates */
-#define CAROM_JOINT_READ_FORCE 4u       /* 3: N, world, as carom_joint_state.force */
-#define CAROM_JOINT_READ_TORQUE 5u      /* 3: N m, world, as carom_joint_state.torque */
-#define CAROM_JOINT_READ_ERROR 6u       /* 2: m and rad, gap and angle */
-#define CAROM_JOINT_READ_BROKEN 7u      /* 1: 1 or 0 */
-#define CAROM_JOINT_READ_COUNT 8u
+/* clang-format off */
+#define CAROM_JOINT_BULK_COORDINATES 0u /* 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only */
+#define CAROM_JOINT_BULK_SPEEDS 1u      /* 4: m/s or rad/s, their rates, from the present velocities; read only */
+#define CAROM_JOINT_BULK_AXES 2u        /* 6: m and rad, by CAROM_AXIS_*; read only */
+#define CAROM_JOINT_BULK_AXIS_SPEEDS 3u /* 6: m/s and rad/s, their rates; read only */
+#define CAROM_JOINT_BULK_FORCE 4u       /* 3: N, world, as carom_joint_state.force; read only */
+#define CAROM_JOINT_BULK_TORQUE 5u      /* 3: N m, world, as carom_joint_state.torque; read only */
+#define CAROM_JOINT_BULK_ERROR 6u       /* 2: m and rad, gap and angle; read only */
+#define CAROM_JOINT_BULK_BROKEN 7u      /* 1: 1 or 0; read only */
+#define CAROM_JOINT_BULK_POSITION 8u    /* 1: m or rad, of one motion, whole turns counted; read only */
+#define CAROM_JOINT_BULK_VELOCITY 9u    /* 1: m/s or rad/s, of one motion; read only */
+#define CAROM_JOINT_BULK_EFFORT 10u     /* 1: N or N m, borne along one motion, mean over the last step; read only */
+#define CAROM_JOINT_BULK_TARGET 11u          /* 1: m or rad, of one motion: its spring's */
+#define CAROM_JOINT_BULK_TARGET_VELOCITY 12u /* 1: m/s or rad/s, of one motion: its motor's speed */
+#define CAROM_JOINT_BULK_TARGET_EFFORT 13u   /* 1: N or N m, [-1e30, 1e30], of one motion: its motor's force */
+#define CAROM_JOINT_BULK_MOTOR 14u           /* 3: enabled, speed, max_force, as carom_joint_motor; of one motion */
+#define CAROM_JOINT_BULK_SPRING 15u          /* 5: enabled, target, frequency, damping, max_force; of one motion */
+#define CAROM_JOINT_BULK_LIMIT 16u           /* 3: enabled, lower, upper; of one motion */
+#define CAROM_JOINT_BULK_AXIS_EFFORTS 17u    /* 6: N and N m, FORCE and TORQUE in A's frame; of any kind, read only */
+#define CAROM_JOINT_BULK_AXIS_TARGETS 18u    /* 6: target of each axis of a six-axis joint, as carom_joint_axis */
+#define CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES 19u /* 6: speed, likewise */
+#define CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS 20u    /* 6: effort, likewise */
+#define CAROM_JOINT_BULK_AXIS_MAX_FORCES 21u        /* 6: max_force, likewise */
+#define CAROM_JOINT_BULK_AXIS_GAINS 22u      /* 12: drive_stiffness and drive_damping of each axis, in its units */
+#define CAROM_JOINT_BULK_AXIS_LIMITS 23u     /* 12: lower and upper of each axis */
+#define CAROM_JOINT_BULK_ORIENTATION_TARGET 24u   /* 4: x, y, z, w, of the drive to an orientation: ball, six-axis */
+#define CAROM_JOINT_BULK_ORIENTATION_VELOCITY 25u /* 3: rad/s, A's frame, likewise */
+#define CAROM_JOINT_BULK_ORIENTATION_EFFORT 26u   /* 3: N m, A's frame, likewise */
+#define CAROM_JOINT_BULK_ORIENTATION_GAINS 27u    /* 2: stiffness, damping, likewise */
+#define CAROM_JOINT_BULK_COUNT 28u
+/* clang-format on */
 /** @} */
+
+/** How many scalars a record of a field has.
+ *  @param field CAROM_JOINT_BULK_*   @param width out: of a record   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM */
+CAROM_API int32_t carom_joint_bulk_width(uint32_t field, uint32_t *width);
 
 /** Read one field of n joints, as carom_world_read() does of bodies.
  *  A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
- *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
- *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
+ *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). An effort errs in first order of the
+ *  step, by how far the axis turned in it. Oracle: tests/abi/test_joint_bulk.
+ *  @param field   CAROM_JOINT_BULK_*   @param scalar CAROM_SCALAR_*
  *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
  *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
- *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
- *  BUSY */
+ *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
+ *  OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
 CAROM_API int32_t carom_world_read_joints(carom_world *world, uint32_t field, uint32_t scalar,
                                           const carom_joint *joints, uint64_t n, void *dst, uint64_t stride,
                                           carom_error *error);
+
+/** Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+ *  enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
+ *  @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+ *  @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+ *  OUT_OF_RANGE; REENTRANT */
+CAROM_API int32_t carom_world_write_joints(carom_world *world, uint32_t field, uint32_t scalar,
+                                           const carom_joint *joints, uint64_t n, const void *src, uint64_t stride,
+                                           carom_error *error);
 
 /** Number of joints, and their handles in creation order of the slots.
  *  @param joints [capacity] or NULL   @param count out: how many there are

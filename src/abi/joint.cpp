@@ -3,13 +3,12 @@
 
 #include <array>
 #include <cstdio>
-#include <numbers>
 
 #include "abi/ends.h"
-#include "core/float_scope.h"
 #include "abi/joint_numbers.h"
 #include "abi/record_calls.h"
 #include "abi/world.h"
+#include "core/float_scope.h"
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/quarantine.h"
@@ -150,23 +149,6 @@ bool read_transmission(Call& call, const World& world, Joint joint, const carom_
                    to.length, kLongestJoint);
 }
 
-struct Bounds {
-  double low, high;
-};
-Bounds bounds_of(std::uint32_t coordinate) {
-  constexpr double kPi = std::numbers::pi;
-  switch (coordinate) {
-    case CAROM_COORDINATE_TWIST:
-      return {-kMostTurned, kMostTurned};
-    case CAROM_COORDINATE_SWING:
-      return {0, kPi};
-    case CAROM_COORDINATE_SLIDE:
-      return {-kLongestJoint, kLongestJoint};
-    default:
-      return {0, kLongestJoint};
-  }
-}
-
 /// Names of the coordinates that a kind leaves free, of CAROM_COORDINATE_*: "TWIST, SWING"; or "none".
 std::array<char, 48> names_of_coordinates(JointKind kind) {
   static constexpr std::array<const char*, CAROM_COORDINATE_COUNT> kNames = {"TWIST", "SWING", "SLIDE", "DISTANCE"};
@@ -199,7 +181,7 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
   if (!free_coordinate(call, joint, coordinate) || !read_struct(call, 4, "limit", given, d) ||
       !known(call, 4, "limit->enabled", d.enabled, 2))
     return false;
-  const Bounds b = bounds_of(coordinate);
+  const CoordinateBounds b = bounds_of(coordinate);
   if (!in_range(call, 4, "limit->lower", d.lower, b.low, b.high) ||
       !in_range(call, 4, "limit->upper", d.upper, d.lower, b.high))
     return false;
@@ -224,7 +206,7 @@ bool read(Call& call, const Joint& joint, std::uint32_t coordinate, const carom_
   if (!drivable(call, joint, coordinate) || !read_struct(call, 4, "spring", given, d) ||
       !known(call, 4, "spring->enabled", d.enabled, 2))
     return false;
-  const Bounds b = bounds_of(coordinate);
+  const CoordinateBounds b = bounds_of(coordinate);
   if (!in_range(call, 4, "spring->target", d.target, b.low, b.high) ||
       !in_range(call, 4, "spring->frequency", d.frequency, 0, kStiffest) ||
       !in_range(call, 4, "spring->damping", d.damping, 0, kMostDamping) ||
@@ -280,6 +262,10 @@ using namespace carom;
 using namespace carom::abi;
 
 extern "C" {
+
+const char* carom_joint_kind_name(uint32_t kind) {
+  return kind < CAROM_JOINT_COUNT ? row_of(static_cast<JointKind>(kind)).name : "?";
+}
 
 int32_t carom_joint_desc_init(carom_joint_desc* desc, uint32_t struct_size) {
   return init_struct(desc, struct_size, [](carom_joint_desc& d) { d.orientation_a[3] = d.orientation_b[3] = 1; });

@@ -6,4 +6,9 @@
 #include "abi/columns.h"
 #include "abi/recorder.h"
 
+namespace carom::abi {
+/// Numbers in a record of CAROM_JOINT_BULK_*; 0: there is no such field.
+std::uint32_t joint_bulk_width(std::uint32_t field);
+}  // namespace carom::abi
+
 #include "abi/record_calls.inc"

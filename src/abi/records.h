@@ -9,7 +9,7 @@
 
 namespace carom::abi {
 
-inline constexpr int kMostScalars = 7;
+inline constexpr int kMostScalars = 12;
 
 template <class Scalar>
 void store(const double record[], int scalars, char* to) {

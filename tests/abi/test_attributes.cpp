@@ -169,6 +169,9 @@ static void names_stand_at_their_numbers(void**) {
   for (std::uint32_t k = 0; k < CAROM_FORCE_FIELD_COUNT; ++k)
     assert_int_equal(number_of("CAROM_FORCE_FIELD_", carom_force_field_name(k)), k);
   assert_string_equal(carom_force_field_name(CAROM_FORCE_FIELD_COUNT), "?");
+  for (std::uint32_t k = 0; k < CAROM_JOINT_COUNT; ++k)
+    assert_int_equal(number_of("CAROM_JOINT_", carom_joint_kind_name(k)), k);
+  assert_string_equal(carom_joint_kind_name(CAROM_JOINT_COUNT), "?");
   Stage stage;
   carom_plan_line lines[128];
   std::uint64_t count = 0;

@@ -250,7 +250,13 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("joint_set_orientation_drive", carom_joint_set_orientation_drive(b.world, none, &turn, nullptr));
   add("joint_get_orientation_drive", carom_joint_get_orientation_drive(b.world, none, &turn, nullptr));
   add("world_read_joints",
-      carom_world_read_joints(b.world, CAROM_JOINT_READ_FORCE, CAROM_SCALAR_F64, &none, 1, v, 0, nullptr));
+      carom_world_read_joints(b.world, CAROM_JOINT_BULK_FORCE, CAROM_SCALAR_F64, &none, 1, v, 0, nullptr));
+  add("world_write_joints",
+      carom_world_write_joints(b.world, CAROM_JOINT_BULK_TARGET, CAROM_SCALAR_F64, &none, 1, kUp, 0, nullptr));
+  add("tree_get_coordinates", carom_tree_get_coordinates(b.world, b.bodies[0], nullptr, 0, 0, &count, nullptr));
+  add("tree_get_speeds", carom_tree_get_speeds(b.world, b.bodies[0], v, 6, nullptr));
+  add("tree_get_forces", carom_tree_get_forces(b.world, b.bodies[0], nullptr, nullptr, v, 6, nullptr));
+  add("tree_get_mass", carom_tree_get_mass(b.world, b.bodies[0], v, 6, nullptr));
   add("world_get_joints", carom_world_get_joints(b.world, nullptr, 0, &count, nullptr));
   add("world_get_bodies", carom_world_get_bodies(b.world, nullptr, 0, &count, nullptr));
   add("world_read", carom_world_read(b.world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, b.bodies, 1, v, 0, nullptr));

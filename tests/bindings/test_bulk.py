@@ -115,5 +115,57 @@ class Bulk(unittest.TestCase):
             self.assertEqual(points["separation"][0], world.contacts()[0].separation)
 
 
+class Joints(unittest.TestCase):
+    """Wheels on axles along x, and a ball, in a world of their own."""
+
+    def setUp(self):
+        self.engine = carom.Engine()
+        self.world = self.engine.world(gravity=(0, 0, 0))
+        self.wheels = [self.world.body(position=(3 * i, 0, 0), mass=2, inertia=(0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5)) for i in range(4)]
+        self.hinges = [self.world.joint("hinge", None, w, position=w.position, axis=(1, 0, 0)) for w in self.wheels]
+
+    def tearDown(self):
+        self.engine.close()
+
+    def test_targets_are_written_and_efforts_read(self):
+        world, torques = self.world, np.array([1.0, -2.0, 0.5, 0.0])
+        np.testing.assert_array_equal(world.joint_handles(), [hinge.handle for hinge in self.hinges])
+        world.write_joints("target_effort", torques)
+        carom.run(world, seconds=0.5)
+        efforts, speeds = world.read_joints("effort"), world.read_joints("velocity", dtype="float32")
+        self.assertEqual((efforts.shape, speeds.shape, speeds.dtype), ((4, 1), (4, 1), np.float32))
+        np.testing.assert_allclose(efforts[:, 0], torques, atol=1e-12)
+        np.testing.assert_allclose(speeds[:, 0], torques / 0.5 * 30 / 60, atol=1e-6)
+        np.testing.assert_array_equal(world.read_joints("speeds")[:, 0], world.read_joints("velocity")[:, 0])
+        self.assertEqual(world.read_joints("position", [self.hinges[1]])[0, 0], self.hinges[1].state.coordinate["twist"])
+
+    def test_rows_of_many_numbers(self):
+        world, chosen = self.world, self.hinges[1:3]
+        world.write_joints("spring", [(1, 0.25, 2, 0.5, 100), (1, -0.25, 3, 1, 200)], chosen)
+        self.assertEqual((chosen[1].spring("twist").target, chosen[1].spring("twist").frequency), (-0.25, 3))
+        self.assertFalse(self.hinges[0].spring("twist").enabled)
+        wide = np.zeros((2, 8))
+        wide[:, 2:5] = (1, -0.5, 0.5)  # columns of a larger array
+        world.write_joints("limit", wide[:, 2:5], [hinge.handle for hinge in chosen])
+        self.assertEqual((chosen[0].limit("twist").lower, chosen[0].limit("twist").upper), (-0.5, 0.5))
+        out = np.empty((4, 3), np.float32)
+        self.assertIs(world.read_joints("limit", out=out), out)
+        np.testing.assert_array_equal(out[1:3], [(1, -0.5, 0.5)] * 2)
+
+    def test_what_is_wrong_is_said(self):
+        ball = self.world.joint("ball", None, self.world.body(position=(0, 9, 0)), position=(0, 9, 0))
+        with self.assertRaisesRegex(carom.CaromError, "joint 4 is a ball and has no target"):
+            self.world.write_joints("target", [1] * 5)
+        with self.assertRaisesRegex(carom.CaromError, "joint 0 is a hinge"):
+            self.world.read_joints("orientation_target", self.hinges)
+        self.world.write_joints("orientation_target", [(0, 0.6, 0, 0.8)], [ball])
+        with self.assertRaisesRegex(ValueError, "'velocity_' is not one of"):
+            self.world.read_joints("velocity_")
+        with self.assertRaisesRegex(ValueError, "takes 4 rows"):
+            self.world.write_joints("target", [1, 2], self.hinges)
+        with self.assertRaisesRegex(carom.CaromError, "a joint of joints .* is a handle of a body"):
+            self.world.read_joints("force", self.wheels)
+
+
 if __name__ == "__main__":
     unittest.main()

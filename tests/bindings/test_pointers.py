@@ -152,6 +152,7 @@ class Nullable(unittest.TestCase):
             "carom_spring": self.world.spring(body, None, rest=1, stiffness=1).handle,
         }
         self.mesh = mesh.handle
+        self.alone = self.world.body(mass=1, inertia=(1, 0, 0, 0, 1, 0, 0, 0, 1)).handle  # a tree of six coordinates
         self.one = (ctypes.c_double * 3)(1, 0, 0)
         self.world.keep_ledger()
 
@@ -164,7 +165,7 @@ class Nullable(unittest.TestCase):
         if kind == "carom_joint":
             found = [joint for word, joint in self.joints.items() if word in function]
             return found[0].handle if found else self.joints["limit"].handle
-        return self.handles[kind]
+        return self.alone if function.startswith("carom_tree_") else self.handles[kind]
 
     def memory(self, argument, function):
         """Room for anything: a struct with its defaults and objects, numbers, text, or zeros."""
@@ -199,6 +200,8 @@ class Nullable(unittest.TestCase):
         type, name = argument["type"], argument["name"]
         if type in self.handles:
             return self.handle(type, function)
+        if name == "n" and function.startswith("carom_tree_"):
+            return 6
         return self.WHOLE.get(
             name, 1 if name in ("n", "count", "steps", "shape_count", "dt", "frequency", "stiffness", "rest") else 0
         )

@@ -48,6 +48,11 @@ class Readme(unittest.TestCase):
         [program] = programs("src/site/docs/topics/accuracy.md")
         self.assertRegex(output_of(program), r"at x = 0\.7851 m after 2 s; \d+ substeps, error 0\.")
 
+    def test_topic_of_robots(self):
+        """As its twin in C: weights of 2 kg at 0.5 and 1.5 m of the first hinge."""
+        [program] = programs("src/site/docs/topics/robots.md")
+        self.assertRegex(output_of(program), r"39\.2 and 9\.8 N m hold it, M = 5\.34 1\.67 0\.67 kg m\^2, after 1 s it turns at 0\.000 rad/s")
+
     def test_that_is_all(self):
         self.assertEqual(len(PROGRAMS), 3)
 

@@ -249,6 +249,26 @@ class Face(unittest.TestCase):
         with self.assertRaises(NotImplementedError):
             neck.axis("x")
 
+    def test_tree(self):
+        """A weight of 2 kg on a rail, and one on a hinge of it, 1 m aside: M, weights, and what the coordinates are."""
+        inertia = (0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1)
+        block = self.world.body(position=(0, 0, 0), mass=2, inertia=inertia)
+        arm = self.world.body(position=(1, 0, 0), mass=2, inertia=inertia)
+        rail = self.world.joint("slider", None, block, position=(0, 0, 0), axis=(0, 1, 0))
+        pin = self.world.joint("hinge", block, arm, position=(0, 0, 0), axis=(0, 0, 1))
+        tree = self.world.tree(arm)
+        self.assertEqual((len(tree), [(c.joint, c.body, c.axis) for c in tree.coordinates]),
+                         (2, [(rail, block, "x"), (pin, arm, "turn_x")]))
+        self.assertEqual([round(float(x), 12) for x in tree.mass.reshape(-1)], [4, 2, 2, 2.1])
+        self.assertEqual([round(float(x), 12) for x in tree.forces(speeds=[0, 0])], [4 * G, 2 * G])
+        self.assertEqual([round(float(x), 12) for x in tree.forces([1, 2], [0, 0])], [round(4 * G + 8, 12), round(2 * G + 6.2, 12)])
+        self.assertEqual(list(tree.speeds), [0, 0])
+        with self.assertRaisesRegex(ValueError, "accelerations"):
+            tree.forces([1])
+        self.world.joint("gear", block, arm)
+        with self.assertRaisesRegex(NotImplementedError, "gear"):
+            self.world.tree(arm)
+
     def test_forces(self):
         self.world.gravity = 0, 0, 0
         one, two = self.world.body(mass=2), self.world.body(mass=2, position=(2, 0, 0))

@@ -65,6 +65,13 @@ struct Session {
     joint.body_a = late, joint.body_b = CAROM_NULL_HANDLE, joint.position_b[1] = 9;
     carom_joint made;
     call.done(carom_joint_create(w, &joint, &made, call), "a joint");
+    joint.kind = CAROM_JOINT_HINGE, joint.fields = CAROM_JOINT_WORLD_FRAME;
+    carom_joint hinge;
+    call.done(carom_joint_create(w, &joint, &hinge, call), "a hinge");
+    const double motors[2][4] = {{1, 40, 3, 99}, {1, 2, 8, 99}};
+    const carom_joint twice[2] = {hinge, hinge};
+    call.done(carom_world_write_joints(w, CAROM_JOINT_BULK_MOTOR, CAROM_SCALAR_F64, twice, 2, motors, 32, call),
+              "motors");
     // Bulk, with gaps between records.
     std::vector<carom_body> bodies = stage.world.bodies();
     bodies.resize(3);
@@ -89,6 +96,9 @@ struct Session {
     assert_int_equal(carom_body_set_velocity(w, 12345, up, up, nullptr), CAROM_E_INVALID_HANDLE);  // is not written
     call.done(carom_world_restore(w, state.data(), size, call), "back");
     call.done(carom_joint_destroy(w, made, call), "no joint");
+    call.done(carom_joint_destroy(w, hinge, call), "no hinge");
+    call.done(carom_world_write_joints(w, CAROM_JOINT_BULK_MOTOR, CAROM_SCALAR_F64, nullptr, 0, nullptr, 0, call),
+              "no motors");
     call.done(carom_body_destroy(w, wall, call), "no wall");
     steps(10);
     call.done(carom_world_record_end(w, call), "the end");

@@ -821,31 +821,91 @@ const CAROM_JOINT_COLLIDE = uint32(2)
 // length is given; else it is the distance of the points as they stand now
 const CAROM_JOINT_FIELD_LENGTH = uint32(4)
 
-// 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now
-const CAROM_JOINT_READ_COORDINATES = uint32(0)
+// 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only
+const CAROM_JOINT_BULK_COORDINATES = uint32(0)
 
-// 4: m/s or rad/s, their rates, from the present velocities
-const CAROM_JOINT_READ_SPEEDS = uint32(1)
+// 4: m/s or rad/s, their rates, from the present velocities; read only
+const CAROM_JOINT_BULK_SPEEDS = uint32(1)
 
-// 6: m and rad, by CAROM_AXIS_*
-const CAROM_JOINT_READ_AXES = uint32(2)
+// 6: m and rad, by CAROM_AXIS_*; read only
+const CAROM_JOINT_BULK_AXES = uint32(2)
 
-// 6: m/s and rad/s, their rates
-const CAROM_JOINT_READ_AXIS_SPEEDS = uint32(3)
+// 6: m/s and rad/s, their rates; read only
+const CAROM_JOINT_BULK_AXIS_SPEEDS = uint32(3)
 
-// 3: N, world, as carom_joint_state.force
-const CAROM_JOINT_READ_FORCE = uint32(4)
+// 3: N, world, as carom_joint_state.force; read only
+const CAROM_JOINT_BULK_FORCE = uint32(4)
 
-// 3: N m, world, as carom_joint_state.torque
-const CAROM_JOINT_READ_TORQUE = uint32(5)
+// 3: N m, world, as carom_joint_state.torque; read only
+const CAROM_JOINT_BULK_TORQUE = uint32(5)
 
-// 2: m and rad, gap and angle
-const CAROM_JOINT_READ_ERROR = uint32(6)
+// 2: m and rad, gap and angle; read only
+const CAROM_JOINT_BULK_ERROR = uint32(6)
 
-// 1: 1 or 0
-const CAROM_JOINT_READ_BROKEN = uint32(7)
+// 1: 1 or 0; read only
+const CAROM_JOINT_BULK_BROKEN = uint32(7)
 
-const CAROM_JOINT_READ_COUNT = uint32(8)
+// 1: m or rad, of one motion, whole turns counted; read only
+const CAROM_JOINT_BULK_POSITION = uint32(8)
+
+// 1: m/s or rad/s, of one motion; read only
+const CAROM_JOINT_BULK_VELOCITY = uint32(9)
+
+// 1: N or N m, borne along one motion, mean over the last step; read only
+const CAROM_JOINT_BULK_EFFORT = uint32(10)
+
+// 1: m or rad, of one motion: its spring's
+const CAROM_JOINT_BULK_TARGET = uint32(11)
+
+// 1: m/s or rad/s, of one motion: its motor's speed
+const CAROM_JOINT_BULK_TARGET_VELOCITY = uint32(12)
+
+// 1: N or N m, [-1e30, 1e30], of one motion: its motor's force
+const CAROM_JOINT_BULK_TARGET_EFFORT = uint32(13)
+
+// 3: enabled, speed, max_force, as carom_joint_motor; of one motion
+const CAROM_JOINT_BULK_MOTOR = uint32(14)
+
+// 5: enabled, target, frequency, damping, max_force; of one motion
+const CAROM_JOINT_BULK_SPRING = uint32(15)
+
+// 3: enabled, lower, upper; of one motion
+const CAROM_JOINT_BULK_LIMIT = uint32(16)
+
+// 6: N and N m, FORCE and TORQUE in A's frame; of any kind, read only
+const CAROM_JOINT_BULK_AXIS_EFFORTS = uint32(17)
+
+// 6: target of each axis of a six-axis joint, as carom_joint_axis
+const CAROM_JOINT_BULK_AXIS_TARGETS = uint32(18)
+
+// 6: speed, likewise
+const CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES = uint32(19)
+
+// 6: effort, likewise
+const CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS = uint32(20)
+
+// 6: max_force, likewise
+const CAROM_JOINT_BULK_AXIS_MAX_FORCES = uint32(21)
+
+// 12: drive_stiffness and drive_damping of each axis, in its units
+const CAROM_JOINT_BULK_AXIS_GAINS = uint32(22)
+
+// 12: lower and upper of each axis
+const CAROM_JOINT_BULK_AXIS_LIMITS = uint32(23)
+
+// 4: x, y, z, w, of the drive to an orientation: ball, six-axis
+const CAROM_JOINT_BULK_ORIENTATION_TARGET = uint32(24)
+
+// 3: rad/s, A's frame, likewise
+const CAROM_JOINT_BULK_ORIENTATION_VELOCITY = uint32(25)
+
+// 3: N m, A's frame, likewise
+const CAROM_JOINT_BULK_ORIENTATION_EFFORT = uint32(26)
+
+// 2: stiffness, damping, likewise
+const CAROM_JOINT_BULK_ORIENTATION_GAINS = uint32(27)
+
+const CAROM_JOINT_BULK_COUNT = uint32(28)
 
 // gyroscopic term of bodies with unlike moments of inertia
 const CAROM_EFFECT_GYROSCOPIC = uint32(0)
@@ -3206,6 +3266,23 @@ func NewShapeInfo() ShapeInfo {
 	return ShapeInfo{StructSize: uint32(unsafe.Sizeof(ShapeInfo{}))}
 }
 
+// What a number of a tree stands for.
+type TreeCoordinate struct {
+	// or CAROM_NULL_HANDLE: of the base
+	Joint Joint
+
+	// that it moves: the base, or the body that the joint holds to the rest
+	Body Body
+
+	// CAROM_AXIS_*; of a base X, Y, Z, TURN_X, TURN_Y, TURN_Z of the world
+	Axis uint32
+
+	// 0
+	Reserved uint32
+}
+
+var _ = [1]struct{}{}[unsafe.Sizeof(TreeCoordinate{})-C.sizeof_carom_tree_coordinate] // as large as in C
+
 // Chassis, engine and gears. Fill with carom_vehicle_desc_init(): a car of 1.2 t, whose chassis the host names.
 type VehicleDesc struct {
 	StructSize uint32
@@ -4771,6 +4848,12 @@ func WorldGetWater(world *World, water *Water, present *uint32, error_ *Error) i
 	return int32(C.carom_world_get_water((*C.carom_world)(unsafe.Pointer(world)), (*C.carom_water)(unsafe.Pointer(water)), (*C.uint32_t)(unsafe.Pointer(present)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
+// Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
+// @param kind CAROM_JOINT_*
+func JointKindName(kind uint32) string {
+	return C.GoString(C.carom_joint_kind_name(C.uint32_t(kind)))
+}
+
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE
 func JointDescInit(desc *JointDesc, struct_size uint32) int32 {
 	return int32(C.carom_joint_desc_init((*C.carom_joint_desc)(unsafe.Pointer(desc)), C.uint32_t(struct_size)))
@@ -4930,16 +5013,32 @@ func JointGetOrientationDrive(world *World, joint Joint, drive *JointOrientation
 	return int32(C.carom_joint_get_orientation_drive((*C.carom_world)(unsafe.Pointer(world)), C.carom_joint(joint), (*C.carom_joint_orientation_drive)(unsafe.Pointer(drive)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
+// How many scalars a record of a field has.
+// @param field CAROM_JOINT_BULK_*   @param width out: of a record   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM
+func JointBulkWidth(field uint32, width *uint32) int32 {
+	return int32(C.carom_joint_bulk_width(C.uint32_t(field), (*C.uint32_t)(unsafe.Pointer(width))))
+}
+
 // Read one field of n joints, as carom_world_read() does of bodies.
 // A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
-// Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
-// @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
+// Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). An effort errs in first order of the
+// step, by how far the axis turned in it. Oracle: tests/abi/test_joint_bulk.
+// @param field   CAROM_JOINT_BULK_*   @param scalar CAROM_SCALAR_*
 // @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
 // @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-// @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
-// BUSY
+// @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
+// OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY
 func WorldReadJoints(world *World, field uint32, scalar uint32, joints *Joint, n uint64, dst unsafe.Pointer, stride uint64, error_ *Error) int32 {
 	return int32(C.carom_world_read_joints((*C.carom_world)(unsafe.Pointer(world)), C.uint32_t(field), C.uint32_t(scalar), (*C.carom_joint)(unsafe.Pointer(joints)), C.uint64_t(n), dst, C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+// enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
+// @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+// OUT_OF_RANGE; REENTRANT
+func WorldWriteJoints(world *World, field uint32, scalar uint32, joints *Joint, n uint64, src unsafe.Pointer, stride uint64, error_ *Error) int32 {
+	return int32(C.carom_world_write_joints((*C.carom_world)(unsafe.Pointer(world)), C.uint32_t(field), C.uint32_t(scalar), (*C.carom_joint)(unsafe.Pointer(joints)), C.uint64_t(n), src, C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
 // Number of joints, and their handles in creation order of the slots.
@@ -5306,6 +5405,52 @@ func WorldFork(world *World, copy **World, error_ *Error) int32 {
 // worlds); BUSY; REENTRANT   @thread reader
 func WorldTranslateHandles(world *World, handles *uint64, n uint64, translated *uint64, error_ *Error) int32 {
 	return int32(C.carom_world_translate_handles((*C.carom_world)(unsafe.Pointer(world)), (*C.uint64_t)(unsafe.Pointer(handles)), C.uint64_t(n), (*C.uint64_t)(unsafe.Pointer(translated)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Copy out what the coordinates of a tree are.
+// @param body     any dynamic body of the tree; its base, where nothing holds the tree
+// @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+// @param stride   sizeof(carom_tree_coordinate) as the caller knows it
+// @param count    out: how many there are (may exceed capacity; capacity are written)
+// @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (the body is not moved by forces); UNSUPPORTED (no tree);
+// BUFFER_TOO_SMALL (stride); BUSY; OUT_OF_MEMORY
+func TreeGetCoordinates(world *World, body Body, dst *TreeCoordinate, stride uint64, capacity uint64, count *uint64, error_ *Error) int32 {
+	return int32(C.carom_tree_get_coordinates((*C.carom_world)(unsafe.Pointer(world)), C.carom_body(body), (*C.carom_tree_coordinate)(unsafe.Pointer(dst)), C.uint64_t(stride), C.uint64_t(capacity), (*C.uint64_t)(unsafe.Pointer(count)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// The speeds that a tree has now.
+// Accuracy: rounding of the bodies' velocities. What joints do not leave free of these counts as nothing.
+// @param speeds out, [n]   @param n how many coordinates there are
+// @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY;
+// OUT_OF_MEMORY
+func TreeGetSpeeds(world *World, body Body, speeds *float64, n uint64, error_ *Error) int32 {
+	return int32(C.carom_tree_get_speeds((*C.carom_world)(unsafe.Pointer(world)), C.carom_body(body), (*C.double)(unsafe.Pointer(speeds)), C.uint64_t(n), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Inverse dynamics: the forces that give a tree these accelerations, at the present pose.
+//
+//	forces = M accelerations + what gyroscopic and centrifugal terms and gravity ask
+//
+// With speeds of 0 and no accelerations these hold the tree against gravity.
+// Accuracy: 1e-14 of the largest term, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+// @param speeds        [n] m/s and rad/s, or NULL: those of now
+// @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
+// @param forces        out, [n] N and N m
+// @param n             how many coordinates there are
+// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+// OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY
+func TreeGetForces(world *World, body Body, speeds *float64, accelerations *float64, forces *float64, n uint64, error_ *Error) int32 {
+	return int32(C.carom_tree_get_forces((*C.carom_world)(unsafe.Pointer(world)), C.carom_body(body), (*C.double)(unsafe.Pointer(speeds)), (*C.double)(unsafe.Pointer(accelerations)), (*C.double)(unsafe.Pointer(forces)), C.uint64_t(n), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// The mass matrix of a tree at the present pose, symmetric and positive definite: with speeds v its energy of motion
+// is v^T M v / 2. Where two axes of one joint agree M is singular.
+// Accuracy: 1e-14 of the largest entry that a sum has, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+// @param mass out, [n n] row by row: kg, kg m and kg m^2   @param n how many coordinates there are
+// @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree);
+// NOT_FINITE (bodies too far apart or too heavy for numbers); BUSY; OUT_OF_MEMORY
+func TreeGetMass(world *World, body Body, mass *float64, n uint64, error_ *Error) int32 {
+	return int32(C.carom_tree_get_mass((*C.carom_world)(unsafe.Pointer(world)), C.carom_body(body), (*C.double)(unsafe.Pointer(mass)), C.uint64_t(n), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE
@@ -6100,6 +6245,11 @@ var Layout = []Row{
 	{"carom_shape_info.inertia_error", unsafe.Offsetof(ShapeInfo{}.InertiaError), unsafe.Sizeof(ShapeInfo{}.InertiaError), "f64"},
 	{"carom_shape_info.is_scenery", unsafe.Offsetof(ShapeInfo{}.IsScenery), unsafe.Sizeof(ShapeInfo{}.IsScenery), "u32"},
 	{"carom_shape_info.reserved", unsafe.Offsetof(ShapeInfo{}.Reserved), unsafe.Sizeof(ShapeInfo{}.Reserved), "u32"},
+	{"carom_tree_coordinate", 0, unsafe.Sizeof(TreeCoordinate{}), "struct"},
+	{"carom_tree_coordinate.joint", unsafe.Offsetof(TreeCoordinate{}.Joint), unsafe.Sizeof(TreeCoordinate{}.Joint), "u64"},
+	{"carom_tree_coordinate.body", unsafe.Offsetof(TreeCoordinate{}.Body), unsafe.Sizeof(TreeCoordinate{}.Body), "u64"},
+	{"carom_tree_coordinate.axis", unsafe.Offsetof(TreeCoordinate{}.Axis), unsafe.Sizeof(TreeCoordinate{}.Axis), "u32"},
+	{"carom_tree_coordinate.reserved", unsafe.Offsetof(TreeCoordinate{}.Reserved), unsafe.Sizeof(TreeCoordinate{}.Reserved), "u32"},
 	{"carom_vehicle_desc", 0, unsafe.Sizeof(VehicleDesc{}), "struct"},
 	{"carom_vehicle_desc.struct_size", unsafe.Offsetof(VehicleDesc{}.StructSize), unsafe.Sizeof(VehicleDesc{}.StructSize), "u32"},
 	{"carom_vehicle_desc.flags", unsafe.Offsetof(VehicleDesc{}.Flags), unsafe.Sizeof(VehicleDesc{}.Flags), "u32"},

@@ -526,23 +526,63 @@ public final class Raw {
     public static final int CAROM_JOINT_COLLIDE = 2;
     /** length is given; else it is the distance of the points as they stand now */
     public static final int CAROM_JOINT_FIELD_LENGTH = 4;
-    /** 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now */
-    public static final int CAROM_JOINT_READ_COORDINATES = 0;
-    /** 4: m/s or rad/s, their rates, from the present velocities */
-    public static final int CAROM_JOINT_READ_SPEEDS = 1;
-    /** 6: m and rad, by CAROM_AXIS_* */
-    public static final int CAROM_JOINT_READ_AXES = 2;
-    /** 6: m/s and rad/s, their rates */
-    public static final int CAROM_JOINT_READ_AXIS_SPEEDS = 3;
-    /** 3: N, world, as carom_joint_state.force */
-    public static final int CAROM_JOINT_READ_FORCE = 4;
-    /** 3: N m, world, as carom_joint_state.torque */
-    public static final int CAROM_JOINT_READ_TORQUE = 5;
-    /** 2: m and rad, gap and angle */
-    public static final int CAROM_JOINT_READ_ERROR = 6;
-    /** 1: 1 or 0 */
-    public static final int CAROM_JOINT_READ_BROKEN = 7;
-    public static final int CAROM_JOINT_READ_COUNT = 8;
+    /** 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only */
+    public static final int CAROM_JOINT_BULK_COORDINATES = 0;
+    /** 4: m/s or rad/s, their rates, from the present velocities; read only */
+    public static final int CAROM_JOINT_BULK_SPEEDS = 1;
+    /** 6: m and rad, by CAROM_AXIS_*; read only */
+    public static final int CAROM_JOINT_BULK_AXES = 2;
+    /** 6: m/s and rad/s, their rates; read only */
+    public static final int CAROM_JOINT_BULK_AXIS_SPEEDS = 3;
+    /** 3: N, world, as carom_joint_state.force; read only */
+    public static final int CAROM_JOINT_BULK_FORCE = 4;
+    /** 3: N m, world, as carom_joint_state.torque; read only */
+    public static final int CAROM_JOINT_BULK_TORQUE = 5;
+    /** 2: m and rad, gap and angle; read only */
+    public static final int CAROM_JOINT_BULK_ERROR = 6;
+    /** 1: 1 or 0; read only */
+    public static final int CAROM_JOINT_BULK_BROKEN = 7;
+    /** 1: m or rad, of one motion, whole turns counted; read only */
+    public static final int CAROM_JOINT_BULK_POSITION = 8;
+    /** 1: m/s or rad/s, of one motion; read only */
+    public static final int CAROM_JOINT_BULK_VELOCITY = 9;
+    /** 1: N or N m, borne along one motion, mean over the last step; read only */
+    public static final int CAROM_JOINT_BULK_EFFORT = 10;
+    /** 1: m or rad, of one motion: its spring's */
+    public static final int CAROM_JOINT_BULK_TARGET = 11;
+    /** 1: m/s or rad/s, of one motion: its motor's speed */
+    public static final int CAROM_JOINT_BULK_TARGET_VELOCITY = 12;
+    /** 1: N or N m, [-1e30, 1e30], of one motion: its motor's force */
+    public static final int CAROM_JOINT_BULK_TARGET_EFFORT = 13;
+    /** 3: enabled, speed, max_force, as carom_joint_motor; of one motion */
+    public static final int CAROM_JOINT_BULK_MOTOR = 14;
+    /** 5: enabled, target, frequency, damping, max_force; of one motion */
+    public static final int CAROM_JOINT_BULK_SPRING = 15;
+    /** 3: enabled, lower, upper; of one motion */
+    public static final int CAROM_JOINT_BULK_LIMIT = 16;
+    /** 6: N and N m, FORCE and TORQUE in A's frame; of any kind, read only */
+    public static final int CAROM_JOINT_BULK_AXIS_EFFORTS = 17;
+    /** 6: target of each axis of a six-axis joint, as carom_joint_axis */
+    public static final int CAROM_JOINT_BULK_AXIS_TARGETS = 18;
+    /** 6: speed, likewise */
+    public static final int CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES = 19;
+    /** 6: effort, likewise */
+    public static final int CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS = 20;
+    /** 6: max_force, likewise */
+    public static final int CAROM_JOINT_BULK_AXIS_MAX_FORCES = 21;
+    /** 12: drive_stiffness and drive_damping of each axis, in its units */
+    public static final int CAROM_JOINT_BULK_AXIS_GAINS = 22;
+    /** 12: lower and upper of each axis */
+    public static final int CAROM_JOINT_BULK_AXIS_LIMITS = 23;
+    /** 4: x, y, z, w, of the drive to an orientation: ball, six-axis */
+    public static final int CAROM_JOINT_BULK_ORIENTATION_TARGET = 24;
+    /** 3: rad/s, A's frame, likewise */
+    public static final int CAROM_JOINT_BULK_ORIENTATION_VELOCITY = 25;
+    /** 3: N m, A's frame, likewise */
+    public static final int CAROM_JOINT_BULK_ORIENTATION_EFFORT = 26;
+    /** 2: stiffness, damping, likewise */
+    public static final int CAROM_JOINT_BULK_ORIENTATION_GAINS = 27;
+    public static final int CAROM_JOINT_BULK_COUNT = 28;
     /** gyroscopic term of bodies with unlike moments of inertia */
     public static final int CAROM_EFFECT_GYROSCOPIC = 0;
     /** damping of velocity */
@@ -2570,6 +2610,23 @@ public final class Raw {
         public ShapeInfo isScenery(int it) { segment.set(JAVA_INT, 232, it); return this; }
     }
 
+    /** What a number of a tree stands for. */
+    public static final class TreeCoordinate {
+        public static final int SIZE = 24;
+        public final MemorySegment segment;
+        public TreeCoordinate(Arena arena) { segment = arena.allocate(SIZE, 8); }
+        public TreeCoordinate(MemorySegment at) { segment = at; }
+        /** or CAROM_NULL_HANDLE: of the base */
+        public long joint() { return segment.get(JAVA_LONG, 0); }
+        public TreeCoordinate joint(long it) { segment.set(JAVA_LONG, 0, it); return this; }
+        /** that it moves: the base, or the body that the joint holds to the rest */
+        public long body() { return segment.get(JAVA_LONG, 8); }
+        public TreeCoordinate body(long it) { segment.set(JAVA_LONG, 8, it); return this; }
+        /** CAROM_AXIS_*; of a base X, Y, Z, TURN_X, TURN_Y, TURN_Z of the world */
+        public int axis() { return segment.get(JAVA_INT, 16); }
+        public TreeCoordinate axis(int it) { segment.set(JAVA_INT, 16, it); return this; }
+    }
+
     /** Chassis, engine and gears. Fill with carom_vehicle_desc_init(): a car of 1.2 t, whose chassis the host names. */
     public static final class VehicleDesc {
         public static final int SIZE = 368;
@@ -4469,6 +4526,15 @@ public final class Raw {
         try { return (int) carom_world_get_water_.CALL.invokeExact(world, water, present, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
+    private static final class carom_joint_kind_name_ {
+        static final MethodHandle CALL = Library.call("carom_joint_kind_name", FunctionDescriptor.of(ADDRESS, JAVA_INT));
+    }
+    /** Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
+     *  param: kind CAROM_JOINT_* */
+    public static String carom_joint_kind_name(int kind) {
+        try { return ((MemorySegment) carom_joint_kind_name_.CALL.invokeExact(kind)).reinterpret(Long.MAX_VALUE).getString(0); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
     private static final class carom_joint_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_joint_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
@@ -4697,19 +4763,41 @@ public final class Raw {
         try { return (int) carom_joint_get_orientation_drive_.CALL.invokeExact(world, joint, drive, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
+    private static final class carom_joint_bulk_width_ {
+        static final MethodHandle CALL = Library.call("carom_joint_bulk_width", FunctionDescriptor.of(JAVA_INT, JAVA_INT, ADDRESS));
+    }
+    /** How many scalars a record of a field has.
+     *  param: field CAROM_JOINT_BULK_*   param: width out: of a record   status: OK; NULL_ARGUMENT; UNKNOWN_ENUM */
+    public static int carom_joint_bulk_width(int field, MemorySegment width) {
+        try { return (int) carom_joint_bulk_width_.CALL.invokeExact(field, width); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
     private static final class carom_world_read_joints_ {
         static final MethodHandle CALL = Library.call("carom_world_read_joints", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
     }
     /** Read one field of n joints, as carom_world_read() does of bodies.
      *  A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
-     *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
-     *  param: field   CAROM_JOINT_READ_*   param: scalar CAROM_SCALAR_*
+     *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). An effort errs in first order of the
+     *  step, by how far the axis turned in it. Oracle: tests/abi/test_joint_bulk.
+     *  param: field   CAROM_JOINT_BULK_*   param: scalar CAROM_SCALAR_*
      *  param: joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
      *  param: dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
-     *  BUSY */
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
+     *  OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
     public static int carom_world_read_joints(MemorySegment world, int field, int scalar, MemorySegment joints, long n, MemorySegment dst, long stride, MemorySegment error) {
         try { return (int) carom_world_read_joints_.CALL.invokeExact(world, field, scalar, joints, n, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_world_write_joints_ {
+        static final MethodHandle CALL = Library.call("carom_world_write_joints", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
+    }
+    /** Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+     *  enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
+     *  param: src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+     *  status: as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+     *  OUT_OF_RANGE; REENTRANT */
+    public static int carom_world_write_joints(MemorySegment world, int field, int scalar, MemorySegment joints, long n, MemorySegment src, long stride, MemorySegment error) {
+        try { return (int) carom_world_write_joints_.CALL.invokeExact(world, field, scalar, joints, n, src, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
     private static final class carom_world_get_joints_ {
@@ -5220,6 +5308,62 @@ public final class Raw {
      *          worlds); BUSY; REENTRANT   thread: reader */
     public static int carom_world_translate_handles(MemorySegment world, MemorySegment handles, long n, MemorySegment translated, MemorySegment error) {
         try { return (int) carom_world_translate_handles_.CALL.invokeExact(world, handles, n, translated, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_tree_get_coordinates_ {
+        static final MethodHandle CALL = Library.call("carom_tree_get_coordinates", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Copy out what the coordinates of a tree are.
+     *  param: body     any dynamic body of the tree; its base, where nothing holds the tree
+     *  param: dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+     *  param: stride   sizeof(carom_tree_coordinate) as the caller knows it
+     *  param: count    out: how many there are (may exceed capacity; capacity are written)
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (the body is not moved by forces); UNSUPPORTED (no tree);
+     *          BUFFER_TOO_SMALL (stride); BUSY; OUT_OF_MEMORY */
+    public static int carom_tree_get_coordinates(MemorySegment world, long body, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
+        try { return (int) carom_tree_get_coordinates_.CALL.invokeExact(world, body, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_tree_get_speeds_ {
+        static final MethodHandle CALL = Library.call("carom_tree_get_speeds", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
+    }
+    /** The speeds that a tree has now.
+     *  Accuracy: rounding of the bodies' velocities. What joints do not leave free of these counts as nothing.
+     *  param: speeds out, [n]   param: n how many coordinates there are
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY;
+     *          OUT_OF_MEMORY */
+    public static int carom_tree_get_speeds(MemorySegment world, long body, MemorySegment speeds, long n, MemorySegment error) {
+        try { return (int) carom_tree_get_speeds_.CALL.invokeExact(world, body, speeds, n, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_tree_get_forces_ {
+        static final MethodHandle CALL = Library.call("carom_tree_get_forces", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS));
+    }
+    /** Inverse dynamics: the forces that give a tree these accelerations, at the present pose.
+     *      forces = M accelerations + what gyroscopic and centrifugal terms and gravity ask
+     *  With speeds of 0 and no accelerations these hold the tree against gravity.
+     *  Accuracy: 1e-14 of the largest term, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+     *  param: speeds        [n] m/s and rad/s, or NULL: those of now
+     *  param: accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
+     *  param: forces        out, [n] N and N m
+     *  param: n             how many coordinates there are
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+     *          OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY */
+    public static int carom_tree_get_forces(MemorySegment world, long body, MemorySegment speeds, MemorySegment accelerations, MemorySegment forces, long n, MemorySegment error) {
+        try { return (int) carom_tree_get_forces_.CALL.invokeExact(world, body, speeds, accelerations, forces, n, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_tree_get_mass_ {
+        static final MethodHandle CALL = Library.call("carom_tree_get_mass", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
+    }
+    /** The mass matrix of a tree at the present pose, symmetric and positive definite: with speeds v its energy of motion
+     *  is v^T M v / 2. Where two axes of one joint agree M is singular.
+     *  Accuracy: 1e-14 of the largest entry that a sum has, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+     *  param: mass out, [n n] row by row: kg, kg m and kg m^2   param: n how many coordinates there are
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree);
+     *          NOT_FINITE (bodies too far apart or too heavy for numbers); BUSY; OUT_OF_MEMORY */
+    public static int carom_tree_get_mass(MemorySegment world, long body, MemorySegment mass, long n, MemorySegment error) {
+        try { return (int) carom_tree_get_mass_.CALL.invokeExact(world, body, mass, n, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
     private static final class carom_vehicle_desc_init_ {
@@ -6092,6 +6236,11 @@ carom_shape_info.inertia 152 72 f64[9]
 carom_shape_info.inertia_error 224 8 f64
 carom_shape_info.is_scenery 232 4 u32
 carom_shape_info.reserved 236 4 u32
+carom_tree_coordinate 0 24 struct
+carom_tree_coordinate.joint 0 8 u64
+carom_tree_coordinate.body 8 8 u64
+carom_tree_coordinate.axis 16 4 u32
+carom_tree_coordinate.reserved 20 4 u32
 carom_vehicle_desc 0 368 struct
 carom_vehicle_desc.struct_size 0 4 u32
 carom_vehicle_desc.flags 4 4 u32

@@ -513,23 +513,63 @@ export const CAROM_JOINT_WORLD_FRAME: 1;
 export const CAROM_JOINT_COLLIDE: 2;
 /** length is given; else it is the distance of the points as they stand now */
 export const CAROM_JOINT_FIELD_LENGTH: 4;
-/** 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now */
-export const CAROM_JOINT_READ_COORDINATES: 0;
-/** 4: m/s or rad/s, their rates, from the present velocities */
-export const CAROM_JOINT_READ_SPEEDS: 1;
-/** 6: m and rad, by CAROM_AXIS_* */
-export const CAROM_JOINT_READ_AXES: 2;
-/** 6: m/s and rad/s, their rates */
-export const CAROM_JOINT_READ_AXIS_SPEEDS: 3;
-/** 3: N, world, as carom_joint_state.force */
-export const CAROM_JOINT_READ_FORCE: 4;
-/** 3: N m, world, as carom_joint_state.torque */
-export const CAROM_JOINT_READ_TORQUE: 5;
-/** 2: m and rad, gap and angle */
-export const CAROM_JOINT_READ_ERROR: 6;
-/** 1: 1 or 0 */
-export const CAROM_JOINT_READ_BROKEN: 7;
-export const CAROM_JOINT_READ_COUNT: 8;
+/** 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only */
+export const CAROM_JOINT_BULK_COORDINATES: 0;
+/** 4: m/s or rad/s, their rates, from the present velocities; read only */
+export const CAROM_JOINT_BULK_SPEEDS: 1;
+/** 6: m and rad, by CAROM_AXIS_*; read only */
+export const CAROM_JOINT_BULK_AXES: 2;
+/** 6: m/s and rad/s, their rates; read only */
+export const CAROM_JOINT_BULK_AXIS_SPEEDS: 3;
+/** 3: N, world, as carom_joint_state.force; read only */
+export const CAROM_JOINT_BULK_FORCE: 4;
+/** 3: N m, world, as carom_joint_state.torque; read only */
+export const CAROM_JOINT_BULK_TORQUE: 5;
+/** 2: m and rad, gap and angle; read only */
+export const CAROM_JOINT_BULK_ERROR: 6;
+/** 1: 1 or 0; read only */
+export const CAROM_JOINT_BULK_BROKEN: 7;
+/** 1: m or rad, of one motion, whole turns counted; read only */
+export const CAROM_JOINT_BULK_POSITION: 8;
+/** 1: m/s or rad/s, of one motion; read only */
+export const CAROM_JOINT_BULK_VELOCITY: 9;
+/** 1: N or N m, borne along one motion, mean over the last step; read only */
+export const CAROM_JOINT_BULK_EFFORT: 10;
+/** 1: m or rad, of one motion: its spring's */
+export const CAROM_JOINT_BULK_TARGET: 11;
+/** 1: m/s or rad/s, of one motion: its motor's speed */
+export const CAROM_JOINT_BULK_TARGET_VELOCITY: 12;
+/** 1: N or N m, [-1e30, 1e30], of one motion: its motor's force */
+export const CAROM_JOINT_BULK_TARGET_EFFORT: 13;
+/** 3: enabled, speed, max_force, as carom_joint_motor; of one motion */
+export const CAROM_JOINT_BULK_MOTOR: 14;
+/** 5: enabled, target, frequency, damping, max_force; of one motion */
+export const CAROM_JOINT_BULK_SPRING: 15;
+/** 3: enabled, lower, upper; of one motion */
+export const CAROM_JOINT_BULK_LIMIT: 16;
+/** 6: N and N m, FORCE and TORQUE in A's frame; of any kind, read only */
+export const CAROM_JOINT_BULK_AXIS_EFFORTS: 17;
+/** 6: target of each axis of a six-axis joint, as carom_joint_axis */
+export const CAROM_JOINT_BULK_AXIS_TARGETS: 18;
+/** 6: speed, likewise */
+export const CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES: 19;
+/** 6: effort, likewise */
+export const CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS: 20;
+/** 6: max_force, likewise */
+export const CAROM_JOINT_BULK_AXIS_MAX_FORCES: 21;
+/** 12: drive_stiffness and drive_damping of each axis, in its units */
+export const CAROM_JOINT_BULK_AXIS_GAINS: 22;
+/** 12: lower and upper of each axis */
+export const CAROM_JOINT_BULK_AXIS_LIMITS: 23;
+/** 4: x, y, z, w, of the drive to an orientation: ball, six-axis */
+export const CAROM_JOINT_BULK_ORIENTATION_TARGET: 24;
+/** 3: rad/s, A's frame, likewise */
+export const CAROM_JOINT_BULK_ORIENTATION_VELOCITY: 25;
+/** 3: N m, A's frame, likewise */
+export const CAROM_JOINT_BULK_ORIENTATION_EFFORT: 26;
+/** 2: stiffness, damping, likewise */
+export const CAROM_JOINT_BULK_ORIENTATION_GAINS: 27;
+export const CAROM_JOINT_BULK_COUNT: 28;
 /** gyroscopic term of bodies with unlike moments of inertia */
 export const CAROM_EFFECT_GYROSCOPIC: 0;
 /** damping of velocity */
@@ -706,3 +746,5 @@ export const CAROM_FAULT_PARTICLE_STATE: 6;
 export const CAROM_WANT_FIRST: 0;
 /** whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points */
 export const CAROM_WANT_ANY: 1;
+/** Kinds of joints by name. */
+export const JOINTS: { ball: 0, hinge: 1, slider: 2, weld: 3, distance: 4, universal: 5, pulley: 6, gear: 7, six_axis: 8 };

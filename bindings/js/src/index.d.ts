@@ -247,7 +247,7 @@ export class World {
   ground(options?: { height?: number; normal?: Vector } & Surface): Body;
   material(desc: { friction?: number; restitution?: number; friction_mix?: number; restitution_mix?: number }): Handle;
   joint(
-    kind: "ball" | "hinge" | "slider" | "weld" | "distance" | "universal" | "pulley" | "gear" | "six_axis",
+    kind: keyof typeof constants.JOINTS,
     a: Body | null,
     b: Body | null,
     options?: { at?: Vector; axes?: Quaternion; length?: number; [field: string]: unknown },

@@ -518,6 +518,9 @@ export interface Raw {
   /** @param water out   @param present out: 1 or 0; if 0, water is filled with defaults
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_water(world: number, water: number, present: number, error: number): number;
+  /** Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
+   *  @param kind CAROM_JOINT_* */
+  carom_joint_kind_name(kind: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_desc_init(desc: number, struct_size: number): number;
   /** Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
@@ -608,15 +611,25 @@ export interface Raw {
   /** @param drive out: as it was set
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_orientation_drive(world: number, joint: bigint, drive: number, error: number): number;
+  /** How many scalars a record of a field has.
+   *  @param field CAROM_JOINT_BULK_*   @param width out: of a record   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM */
+  carom_joint_bulk_width(field: number, width: number): number;
   /** Read one field of n joints, as carom_world_read() does of bodies.
    *  A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
-   *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
-   *  @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
+   *  Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). An effort errs in first order of the
+   *  step, by how far the axis turned in it. Oracle: tests/abi/test_joint_bulk.
+   *  @param field   CAROM_JOINT_BULK_*   @param scalar CAROM_SCALAR_*
    *  @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
    *  @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
-   *  BUSY */
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
+   *  OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_read_joints(world: number, field: number, scalar: number, joints: number, n: bigint, dst: number, stride: bigint, error: number): number;
+  /** Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+   *  enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
+   *  @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+   *  @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+   *  OUT_OF_RANGE; REENTRANT */
+  carom_world_write_joints(world: number, field: number, scalar: number, joints: number, n: bigint, src: number, stride: bigint, error: number): number;
   /** Number of joints, and their handles in creation order of the slots.
    *  @param joints [capacity] or NULL   @param count out: how many there are
    *  @status OK; NULL_ARGUMENT; BUSY */
@@ -839,6 +852,38 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
    *          worlds); BUSY; REENTRANT   @thread reader */
   carom_world_translate_handles(world: number, handles: number, n: bigint, translated: number, error: number): number;
+  /** Copy out what the coordinates of a tree are.
+   *  @param body     any dynamic body of the tree; its base, where nothing holds the tree
+   *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+   *  @param stride   sizeof(carom_tree_coordinate) as the caller knows it
+   *  @param count    out: how many there are (may exceed capacity; capacity are written)
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (the body is not moved by forces); UNSUPPORTED (no tree);
+   *          BUFFER_TOO_SMALL (stride); BUSY; OUT_OF_MEMORY */
+  carom_tree_get_coordinates(world: number, body: bigint, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
+  /** The speeds that a tree has now.
+   *  Accuracy: rounding of the bodies' velocities. What joints do not leave free of these counts as nothing.
+   *  @param speeds out, [n]   @param n how many coordinates there are
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY;
+   *          OUT_OF_MEMORY */
+  carom_tree_get_speeds(world: number, body: bigint, speeds: number, n: bigint, error: number): number;
+  /** Inverse dynamics: the forces that give a tree these accelerations, at the present pose.
+   *      forces = M accelerations + what gyroscopic and centrifugal terms and gravity ask
+   *  With speeds of 0 and no accelerations these hold the tree against gravity.
+   *  Accuracy: 1e-14 of the largest term, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+   *  @param speeds        [n] m/s and rad/s, or NULL: those of now
+   *  @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
+   *  @param forces        out, [n] N and N m
+   *  @param n             how many coordinates there are
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+   *          OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY */
+  carom_tree_get_forces(world: number, body: bigint, speeds: number, accelerations: number, forces: number, n: bigint, error: number): number;
+  /** The mass matrix of a tree at the present pose, symmetric and positive definite: with speeds v its energy of motion
+   *  is v^T M v / 2. Where two axes of one joint agree M is singular.
+   *  Accuracy: 1e-14 of the largest entry that a sum has, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+   *  @param mass out, [n n] row by row: kg, kg m and kg m^2   @param n how many coordinates there are
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree);
+   *          NOT_FINITE (bodies too far apart or too heavy for numbers); BUSY; OUT_OF_MEMORY */
+  carom_tree_get_mass(world: number, body: bigint, mass: number, n: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_vehicle_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */

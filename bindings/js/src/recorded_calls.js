@@ -52,6 +52,7 @@ export const CALLS = {
   carom_joint_set_transmission: [["handle", "joint"], ["struct", "transmission", "carom_joint_transmission", []]],
   carom_joint_set_axis: [["handle", "joint"], ["number", "axis", "uint32_t"], ["struct", "desc", "carom_joint_axis", []]],
   carom_joint_set_orientation_drive: [["handle", "joint"], ["struct", "drive", "carom_joint_orientation_drive", []]],
+  carom_world_write_joints: [["number", "field", "uint32_t"], ["number", "scalar", "uint32_t"], ["handles", "joints", "n"], ["number", "n", "uint64_t"], ["records", "src", "n", "field", "scalar", "carom_joint_bulk_width"], ["stride", "stride"]],
   carom_world_enable_ledger: [["number", "on", "uint32_t"]],
   carom_particles_create: [["struct", "desc", "carom_particles_desc", []], ["out", "set"]],
   carom_particles_destroy: [["handle", "set"]],

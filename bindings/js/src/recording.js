@@ -154,6 +154,15 @@ export class Recording {
     return this.shapes.get(recorded);
   }
 
+  /** Numbers of a field, by the function that says so. */
+  #width(m, asked, field) {
+    return m.frame((room) => {
+      const out = room(4);
+      if (m.raw[asked](field, out) !== C.CAROM_OK) throw damaged("a field is none");
+      return m.view.getUint32(out, true);
+    });
+  }
+
   #make(world, name, content) {
     const m = world.module,
       read = new Arguments(content),
@@ -166,7 +175,7 @@ export class Recording {
         new Uint8Array(m.buffer, at, bytes.length).set(bytes);
         return at;
       };
-      const given = CALLS[name].map(([what, argument, detail, more, scalar]) => {
+      const given = CALLS[name].map(([what, argument, detail, more, scalar, asked]) => {
         if (what === "number") return (numbers[argument] = read.number(detail));
         if (what === "handle") return this.#own(world, read.handle());
         if (what === "shape") return this.#shape(read.handle());
@@ -179,7 +188,8 @@ export class Recording {
         if (list && what === "array") lengths.push(() => list.length === more * Number(numbers[detail]));
         if (list && what === "records")
           lengths.push(() => {
-            const width = typeof more === "number" ? more : WIDTHS[numbers[more]];
+            const width =
+              typeof more === "number" ? more : asked ? this.#width(m, asked, numbers[more]) : WIDTHS[numbers[more]];
             return list.length === Number(numbers[detail]) * width * (numbers[scalar] === C.CAROM_SCALAR_F32 ? 4 : 8);
           });
         const at = put(list);

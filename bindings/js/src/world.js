@@ -19,7 +19,6 @@ const FIELDS = {
   mass: [C.CAROM_FIELD_MASS, 1],
 };
 const TYPES = { static: C.CAROM_BODY_STATIC, kinematic: C.CAROM_BODY_KINEMATIC, dynamic: C.CAROM_BODY_DYNAMIC };
-const JOINTS = { ball: 0, hinge: 1, slider: 2, weld: 3, distance: 4, universal: 5, pulley: 6, gear: 7, six_axis: 8 };
 
 function chosen(table, key, what) {
   if (typeof key === "number") return key;
@@ -119,7 +118,7 @@ export class World {
           m.put(room, "carom_joint_desc", {
             ...desc,
             fields,
-            kind: chosen(JOINTS, kind, "kind of joint"),
+            kind: chosen(C.JOINTS, kind, "kind of joint"),
             body_a: a?.handle ?? 0n,
             body_b: b?.handle ?? 0n,
           }),

@@ -24,9 +24,10 @@ from .report import effects
 from .run import run
 from .shape import Shape
 from .support import SupportPlugin
+from .tree import JointTree
 from .tune import Tuned, tune
 from .world import World
 
-__all__ = ["Attributes", "Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "Material", "Particles", "Shape",
-           "Spring", "SupportPlugin", "Tuned", "Water", "World", "attribute_infos", "dial_infos", "effects", "errors", "raw",
-           "records", "run", "share", "tune", "__version__"]
+__all__ = ["Attributes", "Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "JointTree", "Material",
+           "Particles", "Shape", "Spring", "SupportPlugin", "Tuned", "Water", "World", "attribute_infos", "dial_infos", "effects",
+           "errors", "raw", "records", "run", "share", "tune", "__version__"]

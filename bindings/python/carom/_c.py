@@ -266,15 +266,35 @@ CAROM_GAINS_COUNT = 3
 CAROM_JOINT_WORLD_FRAME = 1
 CAROM_JOINT_COLLIDE = 2
 CAROM_JOINT_FIELD_LENGTH = 4
-CAROM_JOINT_READ_COORDINATES = 0
-CAROM_JOINT_READ_SPEEDS = 1
-CAROM_JOINT_READ_AXES = 2
-CAROM_JOINT_READ_AXIS_SPEEDS = 3
-CAROM_JOINT_READ_FORCE = 4
-CAROM_JOINT_READ_TORQUE = 5
-CAROM_JOINT_READ_ERROR = 6
-CAROM_JOINT_READ_BROKEN = 7
-CAROM_JOINT_READ_COUNT = 8
+CAROM_JOINT_BULK_COORDINATES = 0
+CAROM_JOINT_BULK_SPEEDS = 1
+CAROM_JOINT_BULK_AXES = 2
+CAROM_JOINT_BULK_AXIS_SPEEDS = 3
+CAROM_JOINT_BULK_FORCE = 4
+CAROM_JOINT_BULK_TORQUE = 5
+CAROM_JOINT_BULK_ERROR = 6
+CAROM_JOINT_BULK_BROKEN = 7
+CAROM_JOINT_BULK_POSITION = 8
+CAROM_JOINT_BULK_VELOCITY = 9
+CAROM_JOINT_BULK_EFFORT = 10
+CAROM_JOINT_BULK_TARGET = 11
+CAROM_JOINT_BULK_TARGET_VELOCITY = 12
+CAROM_JOINT_BULK_TARGET_EFFORT = 13
+CAROM_JOINT_BULK_MOTOR = 14
+CAROM_JOINT_BULK_SPRING = 15
+CAROM_JOINT_BULK_LIMIT = 16
+CAROM_JOINT_BULK_AXIS_EFFORTS = 17
+CAROM_JOINT_BULK_AXIS_TARGETS = 18
+CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES = 19
+CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS = 20
+CAROM_JOINT_BULK_AXIS_MAX_FORCES = 21
+CAROM_JOINT_BULK_AXIS_GAINS = 22
+CAROM_JOINT_BULK_AXIS_LIMITS = 23
+CAROM_JOINT_BULK_ORIENTATION_TARGET = 24
+CAROM_JOINT_BULK_ORIENTATION_VELOCITY = 25
+CAROM_JOINT_BULK_ORIENTATION_EFFORT = 26
+CAROM_JOINT_BULK_ORIENTATION_GAINS = 27
+CAROM_JOINT_BULK_COUNT = 28
 CAROM_EFFECT_GYROSCOPIC = 0
 CAROM_EFFECT_LINEAR_DAMPING = 1
 CAROM_EFFECT_ANGULAR_DAMPING = 2
@@ -491,6 +511,8 @@ class carom_scenery_info(Structure):
     _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("triangles", c_uint64), ("vertices", c_uint64), ("dropped", c_uint64), ("boundary_edges", c_uint64), ("bytes", c_uint64)]
 class carom_shape_info(Structure):
     _fields_ = [("struct_size", c_uint32), ("form", c_uint32), ("is_half_space", c_uint32), ("mass_exact", c_uint32), ("plugin", carom_plugin), ("param_count", c_uint64), ("core_radius", c_double), ("bounding_radius", c_double), ("aabb_min", c_double * 3), ("aabb_max", c_double * 3), ("volume", c_double), ("volume_min", c_double), ("volume_max", c_double), ("centroid", c_double * 3), ("centroid_error", c_double), ("inertia", c_double * 9), ("inertia_error", c_double), ("is_scenery", c_uint32), ("reserved", c_uint32)]
+class carom_tree_coordinate(Structure):
+    _fields_ = [("joint", carom_joint), ("body", carom_body), ("axis", c_uint32), ("reserved", c_uint32)]
 class carom_vehicle_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("flags", c_uint32), ("chassis", carom_body), ("up", c_double * 3), ("forward", c_double * 3), ("category", c_uint64), ("mask", c_uint64), ("torque_count", c_uint32), ("gear_count", c_uint32), ("torque_speeds", c_double * 8), ("torques", c_double * 8), ("idle_speed", c_double), ("max_speed", c_double), ("engine_inertia", c_double), ("engine_drag", c_double), ("gears", c_double * 8), ("reverse", c_double), ("final_drive", c_double), ("clutch_torque", c_double), ("shift_up", c_double), ("shift_down", c_double), ("shift_time", c_double), ("limited_slip", c_double)]
 class carom_wheel_desc(Structure):
@@ -576,6 +598,7 @@ STRUCTS = {
     "carom_height_field_desc": carom_height_field_desc,
     "carom_scenery_info": carom_scenery_info,
     "carom_shape_info": carom_shape_info,
+    "carom_tree_coordinate": carom_tree_coordinate,
     "carom_vehicle_desc": carom_vehicle_desc,
     "carom_wheel_desc": carom_wheel_desc,
     "carom_vehicle_input": carom_vehicle_input,
@@ -608,6 +631,7 @@ HANDLES = {
     "carom_spring_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
     "carom_joint_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
     "carom_shape_info": {'plugin': 'carom_plugin'},
+    "carom_tree_coordinate": {'joint': 'carom_joint', 'body': 'carom_body'},
     "carom_vehicle_desc": {'chassis': 'carom_body'},
     "carom_wheel_desc": {'shape': 'carom_shape'},
     "carom_wheel": {'body': 'carom_body', 'collider': 'carom_collider'},
@@ -747,6 +771,7 @@ FUNCTIONS = {
     "carom_water_init": ("0.9", c_int32, (POINTER(carom_water), c_uint32,)),
     "carom_world_set_water": ("0.9", c_int32, (c_void_p, POINTER(carom_water), POINTER(carom_error),)),
     "carom_world_get_water": ("0.9", c_int32, (c_void_p, POINTER(carom_water), POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_joint_kind_name": ("0.9", c_char_p, (c_uint32,)),
     "carom_joint_desc_init": ("0.9", c_int32, (POINTER(carom_joint_desc), c_uint32,)),
     "carom_joint_limit_init": ("0.9", c_int32, (POINTER(carom_joint_limit), c_uint32,)),
     "carom_joint_motor_init": ("0.9", c_int32, (POINTER(carom_joint_motor), c_uint32,)),
@@ -770,7 +795,9 @@ FUNCTIONS = {
     "carom_joint_get_axis": ("0.9", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_axis), POINTER(carom_error),)),
     "carom_joint_set_orientation_drive": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),
     "carom_joint_get_orientation_drive": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),
+    "carom_joint_bulk_width": ("0.9", c_int32, (c_uint32, POINTER(c_uint32),)),
     "carom_world_read_joints": ("0.9", c_int32, (c_void_p, c_uint32, c_uint32, POINTER(carom_joint), c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
+    "carom_world_write_joints": ("0.9", c_int32, (c_void_p, c_uint32, c_uint32, POINTER(carom_joint), c_uint64, c_void_p, c_uint64, POINTER(carom_error),)),
     "carom_world_get_joints": ("0.9", c_int32, (c_void_p, POINTER(carom_joint), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_enable_ledger": ("0.9", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
     "carom_world_get_ledger": ("0.9", c_int32, (c_void_p, POINTER(carom_ledger_entry), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
@@ -819,6 +846,10 @@ FUNCTIONS = {
     "carom_world_restore": ("0.9", c_int32, (c_void_p, c_void_p, c_uint64, POINTER(carom_error),)),
     "carom_world_fork": ("0.9", c_int32, (c_void_p, POINTER(c_void_p), POINTER(carom_error),)),
     "carom_world_translate_handles": ("0.9", c_int32, (c_void_p, POINTER(c_uint64), c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_tree_get_coordinates": ("0.9", c_int32, (c_void_p, carom_body, POINTER(carom_tree_coordinate), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_tree_get_speeds": ("0.9", c_int32, (c_void_p, carom_body, POINTER(c_double), c_uint64, POINTER(carom_error),)),
+    "carom_tree_get_forces": ("0.9", c_int32, (c_void_p, carom_body, POINTER(c_double), POINTER(c_double), POINTER(c_double), c_uint64, POINTER(carom_error),)),
+    "carom_tree_get_mass": ("0.9", c_int32, (c_void_p, carom_body, POINTER(c_double), c_uint64, POINTER(carom_error),)),
     "carom_vehicle_desc_init": ("0.9", c_int32, (POINTER(carom_vehicle_desc), c_uint32,)),
     "carom_wheel_desc_init": ("0.9", c_int32, (POINTER(carom_wheel_desc), c_uint32,)),
     "carom_vehicle_input_init": ("0.9", c_int32, (POINTER(carom_vehicle_input), c_uint32,)),

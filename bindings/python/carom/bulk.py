@@ -1,4 +1,4 @@
-"""Thousands of bodies in one call: arrays of positions, orientations, velocities."""
+"""Thousands of bodies or joints in one call: arrays of positions, orientations, velocities, targets, efforts."""
 from __future__ import annotations
 
 import array
@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
     from ._values import Rows, Vector
     from .body import Body, Material
-    from .records import BodyTypeWord, FieldWord
+    from .joint import Joint
+    from .records import BodyTypeWord, FieldWord, JointBulkWord
     from .shape import Shape
 
 T = TypeVar("T")
@@ -49,13 +50,15 @@ def width_of(field: int) -> int:
     return _WIDTH[field]
 
 
-def handles_of(bodies: Iterable[Body | int] | NDArray[np.uint64]) -> tuple[Any, int, Any]:
-    """Bodies, their handles, or a numpy array of them. @return (C array or pointer, how many, keep alive)"""
-    if numpy is not None and isinstance(bodies, numpy.ndarray):
-        packed = numpy.ascontiguousarray(bodies, dtype=numpy.uint64)
+def handles_of(things: Iterable[Body | Joint | int] | NDArray[np.uint64], name: str = "bodies",
+               kind: str = "carom_body") -> tuple[Any, int, Any]:
+    """Bodies or joints, their handles, or a numpy array of them. @return (C array or pointer, how many, keep alive)"""
+    if numpy is not None and isinstance(things, numpy.ndarray):
+        packed = numpy.ascontiguousarray(things, dtype=numpy.uint64)
         return packed.ctypes.data_as(ctypes.POINTER(ctypes.c_uint64)), packed.size, packed
-    handles = [handle_of(body, f"bodies[{i}]", "carom_body", False)
-               for i, body in enumerate(listed(bodies, "bodies", "bodies or their handles, as [body]"))]
+    one = kind.removeprefix("carom_")
+    handles = [handle_of(thing, f"{name}[{i}]", kind, False)
+               for i, thing in enumerate(listed(things, name, f"{name} or their handles, as [{one}]"))]
     packed = (ctypes.c_uint64 * len(handles))(*handles)
     return packed, len(packed), packed
 
@@ -93,8 +96,20 @@ def place(data: Any, width: int, rows: int | None, name: str, writable: bool = F
         scalar = raw.CAROM_SCALAR_F64 if view.format == "d" else raw.CAROM_SCALAR_F32
         found = ctypes.addressof(held), view.nbytes // (width * view.itemsize), scalar, 0, held
     if rows is not None and found[1] != rows:
-        raise ValueError(f"{name} takes {rows} rows, one for each body, got {found[1]}")
+        raise ValueError(f"{name} takes {rows} rows, one for each, got {found[1]}")
     return found
+
+
+def packed(values: Any, width: int) -> Any:
+    """Lists of rows, or of numbers where a row has one, as a buffer; arrays in doubles or floats; buffers as they are."""
+    if isinstance(values, (list, tuple)):
+        rows = [vector(row if width > 1 else (row,), width, f"values[{i}]") for i, row in enumerate(values)]
+        return array.array("d", [x for row in rows for x in row])
+    return floats(values, "values") if numpy is not None and isinstance(values, numpy.ndarray) else values
+
+
+def room_for(n: int, width: int, dtype: Any) -> Any:
+    return numpy.empty((n, width), dtype) if numpy is not None else array.array("d", bytes(8 * n * width))
 
 
 class Bulk:
@@ -111,7 +126,10 @@ class Bulk:
 
     def body_handles(self) -> NDArray[np.uint64]:
         """Handles of all bodies, in the order in which read() has their rows: numpy array, or array.array without numpy."""
-        handles = handles_out(self._call, raw.carom_world_get_bodies)
+        return self._handles(raw.carom_world_get_bodies)
+
+    def _handles(self, get: Callable[..., int]) -> NDArray[np.uint64]:
+        handles = handles_out(self._call, get)
         found: Any = numpy.ctypeslib.as_array(handles) if numpy is not None else array.array("Q", bytes(handles))
         return found  # type: ignore[no-any-return]
 
@@ -136,7 +154,7 @@ class Bulk:
         width = width_of(number)
         handles, n, alive = (None, self.body_count(), None) if bodies is None else handles_of(bodies)
         if out is None:
-            out = numpy.empty((n, width), dtype) if numpy is not None else array.array("d", bytes(8 * n * width))
+            out = room_for(n, width, dtype)
         address, _, scalar, stride, held = place(out, width, n, "out", writable=True)
         self._call(raw.carom_world_read, number, scalar, handles, n, address, stride)
         return out
@@ -146,13 +164,57 @@ class Bulk:
         number = enum("FIELD", field, "field")
         width = width_of(number)
         handles, n, alive = (None, self.body_count(), None) if bodies is None else handles_of(bodies)
-        if isinstance(values, (list, tuple)):
-            rows = [vector(row if width > 1 else (row,), width, f"values[{i}]") for i, row in enumerate(values)]
-            values = array.array("d", [x for row in rows for x in row])
-        elif numpy is not None and isinstance(values, numpy.ndarray):
-            values = floats(values, "values")
-        address, _, scalar, stride, held = place(values, width, n, "values")
+        address, _, scalar, stride, held = place(packed(values, width), width, n, "values")
         self._call(raw.carom_world_write, number, scalar, handles, n, address, stride)
+
+    def joint_handles(self) -> NDArray[np.uint64]:
+        """Handles of all joints, in the order in which read_joints() has their rows, as body_handles()."""
+        return self._handles(raw.carom_world_get_joints)
+
+    def _joints(self, field: JointBulkWord | int, joints: Iterable[Joint | int] | NDArray[np.uint64] | None) -> tuple[int, int, Any, int, Any]:
+        """@return (field, scalars of a row, handles, how many, keep alive)"""
+        number = enum("JOINT_BULK", field, "field")
+        out = ctypes.c_uint32()
+        if raw.carom_joint_bulk_width(number, ctypes.byref(out)) != raw.CAROM_OK:
+            raise ValueError(f"field is {field}, which is none; it is one of 'position', 'target', ...: see carom.raw.CAROM_JOINT_BULK_*")
+        if joints is not None:
+            return number, out.value, *handles_of(joints, "joints", "carom_joint")
+        count = ctypes.c_uint64()
+        self._call(raw.carom_world_get_joints, None, 0, ctypes.byref(count))
+        return number, out.value, None, count.value, None
+
+    @overload
+    def read_joints(self, field: JointBulkWord | int, joints: Iterable[Joint | int] | NDArray[np.uint64] | None = None, out: None = None,
+                    dtype: Literal["float64"] = "float64") -> NDArray[np.float64]: ...
+
+    @overload
+    def read_joints(self, field: JointBulkWord | int, joints: Iterable[Joint | int] | NDArray[np.uint64] | None = None, out: None = None, *,
+                    dtype: Literal["float32"]) -> NDArray[np.float32]: ...
+
+    @overload
+    def read_joints(self, field: JointBulkWord | int, joints: Iterable[Joint | int] | NDArray[np.uint64] | None = None, *, out: T) -> T: ...
+
+    def read_joints(self, field: JointBulkWord | int, joints: Iterable[Joint | int] | NDArray[np.uint64] | None = None, out: Any = None,
+                    dtype: Any = "float64") -> Any:
+        """One field of many joints, a row each, as read() has those of bodies. Of hinges, sliders, distance joints and pulleys: "position"
+        (m or rad, whole turns counted), "velocity", "effort" (N or N m, mean over the last step), "target", "target_velocity",
+        "target_effort", "motor" (enabled, speed, max_force), "spring" (enabled, target, frequency, damping, max_force), "limit"
+        (enabled, lower, upper). Of six-axis joints "axis_targets" and others, of balls "orientation_target" and others, of any
+        "coordinates", "speeds", "axes", "axis_speeds", "force", "torque", "error", "broken", "axis_efforts". carom/joint.h says how
+        many numbers a row has."""
+        number, width, handles, n, alive = self._joints(field, joints)
+        if out is None:
+            out = room_for(n, width, dtype)
+        address, _, scalar, stride, held = place(out, width, n, "out", writable=True)
+        self._call(raw.carom_world_read_joints, number, scalar, handles, n, address, stride)
+        return out
+
+    def write_joints(self, field: JointBulkWord | int, values: Any, joints: Iterable[Joint | int] | NDArray[np.uint64] | None = None) -> None:
+        """The reverse, of targets, motors, springs, limits and gains. All values are checked before the first is written.
+        @param values  rows: array, buffer, or lists; a number each where a row has one"""
+        number, width, handles, n, alive = self._joints(field, joints)
+        address, _, scalar, stride, held = place(packed(values, width), width, n, "values")
+        self._call(raw.carom_world_write_joints, number, scalar, handles, n, address, stride)
 
     @overload
     def positions(self, out: None = None) -> NDArray[np.float64]: ...

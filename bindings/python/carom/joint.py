@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any, Callable, Mapping, TypeVar
 
 from . import raw
-from ._values import Record, describe, enum, handle_of, record, set_field, vec3, word
+from ._values import Record, describe, enum, handle_of, record, set_field, vec3
 from .body import Thing
 from .records import (JointAxisRecord, JointLimitRecord, JointMotorRecord, JointOrientationDriveRecord, JointRecord, JointSpringRecord,
                       JointStateRecord, JointTransmissionRecord)
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
 R = TypeVar("R", bound=Record)
 
-KINDS = ("ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear", "six_axis")
 COORDINATES = ("twist", "swing", "slide", "distance")
 AXES = ("x", "y", "z", "turn_x", "turn_y", "turn_z")
 MODES, DRIVES, GAINS = ("free", "locked", "limited"), ("none", "position", "velocity", "effort"), ("frequency", "force", "acceleration")
@@ -81,7 +80,7 @@ class Joint(Thing):
     def desc(self) -> JointRecord:
         desc = raw.carom_joint_desc(struct_size=ctypes.sizeof(raw.carom_joint_desc))
         self._call(raw.carom_joint_get, ctypes.byref(desc))
-        return record(JointRecord, desc, self.world._wrap, kind=word("JOINT", desc.kind, KINDS))
+        return record(JointRecord, desc, self.world._wrap, kind=raw.carom_joint_kind_name(desc.kind).decode())
 
     @property
     def state(self) -> JointStateRecord:

@@ -272,15 +272,35 @@ CAROM_GAINS_COUNT: int
 CAROM_JOINT_WORLD_FRAME: int
 CAROM_JOINT_COLLIDE: int
 CAROM_JOINT_FIELD_LENGTH: int
-CAROM_JOINT_READ_COORDINATES: int
-CAROM_JOINT_READ_SPEEDS: int
-CAROM_JOINT_READ_AXES: int
-CAROM_JOINT_READ_AXIS_SPEEDS: int
-CAROM_JOINT_READ_FORCE: int
-CAROM_JOINT_READ_TORQUE: int
-CAROM_JOINT_READ_ERROR: int
-CAROM_JOINT_READ_BROKEN: int
-CAROM_JOINT_READ_COUNT: int
+CAROM_JOINT_BULK_COORDINATES: int
+CAROM_JOINT_BULK_SPEEDS: int
+CAROM_JOINT_BULK_AXES: int
+CAROM_JOINT_BULK_AXIS_SPEEDS: int
+CAROM_JOINT_BULK_FORCE: int
+CAROM_JOINT_BULK_TORQUE: int
+CAROM_JOINT_BULK_ERROR: int
+CAROM_JOINT_BULK_BROKEN: int
+CAROM_JOINT_BULK_POSITION: int
+CAROM_JOINT_BULK_VELOCITY: int
+CAROM_JOINT_BULK_EFFORT: int
+CAROM_JOINT_BULK_TARGET: int
+CAROM_JOINT_BULK_TARGET_VELOCITY: int
+CAROM_JOINT_BULK_TARGET_EFFORT: int
+CAROM_JOINT_BULK_MOTOR: int
+CAROM_JOINT_BULK_SPRING: int
+CAROM_JOINT_BULK_LIMIT: int
+CAROM_JOINT_BULK_AXIS_EFFORTS: int
+CAROM_JOINT_BULK_AXIS_TARGETS: int
+CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES: int
+CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS: int
+CAROM_JOINT_BULK_AXIS_MAX_FORCES: int
+CAROM_JOINT_BULK_AXIS_GAINS: int
+CAROM_JOINT_BULK_AXIS_LIMITS: int
+CAROM_JOINT_BULK_ORIENTATION_TARGET: int
+CAROM_JOINT_BULK_ORIENTATION_VELOCITY: int
+CAROM_JOINT_BULK_ORIENTATION_EFFORT: int
+CAROM_JOINT_BULK_ORIENTATION_GAINS: int
+CAROM_JOINT_BULK_COUNT: int
 CAROM_EFFECT_GYROSCOPIC: int
 CAROM_EFFECT_LINEAR_DAMPING: int
 CAROM_EFFECT_ANGULAR_DAMPING: int
@@ -1053,6 +1073,12 @@ class carom_shape_info(ctypes.Structure):
     inertia: Any
     inertia_error: float
     is_scenery: int
+    reserved: int
+class carom_tree_coordinate(ctypes.Structure):
+    """What a number of a tree stands for."""
+    joint: int
+    body: int
+    axis: int
     reserved: int
 class carom_vehicle_desc(ctypes.Structure):
     """Chassis, engine and gears. Fill with carom_vehicle_desc_init(): a car of 1.2 t, whose chassis the host names."""
@@ -1913,6 +1939,10 @@ def carom_world_get_water(world: Any, water: Any, present: Any, error: Any) -> i
     """@param water out   @param present out: 1 or 0; if 0, water is filled with defaults
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
     ...
+def carom_joint_kind_name(kind: Any) -> bytes:
+    """Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
+    @param kind CAROM_JOINT_*"""
+    ...
 def carom_joint_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
@@ -2026,15 +2056,27 @@ def carom_joint_get_orientation_drive(world: Any, joint: Any, drive: Any, error:
     """@param drive out: as it was set
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
+def carom_joint_bulk_width(field: Any, width: Any) -> int:
+    """How many scalars a record of a field has.
+    @param field CAROM_JOINT_BULK_*   @param width out: of a record   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM"""
+    ...
 def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n: Any, dst: Any, stride: Any, error: Any) -> int:
     """Read one field of n joints, as carom_world_read() does of bodies.
     A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
-    Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
-    @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
+    Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). An effort errs in first order of the
+    step, by how far the axis turned in it. Oracle: tests/abi/test_joint_bulk.
+    @param field   CAROM_JOINT_BULK_*   @param scalar CAROM_SCALAR_*
     @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
     @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
-    BUSY"""
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
+    OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
+    ...
+def carom_world_write_joints(world: Any, field: Any, scalar: Any, joints: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
+    """Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+    enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
+    @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+    @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+    OUT_OF_RANGE; REENTRANT"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:
     """Number of joints, and their handles in creation order of the slots.
@@ -2305,6 +2347,42 @@ def carom_world_translate_handles(world: Any, handles: Any, n: Any, translated: 
     @param translated [n] out; may be `handles`. All of them or, where one is refused, none
     @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
             worlds); BUSY; REENTRANT   @thread reader"""
+    ...
+def carom_tree_get_coordinates(world: Any, body: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """Copy out what the coordinates of a tree are.
+    @param body     any dynamic body of the tree; its base, where nothing holds the tree
+    @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride   sizeof(carom_tree_coordinate) as the caller knows it
+    @param count    out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (the body is not moved by forces); UNSUPPORTED (no tree);
+            BUFFER_TOO_SMALL (stride); BUSY; OUT_OF_MEMORY"""
+    ...
+def carom_tree_get_speeds(world: Any, body: Any, speeds: Any, n: Any, error: Any) -> int:
+    """The speeds that a tree has now.
+    Accuracy: rounding of the bodies' velocities. What joints do not leave free of these counts as nothing.
+    @param speeds out, [n]   @param n how many coordinates there are
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY;
+            OUT_OF_MEMORY"""
+    ...
+def carom_tree_get_forces(world: Any, body: Any, speeds: Any, accelerations: Any, forces: Any, n: Any, error: Any) -> int:
+    """Inverse dynamics: the forces that give a tree these accelerations, at the present pose.
+        forces = M accelerations + what gyroscopic and centrifugal terms and gravity ask
+    With speeds of 0 and no accelerations these hold the tree against gravity.
+    Accuracy: 1e-14 of the largest term, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+    @param speeds        [n] m/s and rad/s, or NULL: those of now
+    @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
+    @param forces        out, [n] N and N m
+    @param n             how many coordinates there are
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+            OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY"""
+    ...
+def carom_tree_get_mass(world: Any, body: Any, mass: Any, n: Any, error: Any) -> int:
+    """The mass matrix of a tree at the present pose, symmetric and positive definite: with speeds v its energy of motion
+    is v^T M v / 2. Where two axes of one joint agree M is singular.
+    Accuracy: 1e-14 of the largest entry that a sum has, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+    @param mass out, [n n] row by row: kg, kg m and kg m^2   @param n how many coordinates there are
+    @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree);
+            NOT_FINITE (bodies too far apart or too heavy for numbers); BUSY; OUT_OF_MEMORY"""
     ...
 def carom_vehicle_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""

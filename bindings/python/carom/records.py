@@ -65,7 +65,10 @@ AxisModeWord = Literal["free", "locked", "limited"]
 DriveWord = Literal["none", "position", "velocity", "effort"]
 GainsWord = Literal["frequency", "force", "acceleration"]
 JointFieldsWord = Literal["length"]
-JointReadWord = Literal["coordinates", "speeds", "axes", "axis_speeds", "force", "torque", "error", "broken"]
+JointBulkWord = Literal["coordinates", "speeds", "axes", "axis_speeds", "force", "torque", "error", "broken",
+    "position", "velocity", "effort", "target", "target_velocity", "target_effort", "motor", "spring", "limit",
+    "axis_efforts", "axis_targets", "axis_target_velocities", "axis_target_efforts", "axis_max_forces", "axis_gains",
+    "axis_limits", "orientation_target", "orientation_velocity", "orientation_effort", "orientation_gains"]
 EffectWord = Literal["gyroscopic", "linear_damping", "angular_damping", "gravity", "user_force", "user_torque",
     "collision", "friction", "restitution", "rolling_resistance", "spinning_resistance", "sleep", "particles",
     "filter", "sensor", "joints", "scenery", "continuous", "surface_velocity", "axis_locks", "drag", "wind", "fields",
@@ -477,6 +480,13 @@ class JointEventRecord(Record):
     force: tuple[float, float, float]
     torque: tuple[float, float, float]
     step: int
+
+
+class TreeCoordinateRecord(Record):
+    """What a number of a tree stands for"""
+    joint: Joint | None
+    body: Body | None
+    axis: str
 
 
 class FaultEventRecord(Record):

@@ -18,6 +18,7 @@ from .query import Questions
 from .report import Reports
 from .shape import Shape
 from .snapshot import Snapshots
+from .tree import JointTree
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -169,6 +170,11 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
               orientation: Vector | None = None, axis: Vector | None = None, **about: Unpack[JointKeywords]) -> Joint:
         """Hold two bodies together, or one and the world (None); see joint.py."""
         return make_joint(self, kind, a, b, position, orientation, axis, about)
+
+    def tree(self, body: Body) -> JointTree:
+        """The joints that hang together with a dynamic body, as a robot: inverse dynamics, mass matrix."""
+        handle_of(body, "body", "carom_body", False)
+        return JointTree(body)
 
     def force_field(self, kind: ForceFieldWord | int = "uniform", **about: Unpack[ForceFieldKeywords]) -> ForceField:
         """@param kind  "uniform", "radial", "vortex"   @param about  fields of carom_force_field_desc: vector, strength, ..."""

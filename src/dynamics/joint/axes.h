@@ -26,6 +26,7 @@ struct AxisPull {
   Gains gains = Gains::frequency;
   Real stiffness = 0, damping = 0;
   bool on() const { return stiffness > 0 || (gains != Gains::frequency && damping > 0); }
+  bool operator==(const AxisPull&) const = default;
 };
 
 struct JointAxis {
@@ -45,6 +46,7 @@ struct JointAxis {
     return mode == AxisMode::locked || (mode == AxisMode::limited && lower == upper && !stop.on());
   }
   bool is_limited() const { return mode == AxisMode::limited && !is_locked(); }
+  bool operator==(const JointAxis&) const = default;
 };
 
 /// Impulses of an axis, by what made them.

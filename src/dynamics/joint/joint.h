@@ -41,11 +41,13 @@ inline constexpr std::size_t kCoordinates = static_cast<std::size_t>(Coordinate:
 struct JointLimit {
   bool on = false;
   Real lower = 0, upper = 0;  // m or rad
+  bool operator==(const JointLimit&) const = default;
 };
 struct JointMotor {
   bool on = false;
   Real speed = 0;      // m/s or rad/s
   Real max_force = 0;  // N or N m
+  bool operator==(const JointMotor&) const = default;
 };
 struct JointSpring {
   bool on = false;
@@ -53,6 +55,7 @@ struct JointSpring {
   Real frequency = 1;          // Hz, of the joint's bodies were they alone
   Real damping = 1;            // ratio; 1: critical
   Real max_force = kInfinity;  // N or N m
+  bool operator==(const JointSpring&) const = default;
 };
 
 /// What acts on one coordinate.
@@ -61,6 +64,7 @@ struct JointDrive {
   JointMotor motor;
   JointSpring spring;
   bool on() const { return limit.on || motor.on || spring.on; }
+  bool operator==(const JointDrive&) const = default;
 };
 
 /// What a host says about a joint (ABI: carom_joint_desc), already validated.

@@ -22,7 +22,7 @@ constexpr std::array<KindRow, static_cast<std::size_t>(JointKind::count)> kKinds
     {"universal", 2, {JointPart::point, JointPart::pins}, bit(Coordinate::swing)},
     {"pulley", 1, {JointPart::ropes, {}}, bit(Coordinate::distance)},
     {"gear", 1, {JointPart::gears, {}}, 0},
-    {"six-axis", 0, {}, 0},  // @see axis_parts.h
+    {"six_axis", 0, {}, 0},  // @see axis_parts.h
 }};
 
 constexpr std::uint32_t rows_of(JointPart part) {

@@ -206,9 +206,8 @@ void print_members(const jury::Case& scene) {
     if (m.moves())
       rows.push_back({m.name, format("%.3g", m.mass), format("%.3f", m.size), format("%.4f", m.thickness)});
   std::printf("%s", table(rows, {false, true, true, true}).c_str());
-  static constexpr const char* kNames[] = {"ball", "hinge", "slider", "weld"};
   for (const jury::Link& link : scene.links)
-    std::printf("%s: %s and %s\n", kNames[link.kind], scene.members[link.a].name.c_str(),
+    std::printf("%s: %s and %s\n", carom_joint_kind_name(link.kind), scene.members[link.a].name.c_str(),
                 scene.members[link.b].name.c_str());
 }
 

@@ -267,6 +267,11 @@ std::size_t field_width(std::uint32_t field) {
   return field < CAROM_FIELD_COUNT ? kWidths[field] : 0;
 }
 
+std::size_t joint_bulk_width(std::uint32_t field) {
+  std::uint32_t width = 0;
+  return carom_joint_bulk_width(field, &width) == CAROM_OK ? width : 0;
+}
+
 void World::read(std::uint32_t field, const std::vector<carom_body>& which, std::vector<double>& dst) const {
   dst.resize(which.size() * field_width(field));
   if (which.empty()) return;

@@ -136,6 +136,8 @@ class World {
 
 /// Number of doubles in one record of a CAROM_FIELD_*.
 std::size_t field_width(std::uint32_t field);
+/// Likewise of CAROM_JOINT_BULK_*; 0: there is no such field.
+std::size_t joint_bulk_width(std::uint32_t field);
 
 /// A dial's documentation, by index.   @throws Error
 carom_dial_info dial_info(std::uint32_t dial);

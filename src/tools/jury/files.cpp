@@ -47,8 +47,7 @@ json body_json(const Actor& actor, const Member& member) {
 }
 
 json link_json(const Case& scene, const Link& link, const Frame& start) {
-  static constexpr const char* kNames[] = {"ball", "hinge", "slider", "weld"};
-  json out = {{"kind", kNames[link.kind]},
+  json out = {{"kind", carom_joint_kind_name(link.kind)},
               {"a", link.a},
               {"b", link.b},
               {"at_a", numbers(link.at_a)},

@@ -6,9 +6,10 @@
 
 namespace carom::tools::scenefile {
 
+inline constexpr const char* kCoordinates[] = {"twist", "swing", "slide", "distance"};  // by CAROM_COORDINATE_*
 inline constexpr double kMostTurned = 1e3;  // rad: as far as a limit or a target of a turn may be
 
-/// An entry of physicsJoints.   @throws Error if the file can say nothing of its kind
+/// An entry of physicsJoints. Of a pulley or a gear other tools see a joint that locks nothing.
 json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& desc);
 
 /// What CAROM_physics says of a joint's axes and its drive to an orientation is added to `own`, and locks, limits and drives to

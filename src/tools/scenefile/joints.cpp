@@ -13,19 +13,30 @@ namespace {
 constexpr double kUnbounded = 1e30;  // N or N m
 constexpr double kZero = 1e-9;       // m or rad: a limit as narrow is a lock
 
-const char* const kKinds[] = {"ball", "hinge", "slider", "weld", "distance", "universal"};
-const char* const kCoordinates[] = {"twist", "swing", "slide", "distance"};
-
 void put(double (&out)[3], const Vec& v) { std::copy(v.data(), v.data() + 3, out); }
 void put(double (&out)[4], const Quat& q) { std::copy(q.coeffs().data(), q.coeffs().data() + 4, out); }
 
-std::uint32_t which_of(const char* const* names, std::uint32_t count, const Value& at, const std::string& name) {
+/// @param name_of  (k) -> the name of number k, for k below count
+template <class NameOf>
+std::uint32_t which_of(std::uint32_t count, const NameOf& name_of, const Value& at, const std::string& name) {
   std::string all;
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (name == names[k]) return k;
-    all += (k ? ", " : "") + std::string(names[k]);
+    if (name == name_of(k)) return k;
+    all += (k ? ", " : "") + std::string(name_of(k));
   }
   at.fail("is '" + name + "'", "write one of: " + all);
+}
+
+/// What a pulley's rope runs over, or how a gear's wheels turn.
+void read_transmission(carom_world* world, carom_joint joint, const Value& mine) {
+  if (!mine.has("ratio")) return;
+  carom_joint_transmission t;
+  carom_joint_transmission_init(&t, sizeof t);
+  t.ratio = mine["ratio"].number();
+  put(t.anchor_a, mine.vector_or("anchorA", Vec::Zero())), put(t.anchor_b, mine.vector_or("anchorB", Vec::Zero()));
+  if (mine.has("length")) t.length = mine["length"].number(), t.fields = CAROM_JOINT_FIELD_LENGTH;
+  Call call;
+  call.done(carom_joint_set_transmission(world, joint, &t, call), mine.place());
 }
 
 /// Turns the frame so that its x is axis `x` of the file's, y the next one.
@@ -171,8 +182,9 @@ bool Reader::wants_axes(const Value& joint) {
 bool Reader::read_own_joint(const Value& mine, carom_joint_desc& d) const {
   const auto kind = mine.get("kind");
   if (!kind) return false;
-  d.kind = kind->text() == "six_axis" ? CAROM_JOINT_SIX_AXIS : which_of(kKinds, std::size(kKinds), *kind, kind->text());
-  if (mine.has("length")) d.length = mine["length"].number(), d.fields |= CAROM_JOINT_FIELD_LENGTH;
+  d.kind = which_of(CAROM_JOINT_COUNT, carom_joint_kind_name, *kind, kind->text());
+  if (mine.has("length") && d.kind == CAROM_JOINT_DISTANCE)
+    d.length = mine["length"].number(), d.fields |= CAROM_JOINT_FIELD_LENGTH;
   d.break_force = mine.number_or("breakForce", 0), d.break_torque = mine.number_or("breakTorque", 0);
   return true;
 }
@@ -227,9 +239,11 @@ void Reader::make_joint(std::size_t i, const Value& at) {
   }
   if (!exact) return drive_joint(joint, plan, handle, d);
   read_own_axes(world, handle, *mine);
+  read_transmission(world, handle, *mine);
   Call call;
   const auto coordinate = [&](const std::string& name, const Value& v) {
-    return which_of(kCoordinates, CAROM_COORDINATE_COUNT, v, name);
+    return which_of(
+        CAROM_COORDINATE_COUNT, [](std::uint32_t k) { return kCoordinates[k]; }, v, name);
   };
   if (const auto limits = mine->get("limits"))
     for (const auto& [name, value] : limits->items()) {

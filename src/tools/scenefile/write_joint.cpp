@@ -1,18 +1,29 @@
 // One joint into a scene file: limits that other tools read, and all of it in our own words.
-#include <iterator>
-
 #include "scenefile/axes.h"
 
 namespace carom::tools::scenefile {
+namespace {
+
+/// What a pulley's rope runs over, or how a gear's wheels turn; nothing of a pulley that is not strung yet.
+void write_transmission(carom_world* world, carom_joint joint, const carom_joint_desc& d, json& own) {
+  carom_joint_transmission t;
+  carom_joint_transmission_init(&t, sizeof t);
+  Call call;
+  call.done(carom_joint_get_transmission(world, joint, &t, call), "reading a transmission");
+  if (t.ratio == 0) return;
+  own["ratio"] = t.ratio;
+  if (d.kind == CAROM_JOINT_GEAR) return;
+  own["anchorA"] = {t.anchor_a[0], t.anchor_a[1], t.anchor_a[2]};
+  own["anchorB"] = {t.anchor_b[0], t.anchor_b[1], t.anchor_b[2]};
+  own["length"] = t.length;
+}
+
+}  // namespace
 
 json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d) {
-  static constexpr const char* kKinds[] = {"ball", "hinge", "slider", "weld", "distance", "universal"};
-  static constexpr const char* kCoordinates[] = {"twist", "swing", "slide", "distance"};
-  const bool has_axes = d.kind == CAROM_JOINT_SIX_AXIS;
-  if (!has_axes && d.kind >= std::size(kKinds))
-    throw Error("a pulley or a gear stands in the scene, and KHR_physics_rigid_bodies has no such joint",
-                "take it out first, or keep the world as a snapshot: carom run SCENE --save FILE");
-  json own = {{"kind", has_axes ? "six_axis" : kKinds[d.kind]}}, limits = json::array();
+  const bool has_axes = d.kind == CAROM_JOINT_SIX_AXIS,
+             couples = d.kind == CAROM_JOINT_PULLEY || d.kind == CAROM_JOINT_GEAR;
+  json own = {{"kind", carom_joint_kind_name(d.kind)}}, limits = json::array();
   const auto lock = [&](const char* axes, std::vector<int> which) {
     limits.push_back({{axes, which}, {"min", 0}, {"max", 0}});
   };
@@ -21,7 +32,7 @@ json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d
   if (d.break_torque > 0) own["breakTorque"] = d.break_torque;
   if (d.kind == CAROM_JOINT_SLIDER)
     lock("linearAxes", {1, 2});
-  else if (d.kind != CAROM_JOINT_DISTANCE && !has_axes)
+  else if (d.kind != CAROM_JOINT_DISTANCE && !has_axes && !couples)
     lock("linearAxes", {0, 1, 2});
   if (d.kind == CAROM_JOINT_HINGE) lock("angularAxes", {1, 2});
   if (d.kind == CAROM_JOINT_UNIVERSAL) lock("angularAxes", {0});
@@ -40,7 +51,7 @@ json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d
       if (k == CAROM_COORDINATE_DISTANCE) shown["linearAxes"] = {0, 1, 2}, free_length = false;
       if (k == CAROM_COORDINATE_TWIST) shown["angularAxes"] = {0};
       if (k == CAROM_COORDINATE_SWING) shown["angularAxes"] = {1, 2};
-      limits.push_back(std::move(shown));
+      if (!couples) limits.push_back(std::move(shown));
     }
     if (carom_joint_get_motor(world, joint, k, &motor, nullptr) == CAROM_OK && motor.enabled)
       own["motors"][kCoordinates[k]] = {{"speed", motor.speed}, {"maxForce", motor.max_force}};
@@ -54,6 +65,7 @@ json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d
   }
   if (d.kind == CAROM_JOINT_DISTANCE && free_length)
     limits.push_back({{"linearAxes", {0, 1, 2}}, {"min", d.length}, {"max", d.length}});
+  if (couples) write_transmission(world, joint, d, own);
   json entry = {{"limits", std::move(limits)}};
   write_axes(world, joint, has_axes, own, entry);
   entry["extensions"]["CAROM_physics"] = std::move(own);

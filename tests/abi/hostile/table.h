@@ -613,6 +613,29 @@ inline void wrong_last(Context& c, Argument& list, const std::vector<uint64_t>& 
     list.wrong.push_back({"last: " + w.what, of(bad), w.codes});
   }
 }
+inline uint32_t kind_of_joint(Context& c, carom_joint joint) {
+  auto d = fresh<carom_joint_desc>(carom_joint_desc_init);
+  carom_joint_get(c.own.world, joint, &d, nullptr);
+  return d.kind;
+}
+/// A body that is one of a tree, and how many coordinates that has.
+struct Tree {
+  Argument body, n;
+  uint64_t size = 0;
+};
+inline Tree some_tree(Context& c) {
+  Tree t;
+  t.body = handle(c, kBody), t.body.impossible = true;
+  for (const Owned& o : c.own.live[kBody])
+    if (carom_tree_get_coordinates(c.own.world, o.handle, nullptr, 0, 0, &t.size, nullptr) == CAROM_OK && t.size) {
+      t.body.good = of(o.handle), t.body.impossible = false;
+      break;
+    }
+  t.n = fixed_number(t.size);
+  t.n.wrong.push_back({"one more", of(t.size + 1), kRange});
+  t.n.wrong.push_back({"a lot", of(~uint64_t(0)), kRange});
+  return t;
+}
 inline uint32_t size_of_set(Context& c) {
   uint64_t n = 0;
   if (!c.own.live[kParticles].empty())
@@ -1150,6 +1173,7 @@ inline const Row kRows[] = {
     GET_LIST(carom_world_get_joint_events, carom_joint_event),
     GET_LIST(carom_world_get_fault_events, carom_fault_event),
     // joints
+    {"carom_joint_kind_name", [](Context& c) { return call("carom_joint_kind_name", carom_joint_kind_name, {fixed_number(c.source.below(64))}); }},
     INIT(carom_joint_desc_init, carom_joint_desc),
     INIT(carom_joint_limit_init, carom_joint_limit),
     INIT(carom_joint_motor_init, carom_joint_motor),
@@ -1178,11 +1202,64 @@ inline const Row kRows[] = {
        std::vector<carom_joint> some;
        for (const Owned& o : c.own.live[kJoint])
          if (some.size() < 2) some.push_back(o.handle);
-       Bulk b = bulk(c, some, {{CAROM_JOINT_READ_SPEEDS, 4}, {CAROM_JOINT_READ_AXIS_SPEEDS, 6}, {CAROM_JOINT_READ_FORCE, 3}, {CAROM_JOINT_READ_ERROR, 2}}, CAROM_JOINT_READ_COUNT, false);
+       Bulk b = bulk(c, some, {{CAROM_JOINT_BULK_SPEEDS, 4}, {CAROM_JOINT_BULK_AXIS_SPEEDS, 6}, {CAROM_JOINT_BULK_FORCE, 3}, {CAROM_JOINT_BULK_ERROR, 2}}, CAROM_JOINT_BULK_COUNT, false);
        wrong_last(c, b.list, some, kJoint);
        if (c.own.live[kJoint].size() > some.size())
          b.list.wrong.push_back({"all of them, but another n", of(nullptr), kRange, 5});
        return call("carom_world_read_joints", carom_world_read_joints, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
+     }},
+    // trees
+    {"carom_tree_get_coordinates", [](Context& c) {
+       const Tree tree = some_tree(c);
+       Argument stride = fixed_number(sizeof(carom_tree_coordinate));
+       for (const uint64_t s : {uint64_t(0), uint64_t(4), uint64_t(sizeof(carom_tree_coordinate) + 1)}) stride.wrong.push_back({"stride " + std::to_string(s), of(s), kSmall});
+       Argument dst = out(c, sizeof(carom_tree_coordinate) * 2);
+       return call("carom_tree_get_coordinates", carom_tree_get_coordinates, {world(c), tree.body, dst, stride, fixed_number(2), out(c, 8), error(c)});
+     }},
+    {"carom_tree_get_speeds", [](Context& c) {
+       const Tree tree = some_tree(c);
+       return call("carom_tree_get_speeds", carom_tree_get_speeds, {world(c), tree.body, out(c, 8 * tree.size), tree.n, error(c)});
+     }},
+    {"carom_tree_get_forces", [](Context& c) {
+       const Tree tree = some_tree(c);
+       const auto numbers = [&] {
+         auto* values = static_cast<double*>(c.take(8 * tree.size + 1));
+         for (uint64_t k = 0; k < tree.size; ++k) values[k] = c.between(-2, 2);
+         Argument a = fixed(values);
+         for (const double x : {kNan, kInf, -kInf}) {
+           auto* bad = static_cast<double*>(c.take(8 * tree.size + 1));
+           std::memcpy(bad, values, 8 * tree.size);
+           if (tree.size) bad[tree.size - 1] = x, a.wrong.push_back({"last is " + shown(x), of(bad), kNotFinite});
+         }
+         return a;
+       };
+       return call("carom_tree_get_forces", carom_tree_get_forces, {world(c), tree.body, numbers(), numbers(), out(c, 8 * tree.size), tree.n, error(c)});
+     }},
+    {"carom_tree_get_mass", [](Context& c) {
+       const Tree tree = some_tree(c);
+       return call("carom_tree_get_mass", carom_tree_get_mass, {world(c), tree.body, out(c, 8 * tree.size * tree.size), tree.n, error(c)});
+     }},
+    ROW(carom_joint_bulk_width, choice(c, CAROM_JOINT_BULK_COUNT), out(c, 4)),
+    {"carom_world_write_joints", [](Context& c) {
+       const bool axes = c.source.below(2) == 1;  // of six-axis joints, else of hinges
+       const uint32_t kind = axes ? CAROM_JOINT_SIX_AXIS : CAROM_JOINT_HINGE;
+       std::vector<carom_joint> some, others;
+       for (const Owned& o : c.own.live[kJoint])
+         if (kind_of_joint(c, o.handle) != kind) others.push_back(o.handle);
+         else if (some.size() < 2) some.push_back(o.handle);
+       Bulk b = axes ? bulk(c, some, {{CAROM_JOINT_BULK_AXIS_TARGETS, 6}, {CAROM_JOINT_BULK_AXIS_MAX_FORCES, 6}, {CAROM_JOINT_BULK_AXIS_GAINS, 12}, {CAROM_JOINT_BULK_ORIENTATION_GAINS, 2}}, CAROM_JOINT_BULK_COUNT, true)
+                     : bulk(c, some, {{CAROM_JOINT_BULK_TARGET, 1}, {CAROM_JOINT_BULK_TARGET_VELOCITY, 1}, {CAROM_JOINT_BULK_TARGET_EFFORT, 1}}, CAROM_JOINT_BULK_COUNT, true);
+       wrong_last(c, b.list, some, kJoint);
+       if (c.own.live[kJoint].size() > some.size())
+         b.list.wrong.push_back({"all of them, but another n", of(nullptr), kRange, 5});
+       if (!some.empty() && !others.empty() && kind_of_joint(c, others[0]) == CAROM_JOINT_WELD) {
+         auto* list = static_cast<carom_joint*>(c.take(8 * some.size()));
+         std::memcpy(list, some.data(), 8 * some.size());
+         list[some.size() - 1] = others[0];
+         b.list.wrong.push_back({"last: a weld", of(list), kUnsupported});
+       }
+       for (const uint32_t f : {CAROM_JOINT_BULK_SPEEDS, CAROM_JOINT_BULK_EFFORT, CAROM_JOINT_BULK_AXIS_EFFORTS}) b.field.wrong.push_back({"read only", of(uint64_t(f)), kUnsupported});
+       return call("carom_world_write_joints", carom_world_write_joints, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
      }},
     // forces
     ROW(carom_body_set_drag, world(c), handle(c, kBody), number(c, {0, 1e12, false, 0, 1}), number(c, {0, 1e12, false, 0, 1}), error(c)),

@@ -520,23 +520,63 @@ pub const CAROM_JOINT_WORLD_FRAME: u32 = 1;
 pub const CAROM_JOINT_COLLIDE: u32 = 2;
 /// length is given; else it is the distance of the points as they stand now
 pub const CAROM_JOINT_FIELD_LENGTH: u32 = 4;
-/// 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now
-pub const CAROM_JOINT_READ_COORDINATES: u32 = 0;
-/// 4: m/s or rad/s, their rates, from the present velocities
-pub const CAROM_JOINT_READ_SPEEDS: u32 = 1;
-/// 6: m and rad, by CAROM_AXIS_*
-pub const CAROM_JOINT_READ_AXES: u32 = 2;
-/// 6: m/s and rad/s, their rates
-pub const CAROM_JOINT_READ_AXIS_SPEEDS: u32 = 3;
-/// 3: N, world, as carom_joint_state.force
-pub const CAROM_JOINT_READ_FORCE: u32 = 4;
-/// 3: N m, world, as carom_joint_state.torque
-pub const CAROM_JOINT_READ_TORQUE: u32 = 5;
-/// 2: m and rad, gap and angle
-pub const CAROM_JOINT_READ_ERROR: u32 = 6;
-/// 1: 1 or 0
-pub const CAROM_JOINT_READ_BROKEN: u32 = 7;
-pub const CAROM_JOINT_READ_COUNT: u32 = 8;
+/// 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only
+pub const CAROM_JOINT_BULK_COORDINATES: u32 = 0;
+/// 4: m/s or rad/s, their rates, from the present velocities; read only
+pub const CAROM_JOINT_BULK_SPEEDS: u32 = 1;
+/// 6: m and rad, by CAROM_AXIS_*; read only
+pub const CAROM_JOINT_BULK_AXES: u32 = 2;
+/// 6: m/s and rad/s, their rates; read only
+pub const CAROM_JOINT_BULK_AXIS_SPEEDS: u32 = 3;
+/// 3: N, world, as carom_joint_state.force; read only
+pub const CAROM_JOINT_BULK_FORCE: u32 = 4;
+/// 3: N m, world, as carom_joint_state.torque; read only
+pub const CAROM_JOINT_BULK_TORQUE: u32 = 5;
+/// 2: m and rad, gap and angle; read only
+pub const CAROM_JOINT_BULK_ERROR: u32 = 6;
+/// 1: 1 or 0; read only
+pub const CAROM_JOINT_BULK_BROKEN: u32 = 7;
+/// 1: m or rad, of one motion, whole turns counted; read only
+pub const CAROM_JOINT_BULK_POSITION: u32 = 8;
+/// 1: m/s or rad/s, of one motion; read only
+pub const CAROM_JOINT_BULK_VELOCITY: u32 = 9;
+/// 1: N or N m, borne along one motion, mean over the last step; read only
+pub const CAROM_JOINT_BULK_EFFORT: u32 = 10;
+/// 1: m or rad, of one motion: its spring's
+pub const CAROM_JOINT_BULK_TARGET: u32 = 11;
+/// 1: m/s or rad/s, of one motion: its motor's speed
+pub const CAROM_JOINT_BULK_TARGET_VELOCITY: u32 = 12;
+/// 1: N or N m, [-1e30, 1e30], of one motion: its motor's force
+pub const CAROM_JOINT_BULK_TARGET_EFFORT: u32 = 13;
+/// 3: enabled, speed, max_force, as carom_joint_motor; of one motion
+pub const CAROM_JOINT_BULK_MOTOR: u32 = 14;
+/// 5: enabled, target, frequency, damping, max_force; of one motion
+pub const CAROM_JOINT_BULK_SPRING: u32 = 15;
+/// 3: enabled, lower, upper; of one motion
+pub const CAROM_JOINT_BULK_LIMIT: u32 = 16;
+/// 6: N and N m, FORCE and TORQUE in A's frame; of any kind, read only
+pub const CAROM_JOINT_BULK_AXIS_EFFORTS: u32 = 17;
+/// 6: target of each axis of a six-axis joint, as carom_joint_axis
+pub const CAROM_JOINT_BULK_AXIS_TARGETS: u32 = 18;
+/// 6: speed, likewise
+pub const CAROM_JOINT_BULK_AXIS_TARGET_VELOCITIES: u32 = 19;
+/// 6: effort, likewise
+pub const CAROM_JOINT_BULK_AXIS_TARGET_EFFORTS: u32 = 20;
+/// 6: max_force, likewise
+pub const CAROM_JOINT_BULK_AXIS_MAX_FORCES: u32 = 21;
+/// 12: drive_stiffness and drive_damping of each axis, in its units
+pub const CAROM_JOINT_BULK_AXIS_GAINS: u32 = 22;
+/// 12: lower and upper of each axis
+pub const CAROM_JOINT_BULK_AXIS_LIMITS: u32 = 23;
+/// 4: x, y, z, w, of the drive to an orientation: ball, six-axis
+pub const CAROM_JOINT_BULK_ORIENTATION_TARGET: u32 = 24;
+/// 3: rad/s, A's frame, likewise
+pub const CAROM_JOINT_BULK_ORIENTATION_VELOCITY: u32 = 25;
+/// 3: N m, A's frame, likewise
+pub const CAROM_JOINT_BULK_ORIENTATION_EFFORT: u32 = 26;
+/// 2: stiffness, damping, likewise
+pub const CAROM_JOINT_BULK_ORIENTATION_GAINS: u32 = 27;
+pub const CAROM_JOINT_BULK_COUNT: u32 = 28;
 /// gyroscopic term of bodies with unlike moments of inertia
 pub const CAROM_EFFECT_GYROSCOPIC: u32 = 0;
 /// damping of velocity
@@ -2558,6 +2598,27 @@ impl Default for carom_shape_info {
         }
     }
 }
+/// What a number of a tree stands for.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct carom_tree_coordinate {
+    /// or CAROM_NULL_HANDLE: of the base
+    pub joint: carom_joint,
+    /// that it moves: the base, or the body that the joint holds to the rest
+    pub body: carom_body,
+    /// CAROM_AXIS_*; of a base X, Y, Z, TURN_X, TURN_Y, TURN_Z of the world
+    pub axis: u32,
+    /// 0
+    pub reserved: u32,
+}
+impl Default for carom_tree_coordinate {
+    fn default() -> Self {
+        unsafe {
+            let it: Self = zeroed();
+            it
+        }
+    }
+}
 /// Chassis, engine and gears. Fill with carom_vehicle_desc_init(): a car of 1.2 t, whose chassis the host names.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -3619,6 +3680,9 @@ extern "C" {
     /// @param water out   @param present out: 1 or 0; if 0, water is filled with defaults
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
     pub fn carom_world_get_water(world: *mut carom_world, water: *mut carom_water, present: *mut u32, error: *mut carom_error) -> i32;
+    /// Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
+    /// @param kind CAROM_JOINT_*
+    pub fn carom_joint_kind_name(kind: u32) -> *const c_char;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_desc_init(desc: *mut carom_joint_desc, struct_size: u32) -> i32;
     /// Not enabled; a motor with speed 0 and max_force 0, which moves nothing until that is raised.
@@ -3709,15 +3773,25 @@ extern "C" {
     /// @param drive out: as it was set
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
     pub fn carom_joint_get_orientation_drive(world: *mut carom_world, joint: carom_joint, drive: *mut carom_joint_orientation_drive, error: *mut carom_error) -> i32;
+    /// How many scalars a record of a field has.
+    /// @param field CAROM_JOINT_BULK_*   @param width out: of a record   @status OK; NULL_ARGUMENT; UNKNOWN_ENUM
+    pub fn carom_joint_bulk_width(field: u32, width: *mut u32) -> i32;
     /// Read one field of n joints, as carom_world_read() does of bodies.
     /// A rate of what has no direction (points or axes that agree) is the one at which it begins to grow.
-    /// Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). Oracle: tests/abi/test_joint_bulk.
-    /// @param field   CAROM_JOINT_READ_*   @param scalar CAROM_SCALAR_*
+    /// Accuracy: rounding of poses and velocities; of a twist times 1 / cos(swing / 2). An effort errs in first order of the
+    /// step, by how far the axis turned in it. Oracle: tests/abi/test_joint_bulk.
+    /// @param field   CAROM_JOINT_BULK_*   @param scalar CAROM_SCALAR_*
     /// @param joints  [n], or NULL for all in the order of carom_world_get_joints() (n must be their number)
     /// @param dst     n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    /// @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
-    /// BUSY
+    /// @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
+    /// OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY
     pub fn carom_world_read_joints(world: *mut carom_world, field: u32, scalar: u32, joints: *const carom_joint, n: u64, dst: *mut c_void, stride: u64, error: *mut carom_error) -> i32;
+    /// Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+    /// enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
+    /// @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
+    /// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+    /// OUT_OF_RANGE; REENTRANT
+    pub fn carom_world_write_joints(world: *mut carom_world, field: u32, scalar: u32, joints: *const carom_joint, n: u64, src: *const c_void, stride: u64, error: *mut carom_error) -> i32;
     /// Number of joints, and their handles in creation order of the slots.
     /// @param joints [capacity] or NULL   @param count out: how many there are
     /// @status OK; NULL_ARGUMENT; BUSY
@@ -3940,6 +4014,38 @@ extern "C" {
     /// @status OK; NULL_ARGUMENT; INVALID_HANDLE; STALE_HANDLE; WRONG_KIND (of an engine: shapes are the same in all its
     ///         worlds); BUSY; REENTRANT   @thread reader
     pub fn carom_world_translate_handles(world: *mut carom_world, handles: *const u64, n: u64, translated: *mut u64, error: *mut carom_error) -> i32;
+    /// Copy out what the coordinates of a tree are.
+    /// @param body     any dynamic body of the tree; its base, where nothing holds the tree
+    /// @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    /// @param stride   sizeof(carom_tree_coordinate) as the caller knows it
+    /// @param count    out: how many there are (may exceed capacity; capacity are written)
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (the body is not moved by forces); UNSUPPORTED (no tree);
+    ///         BUFFER_TOO_SMALL (stride); BUSY; OUT_OF_MEMORY
+    pub fn carom_tree_get_coordinates(world: *mut carom_world, body: carom_body, dst: *mut carom_tree_coordinate, stride: u64, capacity: u64, count: *mut u64, error: *mut carom_error) -> i32;
+    /// The speeds that a tree has now.
+    /// Accuracy: rounding of the bodies' velocities. What joints do not leave free of these counts as nothing.
+    /// @param speeds out, [n]   @param n how many coordinates there are
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY;
+    ///         OUT_OF_MEMORY
+    pub fn carom_tree_get_speeds(world: *mut carom_world, body: carom_body, speeds: *mut f64, n: u64, error: *mut carom_error) -> i32;
+    /// Inverse dynamics: the forces that give a tree these accelerations, at the present pose.
+    ///     forces = M accelerations + what gyroscopic and centrifugal terms and gravity ask
+    /// With speeds of 0 and no accelerations these hold the tree against gravity.
+    /// Accuracy: 1e-14 of the largest term, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+    /// @param speeds        [n] m/s and rad/s, or NULL: those of now
+    /// @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
+    /// @param forces        out, [n] N and N m
+    /// @param n             how many coordinates there are
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+    ///         OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY
+    pub fn carom_tree_get_forces(world: *mut carom_world, body: carom_body, speeds: *const f64, accelerations: *const f64, forces: *mut f64, n: u64, error: *mut carom_error) -> i32;
+    /// The mass matrix of a tree at the present pose, symmetric and positive definite: with speeds v its energy of motion
+    /// is v^T M v / 2. Where two axes of one joint agree M is singular.
+    /// Accuracy: 1e-14 of the largest entry that a sum has, for chains of tens of bodies. Oracle: tests/oracle/test_joint_tree.
+    /// @param mass out, [n n] row by row: kg, kg m and kg m^2   @param n how many coordinates there are
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree);
+    ///         NOT_FINITE (bodies too far apart or too heavy for numbers); BUSY; OUT_OF_MEMORY
+    pub fn carom_tree_get_mass(world: *mut carom_world, body: carom_body, mass: *mut f64, n: u64, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_vehicle_desc_init(desc: *mut carom_vehicle_desc, struct_size: u32) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
@@ -4637,6 +4743,11 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_shape_info.inertia_error", offset_of!(carom_shape_info, inertia_error), size_of::<f64>(), "f64"),
     ("carom_shape_info.is_scenery", offset_of!(carom_shape_info, is_scenery), size_of::<u32>(), "u32"),
     ("carom_shape_info.reserved", offset_of!(carom_shape_info, reserved), size_of::<u32>(), "u32"),
+    ("carom_tree_coordinate", 0, size_of::<carom_tree_coordinate>(), "struct"),
+    ("carom_tree_coordinate.joint", offset_of!(carom_tree_coordinate, joint), size_of::<carom_joint>(), "u64"),
+    ("carom_tree_coordinate.body", offset_of!(carom_tree_coordinate, body), size_of::<carom_body>(), "u64"),
+    ("carom_tree_coordinate.axis", offset_of!(carom_tree_coordinate, axis), size_of::<u32>(), "u32"),
+    ("carom_tree_coordinate.reserved", offset_of!(carom_tree_coordinate, reserved), size_of::<u32>(), "u32"),
     ("carom_vehicle_desc", 0, size_of::<carom_vehicle_desc>(), "struct"),
     ("carom_vehicle_desc.struct_size", offset_of!(carom_vehicle_desc, struct_size), size_of::<u32>(), "u32"),
     ("carom_vehicle_desc.flags", offset_of!(carom_vehicle_desc, flags), size_of::<u32>(), "u32"),
