@@ -43,6 +43,8 @@ RECORDS = {
     "carom_sleep_event": {"kind": "str"},
     "carom_joint_event": {},
     "carom_tree_coordinate": {"axis": "str"},
+    "carom_vehicle": {},
+    "carom_wheel": {"touches": "bool"},
     "carom_fault_event": {"kind": "str"},
     "carom_plan_line": {"runs": "bool", "mode": "str", "effect": "int | None"},
     "carom_ledger_entry": {},
@@ -76,6 +78,14 @@ KEYWORDS = {
     "carom_motion": {},
     "carom_query_desc": {},
     "carom_draw_desc": {"-": "what", "colouring": "DrawByWord | int"},
+    "carom_character_desc": {"-": "flags", "+turns": "bool", "+flies": "bool"},
+    "carom_vehicle_desc": {
+        "-": "flags chassis torque_count gear_count torque_speeds torques",
+        "+torque_curve": "Rows | None",
+        "+automatic": "bool",
+        "+ackermann": "bool",
+    },
+    "carom_wheel_desc": {},
 }
 NUMBERS = {"double": "float", "int32_t": "int", "uint32_t": "int", "uint64_t": "int"}
 
@@ -147,7 +157,7 @@ def records(api):
         "from ._values import Record",
         "",
         "if TYPE_CHECKING:",
-        "    from ._values import Vector",
+        "    from ._values import Rows, Vector",
         "    from .body import Body, Collider, Material",
         "    from .joint import Joint",
         "    from .particles import Particles",

@@ -192,6 +192,10 @@ typedef struct carom_joint_axis {
   double rest;             /**< m or rad, as lower: where the spring rests */
   double spring_stiffness; /**< as stop_stiffness; it and spring_damping 0: there is none */
   double spring_damping;   /**< as stop_damping */
+  double friction; /**< N or N m, [0, 1e30]: resists any motion along the axis with at most so much; beside the drive */
+  double armature; /**< kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times
+                                the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies
+                                no spin of its own. A host that sets velocities sets the rotor's. */
 } carom_joint_axis;
 
 /** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is

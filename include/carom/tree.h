@@ -19,7 +19,8 @@
  *  at the speed they have. Broken joints hold nothing. Sleeping bodies count as the others.
  *
  *  What else acts is left out: contacts, limits, drives and springs of joints, drag, fields, water, forces of the host.
- *  Gravity counts, by each body's gravity factor and where it is not forbidden.
+ *  Gravity counts, by each body's gravity factor and where it is not forbidden. The armature of an axis counts as
+ *  inertia along it; where a joint turns as a ball, about A's axes.
  *
  *  A loop is refused (the world counts as one body), and so are distance joints, pulleys and gears, bodies with locked
  *  axes, and bodies that can't turn: UNSUPPORTED says which joint or body it is.

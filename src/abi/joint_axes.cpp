@@ -65,6 +65,8 @@ bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, Jo
       !in_range(call, 4, "desc->speed", d.speed, -kFastestMotor, kFastestMotor) ||
       !in_range(call, 4, "desc->effort", d.effort, -kStrongestMotor, kStrongestMotor) ||
       !in_range(call, 4, "desc->max_force", d.max_force, 0, kStrongestMotor) ||
+      !in_range(call, 4, "desc->friction", d.friction, 0, kStrongestMotor) ||
+      !in_range(call, 4, "desc->armature", d.armature, 0, kStrongestMotor) ||
       !read_pull(call,
                  {4, "desc->stop_gains", "desc->stop_stiffness", "desc->stop_damping", d.stop_gains, d.stop_stiffness,
                   d.stop_damping},
@@ -82,6 +84,7 @@ bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, Jo
   to.mode = static_cast<AxisMode>(d.mode), to.lower = d.lower, to.upper = d.upper;
   to.drive = static_cast<AxisDrive>(d.drive), to.target = d.target, to.speed = d.speed;
   to.effort = d.effort, to.max_force = or_any(d.max_force), to.rest = d.rest;
+  to.friction = or_any(d.friction), to.armature = d.armature;
   return true;
 }
 
@@ -90,6 +93,7 @@ carom_joint_axis describe_axis(const JointAxis& a) {
   d.mode = static_cast<std::uint32_t>(a.mode), d.lower = a.lower, d.upper = a.upper;
   d.drive = static_cast<std::uint32_t>(a.drive), d.target = a.target, d.speed = a.speed, d.effort = a.effort;
   d.max_force = std::min(a.max_force, kStrongestMotor), d.rest = a.rest;
+  d.friction = std::min(a.friction, kStrongestMotor), d.armature = a.armature;
   const auto put = [](const AxisPull& from, std::uint32_t& gains, double& stiffness, double& damping) {
     gains = static_cast<std::uint32_t>(from.gains), stiffness = from.stiffness, damping = from.damping;
   };

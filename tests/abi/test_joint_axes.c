@@ -52,6 +52,7 @@ static void axes_are_what_was_set(void** state) {
   axis.max_force = 5;
   axis.drive_gains = CAROM_GAINS_ACCELERATION, axis.drive_stiffness = 2e5, axis.drive_damping = 2e4, axis.target = 0.3;
   axis.speed = 1.5, axis.rest = -0.4, axis.spring_stiffness = 3, axis.spring_damping = 0.5;
+  axis.friction = 0.25, axis.armature = 0.01;
   assert_int_equal(carom_joint_set_axis(b->world, joint, CAROM_AXIS_TURN_Y, &axis, NULL), CAROM_OK);
   assert_int_equal(carom_joint_get_axis(b->world, joint, CAROM_AXIS_TURN_Y, &back, NULL), CAROM_OK);
   assert_memory_equal(&axis, &back, sizeof axis);

@@ -2561,6 +2561,12 @@ type JointAxis struct {
 
 	// as stop_damping
 	SpringDamping float64
+
+	// N or N m, [0, 1e30]: resists any motion along the axis with at most so much; beside the drive
+	Friction float64
+
+	// kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies no spin of its own. A host that sets velocities sets the rotor's.
+	Armature float64
 }
 
 var _ = [1]struct{}{}[unsafe.Sizeof(JointAxis{})-C.sizeof_carom_joint_axis] // as large as in C
@@ -6052,6 +6058,8 @@ var Layout = []Row{
 	{"carom_joint_axis.rest", unsafe.Offsetof(JointAxis{}.Rest), unsafe.Sizeof(JointAxis{}.Rest), "f64"},
 	{"carom_joint_axis.spring_stiffness", unsafe.Offsetof(JointAxis{}.SpringStiffness), unsafe.Sizeof(JointAxis{}.SpringStiffness), "f64"},
 	{"carom_joint_axis.spring_damping", unsafe.Offsetof(JointAxis{}.SpringDamping), unsafe.Sizeof(JointAxis{}.SpringDamping), "f64"},
+	{"carom_joint_axis.friction", unsafe.Offsetof(JointAxis{}.Friction), unsafe.Sizeof(JointAxis{}.Friction), "f64"},
+	{"carom_joint_axis.armature", unsafe.Offsetof(JointAxis{}.Armature), unsafe.Sizeof(JointAxis{}.Armature), "f64"},
 	{"carom_joint_orientation_drive", 0, unsafe.Sizeof(JointOrientationDrive{}), "struct"},
 	{"carom_joint_orientation_drive.struct_size", unsafe.Offsetof(JointOrientationDrive{}.StructSize), unsafe.Sizeof(JointOrientationDrive{}.StructSize), "u32"},
 	{"carom_joint_orientation_drive.drive", unsafe.Offsetof(JointOrientationDrive{}.Drive), unsafe.Sizeof(JointOrientationDrive{}.Drive), "u32"},

@@ -1929,7 +1929,7 @@ public final class Raw {
     /** What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
      *  each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it. */
     public static final class JointAxis {
-        public static final int SIZE = 128;
+        public static final int SIZE = 144;
         public final MemorySegment segment;
         public JointAxis(Arena arena) { segment = arena.allocate(SIZE, 8); carom_joint_axis_init(segment, SIZE); }
         public JointAxis(MemorySegment at) { segment = at; }
@@ -1987,6 +1987,12 @@ public final class Raw {
         /** as stop_damping */
         public double springDamping() { return segment.get(JAVA_DOUBLE, 120); }
         public JointAxis springDamping(double it) { segment.set(JAVA_DOUBLE, 120, it); return this; }
+        /** N or N m, [0, 1e30]: resists any motion along the axis with at most so much; beside the drive */
+        public double friction() { return segment.get(JAVA_DOUBLE, 128); }
+        public JointAxis friction(double it) { segment.set(JAVA_DOUBLE, 128, it); return this; }
+        /** kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies no spin of its own. A host that sets velocities sets the rotor's. */
+        public double armature() { return segment.get(JAVA_DOUBLE, 136); }
+        public JointAxis armature(double it) { segment.set(JAVA_DOUBLE, 136, it); return this; }
     }
 
     /** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
@@ -6023,7 +6029,7 @@ carom_joint_transmission.ratio 8 8 f64
 carom_joint_transmission.anchor_a 16 24 f64[3]
 carom_joint_transmission.anchor_b 40 24 f64[3]
 carom_joint_transmission.length 64 8 f64
-carom_joint_axis 0 128 struct
+carom_joint_axis 0 144 struct
 carom_joint_axis.struct_size 0 4 u32
 carom_joint_axis.mode 4 4 u32
 carom_joint_axis.lower 8 8 f64
@@ -6043,6 +6049,8 @@ carom_joint_axis.drive_damping 96 8 f64
 carom_joint_axis.rest 104 8 f64
 carom_joint_axis.spring_stiffness 112 8 f64
 carom_joint_axis.spring_damping 120 8 f64
+carom_joint_axis.friction 128 8 f64
+carom_joint_axis.armature 136 8 f64
 carom_joint_orientation_drive 0 136 struct
 carom_joint_orientation_drive.struct_size 0 4 u32
 carom_joint_orientation_drive.drive 4 4 u32

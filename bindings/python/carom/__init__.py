@@ -19,6 +19,7 @@ from .errors import CaromError, Closed
 from .force import ForceField, Spring, Water
 from .host import share
 from .joint import Joint
+from .kit import Character, Vehicle, Wheel
 from .particles import Particles
 from .report import effects
 from .run import run
@@ -28,6 +29,6 @@ from .tree import JointTree
 from .tune import Tuned, tune
 from .world import World
 
-__all__ = ["Attributes", "Body", "CaromError", "Closed", "Collider", "Engine", "ForceField", "Joint", "JointTree", "Material",
-           "Particles", "Shape", "Spring", "SupportPlugin", "Tuned", "Water", "World", "attribute_infos", "dial_infos", "effects",
-           "errors", "raw", "records", "run", "share", "tune", "__version__"]
+__all__ = ["Attributes", "Body", "CaromError", "Character", "Closed", "Collider", "Engine", "ForceField", "Joint", "JointTree", "Material",
+           "Particles", "Shape", "Spring", "SupportPlugin", "Tuned", "Vehicle", "Water", "Wheel", "World", "attribute_infos", "dial_infos",
+           "effects", "errors", "raw", "records", "run", "share", "tune", "__version__"]

@@ -474,7 +474,7 @@ class carom_joint_spring(Structure):
 class carom_joint_transmission(Structure):
     _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("ratio", c_double), ("anchor_a", c_double * 3), ("anchor_b", c_double * 3), ("length", c_double)]
 class carom_joint_axis(Structure):
-    _fields_ = [("struct_size", c_uint32), ("mode", c_uint32), ("lower", c_double), ("upper", c_double), ("stop_gains", c_uint32), ("drive_gains", c_uint32), ("spring_gains", c_uint32), ("drive", c_uint32), ("stop_stiffness", c_double), ("stop_damping", c_double), ("target", c_double), ("speed", c_double), ("effort", c_double), ("max_force", c_double), ("drive_stiffness", c_double), ("drive_damping", c_double), ("rest", c_double), ("spring_stiffness", c_double), ("spring_damping", c_double)]
+    _fields_ = [("struct_size", c_uint32), ("mode", c_uint32), ("lower", c_double), ("upper", c_double), ("stop_gains", c_uint32), ("drive_gains", c_uint32), ("spring_gains", c_uint32), ("drive", c_uint32), ("stop_stiffness", c_double), ("stop_damping", c_double), ("target", c_double), ("speed", c_double), ("effort", c_double), ("max_force", c_double), ("drive_stiffness", c_double), ("drive_damping", c_double), ("rest", c_double), ("spring_stiffness", c_double), ("spring_damping", c_double), ("friction", c_double), ("armature", c_double)]
 class carom_joint_orientation_drive(Structure):
     _fields_ = [("struct_size", c_uint32), ("drive", c_uint32), ("gains", c_uint32), ("reserved", c_uint32), ("target", c_double * 4), ("velocity", c_double * 3), ("effort", c_double * 3), ("max_force", c_double * 3), ("stiffness", c_double), ("damping", c_double)]
 class carom_joint_state(Structure):

@@ -847,6 +847,8 @@ class carom_joint_axis(ctypes.Structure):
     rest: float
     spring_stiffness: float
     spring_damping: float
+    friction: float
+    armature: float
 class carom_joint_orientation_drive(ctypes.Structure):
     """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
     locked (else it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal, TypedDict
 from ._values import Record
 
 if TYPE_CHECKING:
-    from ._values import Vector
+    from ._values import Rows, Vector
     from .body import Body, Collider, Material
     from .joint import Joint
     from .particles import Particles
@@ -226,6 +226,8 @@ class JointAxisRecord(Record):
     rest: float
     spring_stiffness: float
     spring_damping: float
+    friction: float
+    armature: float
 
 
 class JointOrientationDriveRecord(Record):
@@ -489,6 +491,34 @@ class TreeCoordinateRecord(Record):
     axis: str
 
 
+class VehicleRecord(Record):
+    """State of engine and gears"""
+    gear: int
+    engine_speed: float
+    shifting: float
+    since_shift: float
+    speed: float
+
+
+class WheelRecord(Record):
+    """State of a wheel"""
+    touches: bool
+    body: Body | None
+    collider: Collider | None
+    point: tuple[float, float, float]
+    normal: tuple[float, float, float]
+    position: tuple[float, float, float]
+    compression: float
+    spin: float
+    angle: float
+    steer: float
+    load: float
+    force: float
+    side_force: float
+    slip: float
+    side_slip: float
+
+
 class FaultEventRecord(Record):
     """A support function that returned a false point"""
     kind: str
@@ -656,6 +686,8 @@ class JointAxisKeywords(TypedDict, total=False):
     rest: float | None
     spring_stiffness: float | None
     spring_damping: float | None
+    friction: float | None
+    armature: float | None
 
 
 class JointOrientationDriveKeywords(TypedDict, total=False):
@@ -727,6 +759,73 @@ class QueryKeywords(TypedDict, total=False):
 class DrawKeywords(TypedDict, total=False):
     colouring: DrawByWord | int
     scale: float | None
+
+
+class CharacterKeywords(TypedDict, total=False):
+    up: Vector | None
+    gravity: float | None
+    fall_speed: float | None
+    max_slope: float | None
+    step_up: float | None
+    step_down: float | None
+    skin: float | None
+    acceleration: float | None
+    air_acceleration: float | None
+    mass: float | None
+    push_force: float | None
+    recover_speed: float | None
+    category: int | None
+    mask: int | None
+    body: Body | int | None
+    turns: bool
+    flies: bool
+
+
+class VehicleKeywords(TypedDict, total=False):
+    up: Vector | None
+    forward: Vector | None
+    category: int | None
+    mask: int | None
+    idle_speed: float | None
+    max_speed: float | None
+    engine_inertia: float | None
+    engine_drag: float | None
+    gears: Vector | None
+    reverse: float | None
+    final_drive: float | None
+    clutch_torque: float | None
+    shift_up: float | None
+    shift_down: float | None
+    shift_time: float | None
+    limited_slip: float | None
+    torque_curve: Rows | None
+    automatic: bool
+    ackermann: bool
+
+
+class WheelKeywords(TypedDict, total=False):
+    anti_roll_partner: int | None
+    shape: Shape | int | None
+    position: Vector | None
+    radius: float | None
+    inertia: float | None
+    travel: float | None
+    stiffness: float | None
+    damping_bump: float | None
+    damping_rebound: float | None
+    anti_roll: float | None
+    max_steer: float | None
+    drive: float | None
+    brake: float | None
+    handbrake: float | None
+    rolling: float | None
+    grip: float | None
+    side_grip: float | None
+    peak_slip: float | None
+    side_peak_slip: float | None
+    slide: float | None
+    slide_slip: float | None
+    relaxation: float | None
 
 
 class DialKeywords(TypedDict, total=False):

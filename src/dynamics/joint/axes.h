@@ -41,6 +41,8 @@ struct JointAxis {
   Real max_force = kInfinity;  // N or N m: of the drive
   AxisPull spring;             // beside the drive
   Real rest = 0;               // m or rad
+  Real friction = 0;           // N or N m, against any motion along the axis
+  Real armature = 0;           // kg or kg m^2, of a rotor that turns as the axis does
 
   bool is_locked() const {
     return mode == AxisMode::locked || (mode == AxisMode::limited && lower == upper && !stop.on());
@@ -49,13 +51,15 @@ struct JointAxis {
   bool operator==(const JointAxis&) const = default;
 };
 
-/// Impulses of an axis, by what made them.
-enum AxisSource : std::uint8_t { kOfDrive, kOfSpring, kOfLimit, kAxisSources };
+/// What acts along an axis.
+enum AxisSource : std::uint8_t { kOfDrive, kOfSpring, kOfLimit, kOfFriction, kOfRotor, kAxisSources };
 
 struct JointAxes {
   std::array<JointAxis, kAxes> axis;
-  std::array<std::array<Real, kAxisSources>, kAxes> p{};  // N s, N m s
-  std::uint32_t owner = 0;                                // slot of its joint
+  // N s, N m s: impulses, by what made them. Of a rotor: m/s or rad/s, by how much it is ahead of its axis as a step ends,
+  // for it is slowed and sped up by impulses alone.
+  std::array<std::array<Real, kAxisSources>, kAxes> p{};
+  std::uint32_t owner = 0;  // slot of its joint
 
   bool turns_are_free() const { return !axis[3].is_locked() && !axis[4].is_locked() && !axis[5].is_locked(); }
 };

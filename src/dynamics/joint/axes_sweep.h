@@ -151,6 +151,12 @@ CAROM_LANES_INLINE void find_pull(const AxesLanes::Pull& of, JointDriveLanes& dr
   drive.drag = drags * inverse;
 }
 
+/// A rotor has what it gave its axis the other way round: its speed goes on from substep to substep.
+CAROM_LANES_INLINE void turn_rotor(JointDriveLanes& drive) {
+  drive.speed -= drive.row.p * (1 - drive.drag) * inverse_or_zero(drive.drag * drive.m);
+  drive.row.p = all(0);
+}
+
 void place_axes(const JointRun& run, JointLanes& joint) {
   const LockLanes* const locks = locks_of(run, joint);
   const AxesLanes& axes = run.axes[joint.axed - 1];
@@ -168,6 +174,7 @@ void place_axes(const JointRun& run, JointLanes& joint) {
       placing.coordinate(c, drives[k].row);
     else if (c < kFirstTurn)
       placing.axis(c - kFirstAxis, drives[k].row);
+    if (joint.layout.drive[k].kind == DriveKind::rotor) turn_rotor(drives[k]);
     weigh<false>(joint, locks, nullptr, rows, drives[k]);
     if (acts_once(joint.layout.drive[k].kind) && c >= kFirstAxis) find_pull(axes.pull[k], drives[k]);
   }

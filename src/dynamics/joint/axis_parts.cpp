@@ -45,6 +45,8 @@ void each_row_of(const JointAxis& a, const Joint& joint, F&& f) {
     f(kOfDrive, pulls ? DriveKind::spring : DriveKind::motor);
   if (a.spring.on()) f(kOfSpring, DriveKind::spring);
   if (a.is_limited() && !joint.without_limits) f(kOfLimit, a.stop.on() ? DriveKind::stop : DriveKind::limit);
+  if (a.friction > 0) f(kOfFriction, DriveKind::motor);
+  if (a.armature > 0) f(kOfRotor, DriveKind::rotor);
 }
 
 bool turns_as_one(const Joint& joint, const JointAxes& axes) {
@@ -99,13 +101,16 @@ std::uint64_t turn_key(const Joint& joint, const JointAxes& axes) {
 }
 
 std::uint64_t axes_key(const Joints& joints, const Joint& joint) {
+  constexpr std::uint32_t kBits = 9;  // of an axis: locked; drive, spring, limit of two kinds each; friction; rotor
   const JointAxes& axes = joints.axes_of(joint);
   std::uint64_t key = std::uint64_t(1) << 63 | turn_key(joint, axes);
   for (std::uint32_t k = 0; k < kAxes; ++k) {
     const JointAxis& a = axes.axis[k];
-    if (a.is_locked()) key |= std::uint64_t(1) << (7 * k);
+    if (a.is_locked()) key |= std::uint64_t(1) << (kBits * k);
     each_row_of(a, joint, [&](AxisSource source, DriveKind kind) {
-      key |= std::uint64_t(kind == DriveKind::motor || kind == DriveKind::stop ? 2 : 1) << (7 * k + 1 + 2 * source);
+      const bool is_other = kind == DriveKind::motor || kind == DriveKind::stop;
+      const std::uint32_t bit = source == kOfFriction ? 7 : source == kOfRotor ? 8 : 1 + 2 * source + is_other;
+      key |= std::uint64_t(1) << (kBits * k + bit);
     });
   }
   for (const JointPart part : locked_parts(axes)) {
@@ -120,7 +125,7 @@ DrivenAxes driven_axes(const Joints& joints, const Joint& joint) {
   DrivenAxes any = {false, turns_as_one(joint, axes)};
   for (const JointAxis& a : axes.axis) {
     any.limited |= a.is_limited();
-    any.driven |= !a.is_locked() && a.drive != AxisDrive::none;
+    any.driven |= !a.is_locked() && (a.drive != AxisDrive::none || a.friction > 0 || a.armature > 0);
   }
   return any;
 }

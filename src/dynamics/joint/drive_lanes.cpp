@@ -5,6 +5,7 @@
 
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
+#include "dynamics/joint/speeds.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/fill_lanes.h"
 
@@ -34,6 +35,7 @@ void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, b
     }
     case DriveKind::limit:
     case DriveKind::stop:
+    case DriveKind::rotor:  // both of axes alone
       drive.lower[lane] = d.limit.lower, drive.upper[lane] = d.limit.upper;
       break;
   }
@@ -70,6 +72,7 @@ struct RowFill {
   JointDriveLanes& drive;
   AxesLanes::Pull& pull;
   int lane;
+  Real rotor;  // m/s or rad/s
 };
 
 void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
@@ -83,6 +86,13 @@ void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
     case kOfSpring:
       fill_spring(a.rest, 0, kInfinity, to.h, to.drive, to.lane);
       return fill_pull(a.spring, to.h, springs, to.pull, to.lane);
+    case kOfFriction:
+      return fill_motor(AxisDrive::velocity, 0, 0, a.friction, to.half, to.drive, to.lane);
+    case kOfRotor:
+      to.drive.speed[to.lane] = to.rotor;
+      to.pull.per_mass[to.lane] = to.pull.stiffness[to.lane] = to.pull.stiffest[to.lane] = 0;
+      to.pull.damping[to.lane] = a.armature;
+      return;
     default:
       to.drive.lower[to.lane] = a.lower, to.drive.upper[to.lane] = a.upper;
       if (row.kind == DriveKind::stop) fill_pull(a.stop, to.h, springs, to.pull, to.lane);
@@ -109,6 +119,12 @@ Real kept_impulse(const JointAxes& axes, const Joint& joint, const DriveRow& row
   return joint.drive_p[k];
 }
 
+/// m/s or rad/s: what a host does to the bodies' velocities it does to the rotor's.
+Real speed_of_rotor(const World& world, const Joint& joint, const DriveRow& row) {
+  const std::uint32_t axis = row.coordinate - kFirstAxis;
+  return speeds_of(world, joint).axis[axis] + world.joints.axes_of(joint).p[axis][kOfRotor];
+}
+
 }  // namespace
 
 void fill_drives(const World& world, const Joint& joint, const DriveStart& start, WideJoints& w, JointLanes& lanes,
@@ -123,11 +139,12 @@ void fill_drives(const World& world, const Joint& joint, const DriveStart& start
       fill_drive(joint, row, p, start.h, start.again, drive, lane);
       continue;
     }
-    drive.row.p[lane] = p;
+    drive.row.p[lane] = row.kind == DriveKind::rotor ? 0 : p;
     drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
     drive.max_impulse[lane] = kInfinity;
-    const RowFill to = {start.h, start.again ? start.h / 2 : start.h, drive,
-                        lanes.axed ? w.axes[lanes.axed - 1].pull[k] : none, lane};
+    const RowFill to = {start.h, start.again ? start.h / 2 : start.h,
+                        drive,   lanes.axed ? w.axes[lanes.axed - 1].pull[k] : none,
+                        lane,    row.kind == DriveKind::rotor ? speed_of_rotor(world, joint, row) : 0};
     if (row.coordinate < kFirstTurn)
       fill_axis(axes.axis[row.coordinate - kFirstAxis], row, to);
     else
@@ -135,10 +152,18 @@ void fill_drives(const World& world, const Joint& joint, const DriveStart& start
   }
 }
 
-void keep_drives(Joints& joints, Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane) {
+void keep_drives(const World& world, Joints& joints, Joint& joint, const WideJoints& w, const JointLanes& lanes,
+                 std::uint32_t lane) {
   JointAxes* const axes = joints.axes_of(joint);
-  for (std::uint32_t k = 0; k < lanes.layout.drives; ++k)
-    impulse_of(axes, joint, lanes.layout.drive[k], k) = w.drives[lanes.first_drive + k].row.p[lane];
+  for (std::uint32_t k = 0; k < lanes.layout.drives; ++k) {
+    const DriveRow& row = lanes.layout.drive[k];
+    const JointDriveLanes& drive = w.drives[lanes.first_drive + k];
+    Real& kept = impulse_of(axes, joint, row, k);
+    kept = drive.row.p[lane];
+    if (row.kind != DriveKind::rotor) continue;
+    const std::uint32_t axis = row.coordinate - kFirstAxis;
+    kept = drive.speed[lane] - kept / axes->axis[axis].armature - speeds_of(world, joint).axis[axis];
+  }
 }
 
 void fill_axes(const World& world, const Joint& joint, AxesLanes& to, JointLanes& lanes, int lane) {

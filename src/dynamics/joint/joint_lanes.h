@@ -29,9 +29,11 @@ enum class JointPart : std::uint8_t {
   across_y,     // 1: B's x axis stays at right angles to A's y axis: no swing about z
   across_z      // 1: to A's z axis: no swing about y
 };
-enum class DriveKind : std::uint8_t { motor, spring, limit, stop };  // in the order in which they are visited
+enum class DriveKind : std::uint8_t { motor, spring, limit, stop, rotor };  // in the order in which they are visited
 /// Whether all of what a row does in a substep is done at once, by a law of where that began.
-CAROM_LANES_INLINE bool acts_once(DriveKind kind) { return kind == DriveKind::spring || kind == DriveKind::stop; }
+CAROM_LANES_INLINE bool acts_once(DriveKind kind) {
+  return kind == DriveKind::spring || kind == DriveKind::stop || kind == DriveKind::rotor;
+}
 struct DriveRow {
   std::uint8_t coordinate;  // as Coordinate; from kFirstAxis, kFirstTurn
   DriveKind kind;
@@ -40,7 +42,7 @@ struct DriveRow {
 inline constexpr int kFirstAxis = 4;   // coordinates of rows: six axes, then
 inline constexpr int kFirstTurn = 10;  // the three components of what is left of a turn to an orientation
 
-inline constexpr int kMostParts = 6, kMostRows = 6, kMostDriveRows = 21;
+inline constexpr int kMostParts = 6, kMostRows = 6, kMostDriveRows = 33;
 
 /// The rows of a joint: those of its parts, then its drives. Joints that share lanes have the same.
 struct JointLayout {
@@ -67,7 +69,7 @@ struct JointDriveLanes {
   JointRowLanes row;
   Lanes m;             // kg or kg m^2: impulse per change of u, what is locked staying so
   Lanes lower, upper;  // m or rad: of a limit; of a spring both are its target
-  Lanes speed;         // m/s or rad/s, of a motor
+  Lanes speed;         // m/s or rad/s, of a motor, of a rotor
   Lanes max_impulse;   // N s or N m s, a substep
   Lanes pull, drag;  // 1/s, 1: a spring's impulse is that of -m (pull x + drag u) - (1 - drag) p = 0, @see spring_of()
 };

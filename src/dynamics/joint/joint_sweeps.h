@@ -124,7 +124,17 @@ CAROM_LANES_INLINE void stop(Sides& sides, JointDriveLanes& drive) {
   drive.row.p = next;
 }
 
-/// @tparam kAxed  it may be a stop, or a spring whose target moves
+/// A rotor resists what changes its speed, after the move as before it, where nothing keeps the impulse.
+template <bool kPush, class Sides>
+CAROM_LANES_INLINE void turn(Sides& sides, JointDriveLanes& drive) {
+  const Lanes u = sides.along(drive.row), p = drive.row.p;
+  const Lanes next = drive.drag * (p - drive.m * (u - drive.speed));
+  sides.push(drive.row, next - p);
+  drive.row.p = next;
+  if constexpr (!kPush) turn_rotor(drive);
+}
+
+/// @tparam kAxed  it may be a stop, a rotor, or a spring whose target moves
 template <bool kPush, bool kAxed, class Sides>
 CAROM_SHARED_PART void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
                            double inv_h) {
@@ -134,6 +144,7 @@ CAROM_SHARED_PART void act(Sides& sides, const JointLanes& joint, JointDriveLane
   const Lanes u = sides.along(drive.row), p = drive.row.p;
   Lanes next = p;
   if (kind == DriveKind::motor) next = p - drive.m * (u - drive.speed);
+  if (kAxed && kind == DriveKind::rotor) return turn<kPush>(sides, drive);
   if (kind == DriveKind::spring) {
     if constexpr (!kPush) return;  // its law holds for the whole substep, with the place where that began
     next = drive.drag * p -

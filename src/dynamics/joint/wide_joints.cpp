@@ -115,10 +115,6 @@ void set_quat(LaneQuat& to, int lane, const Quat& q) {
   to.x[lane] = q.x(), to.y[lane] = q.y(), to.z[lane] = q.z(), to.w[lane] = q.w();
 }
 
-bool is_kicked(const WideJoints& w, std::uint32_t body) {
-  return body != kInvalid && std::ranges::binary_search(w.kicked, body, {}, &WideJoints::Kicked::body);
-}
-
 /// One joint, with poses and impulses of the present.
 void fill(const World& world, std::uint32_t index, const Softness& soft, Real h, WideJoints& w, JointLanes& lanes,
           int lane) {
@@ -341,6 +337,10 @@ void drop_impulses(WideJoints& w, std::uint32_t link) {
   for (std::uint32_t r = 0; r < joint.layout.drives; ++r) drop(w.drives[joint.first_drive + r].row);
 }
 
+bool is_kicked(const WideJoints& w, std::uint32_t body) {
+  return body != kInvalid && std::ranges::binary_search(w.kicked, body, {}, &WideJoints::Kicked::body);
+}
+
 void take_half_kicks(const World& world, Velocities& to) {
   const State& s = world.state;
   for (WideJoints::Kicked& k : world.wide_joints->kicked) {
@@ -394,7 +394,7 @@ void end_joints(const World& world, Breaking to, Events& events, const StepTime&
     const JointLanes& lanes = w.joints[w.place[i].lanes];
     const std::uint32_t lane = w.place[i].lane;
     for (std::uint32_t k = 0; k < lanes.layout.equalities; ++k) joint.p[k] = w.rows[lanes.first + k].p[lane];
-    keep_drives(joints, joint, w, lanes, lane);
+    keep_drives(world, joints, joint, w, lanes, lane);
     joint.p_h = time.h;
     if (lanes.geared) joint.transmission.phase = phase_of(world, joint, w, lanes, lane);
     const AxesLanes* const axes = lanes.axed ? &w.axes[lanes.axed - 1] : nullptr;

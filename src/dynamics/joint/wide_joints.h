@@ -203,6 +203,7 @@ void bound_moves(const World& world, Velocities& to);
 void bound_energies(const World& world, Velocities& to, Real h);
 /// Half of the forces' kick off, before the solver; and back, after the move, with the omega that belongs to the
 /// facing of then.
+bool is_kicked(const WideJoints& w, std::uint32_t body);
 void take_half_kicks(const World& world, Velocities& to);
 void give_half_kicks(const World& world, Velocities& to);
 /// What one joint, a pulley or a gear, has beside its rows, as a step begins.
@@ -221,7 +222,8 @@ void fill_drives(const World& world, const Joint& joint, const DriveStart& start
 /// What one joint has beside its rows whose axes are told one by one. Moves A's point and turns B's frame by what is locked at
 /// an offset.
 void fill_axes(const World& world, const Joint& joint, AxesLanes& to, JointLanes& lanes, int lane);
-void keep_drives(Joints& joints, Joint& joint, const WideJoints& w, const JointLanes& lanes, std::uint32_t lane);
+void keep_drives(const World& world, Joints& joints, Joint& joint, const WideJoints& w, const JointLanes& lanes,
+                 std::uint32_t lane);
 /// Impulses of bodies that left the finite world within the step may be anything.
 bool has_sane_impulses(Joints& joints, Joint& joint);
 void start_cold(Joints& joints, Joint& joint);

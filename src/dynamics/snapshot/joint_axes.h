@@ -37,6 +37,8 @@ JointAxis one_axis(Io& io, const JointAxis& now) {
   a.stop = pull_of_axis(io, now.stop), a.gains = pull_of_axis(io, now.gains), a.spring = pull_of_axis(io, now.spring);
   a.target = io.real(now.target), a.speed = io.real(now.speed), a.effort = io.real(now.effort);
   a.max_force = bound_of(io, now.max_force), a.rest = io.real(now.rest);
+  a.friction = bound_of(io, now.friction), a.armature = io.real(now.armature);
+  io.demand(a.armature >= 0);
   io.demand(a.mode != AxisMode::limited || a.lower <= a.upper);
   return a;
 }

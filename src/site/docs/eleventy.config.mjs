@@ -64,7 +64,7 @@ export default function (eleventy) {
   };
 }
 
-const TABS = { c: "C", python: "Python", js: "JavaScript" };
+const TABS = { c: "C", cpp: "C++", python: "Python", js: "JavaScript", rust: "Rust" };
 
 /** Programs in several languages, one after the other, stand behind tabs; docs.js makes these. */
 function inTabs(tokens, page) {

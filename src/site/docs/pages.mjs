@@ -55,6 +55,24 @@ function included(line) {
   return block[0];
 }
 
+const EXAMPLES = {
+  c: "c/examples/NAME.c",
+  cpp: "cpp/examples/NAME.cpp",
+  python: "python/examples/NAME.py",
+  js: "js/examples/NAME.js",
+  rust: "rust/carom/examples/NAME.rs",
+};
+
+/** A line `@example NAME` stands for that program in each language that has it; tests/bindings/examples.py runs them. */
+function example(line) {
+  const name = /^@example (\w+)$/.exec(line)?.[1];
+  const found = Object.entries(EXAMPLES)
+    .map(([language, file]) => [`bindings/${file.replace("NAME", name)}`, language])
+    .filter(([file]) => existsSync(ROOT + file));
+  if (!found.length) throw new Error(`${line}: there is no such example`);
+  return found.map((each) => included(`@include ${each.join(" ")}`)).join("\n\n");
+}
+
 /** A line `@curve SCENE` stands for a curve of curves/scenes.js, measured where the page is read. */
 function curve(line) {
   const scene = /^@curve (\w+)$/.exec(line)?.[1];
@@ -74,7 +92,8 @@ export class Pages {
     this.wrong = []; // links
     const read = [...markdown()].map((file) => ({ file, text: readFileSync(ROOT + file, "utf8") }));
     this.pages = [...read, ...apiPages(ROOT)].map(({ file, text }) => {
-      if (OWN.test(file)) text = text.replace(/^@include .*$/gm, included).replace(/^@curve .*$/gm, curve);
+      if (OWN.test(file))
+        text = text.replace(/^@include .*$/gm, included).replace(/^@example .*$/gm, example).replace(/^@curve .*$/gm, curve);
       const heading = /^# (.+)$/m.exec(text);
       if (!heading) throw new Error(`${file} has no heading`);
       const title = heading[1].replace(/[`*]/g, "");

@@ -45,7 +45,9 @@ constexpr NumberField kAxisNumbers[] = {{"lower", &carom_joint_axis::lower},
                                         {"driveDamping", &carom_joint_axis::drive_damping},
                                         {"rest", &carom_joint_axis::rest},
                                         {"springStiffness", &carom_joint_axis::spring_stiffness},
-                                        {"springDamping", &carom_joint_axis::spring_damping}};
+                                        {"springDamping", &carom_joint_axis::spring_damping},
+                                        {"friction", &carom_joint_axis::friction},
+                                        {"armature", &carom_joint_axis::armature}};
 
 template <class Desc, std::size_t n>
 void put_words(const Desc& d, const WordField<Desc> (&fields)[n], json& to) {

@@ -60,6 +60,17 @@ with carom.Engine(threads=2) as engine, engine.world(substeps=8, solver="direct"
     assert_type(world.rays(np.zeros((4, 3)), (0, -1, 0)).times, NDArray[np.float64])
     assert_type(engine.distance(engine.sphere(1), engine.sphere(2), position_b=(4, 0, 0)).separation, float)
 
+    walker = carom.Character(world, engine.capsule(0.3, 0.6), position=(0, 1, 0), step_up=0.4, flies=False)
+    walker.move(np.zeros(3), jump=2)
+    assert_type(walker.set_shape(engine.sphere(0.3)), bool)
+    assert_type(walker.ground_body, "carom.Body | None")
+    assert_type(walker.contacts[0].body, carom.Body)
+    assert_type(walker.settings["step_up"], "float | None")
+    car = carom.Vehicle(ball, [{"position": (1, 0, 0), "radius": 0.3}, dict(drive=1)], torque_curve=[(0, 100), (500, 80)])
+    car.drive(throttle=1, gear=-1)
+    assert_type(car.wheels[0].state.body, "carom.Body | None")
+    assert_type(car.save(), bytes)
+
     with world.fork() as copy:
         assert_type(copy, carom.World)
         assert_type(copy.counterpart(ball), carom.Body)

@@ -1987,6 +1987,10 @@ pub struct carom_joint_axis {
     pub spring_stiffness: f64,
     /// as stop_damping
     pub spring_damping: f64,
+    /// N or N m, [0, 1e30]: resists any motion along the axis with at most so much; beside the drive
+    pub friction: f64,
+    /// kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies no spin of its own. A host that sets velocities sets the rotor's.
+    pub armature: f64,
 }
 impl Default for carom_joint_axis {
     fn default() -> Self {
@@ -4550,6 +4554,8 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_joint_axis.rest", offset_of!(carom_joint_axis, rest), size_of::<f64>(), "f64"),
     ("carom_joint_axis.spring_stiffness", offset_of!(carom_joint_axis, spring_stiffness), size_of::<f64>(), "f64"),
     ("carom_joint_axis.spring_damping", offset_of!(carom_joint_axis, spring_damping), size_of::<f64>(), "f64"),
+    ("carom_joint_axis.friction", offset_of!(carom_joint_axis, friction), size_of::<f64>(), "f64"),
+    ("carom_joint_axis.armature", offset_of!(carom_joint_axis, armature), size_of::<f64>(), "f64"),
     ("carom_joint_orientation_drive", 0, size_of::<carom_joint_orientation_drive>(), "struct"),
     ("carom_joint_orientation_drive.struct_size", offset_of!(carom_joint_orientation_drive, struct_size), size_of::<u32>(), "u32"),
     ("carom_joint_orientation_drive.drive", offset_of!(carom_joint_orientation_drive, drive), size_of::<u32>(), "u32"),

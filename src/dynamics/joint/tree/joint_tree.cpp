@@ -155,6 +155,10 @@ JointTree::Motion JointTree::moved(const Node& node, const Motion& from, const R
   return to;
 }
 
+Real JointTree::armature_of(const World& world, const Node& node, int k) {
+  return world.joints.axes_of(world.joints.joint[node.joint]).axis[node.freedom.axis[k]].armature;
+}
+
 void JointTree::find_forces(const World& world, const Real* speeds, const Real* accelerations, Real* forces) const {
   struct Load {
     Vec3 force, moment;  // N, N m about its centre: what its parent gives it
@@ -186,7 +190,9 @@ void JointTree::find_forces(const World& world, const Real* speeds, const Real* 
       continue;
     }
     for (int k = 0; k < node.freedom.count; ++k)
-      forces[node.first + static_cast<std::size_t>(k)] = work(node, k, l.force, l.moment);
+      forces[node.first + static_cast<std::size_t>(k)] =
+          work(node, k, l.force, l.moment) +
+          armature_of(world, node, k) * accelerations[node.first + static_cast<std::size_t>(k)];
     if (node.parent == kInvalid) continue;
     Load& of_parent = load[node.parent];
     of_parent.force += l.force, of_parent.moment += l.moment + node.offset().cross(l.force);
@@ -235,6 +241,7 @@ void JointTree::find_mass(const World& world, Real* mass) const {
       const Vec3 turning = node.freedom.turns(k) ? node.turning(k) : Vec3(Vec3::zero());
       add_column(i, node.first + static_cast<std::size_t>(k), c.force(node.moving(k), turning),
                  c.moment(node.moving(k), turning), mass);
+      mass[(node.first + static_cast<std::size_t>(k)) * (size_ + 1)] += armature_of(world, node, k);
     }
     if (node.parent != kInvalid) all[node.parent].add(c, node.offset());
   }

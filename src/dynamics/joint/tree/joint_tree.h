@@ -78,6 +78,8 @@ class JointTree {
   static Real work(const Node& node, int k, const Vec3& force, const Vec3& moment) {
     return node.moving(k).dot(force) + (node.freedom.turns(k) ? node.turning(k).dot(moment) : 0);
   }
+  /// kg or kg m^2, of a rotor; where a joint turns several ways, about its axes as they stand in A.
+  static Real armature_of(const World& world, const Node& node, int k);
   TreeFault walk(const World& world, std::uint32_t root);
   void number(const World& world);
   Motion held(const World& world, const Node& node) const;

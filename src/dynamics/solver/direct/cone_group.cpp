@@ -154,6 +154,7 @@ void ConeGroup::keep(Velocities& to) {
   });
   keep_links(world_, problem_, link_row_);
   accumulate_links(world_, problem_, link_row_);
+  turn_rotors(world_, problem_, link_row_);
   for (ConeBody& b : bodies_of(problem_)) store(to, b);
 }
 

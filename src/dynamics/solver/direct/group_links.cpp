@@ -29,11 +29,22 @@ JointRowLanes& row_at(WideJoints& w, const DirectGroups::LinkRow& r) {
   return r.is_drive ? w.drives[r.row].row : w.rows[r.row];
 }
 
+bool is_rotor(const DirectGroups::LinkRow& r) { return r.is_drive && r.kind == DriveKind::rotor; }
+
 void lock(ConeLink& c, Real at) { c.low = c.high = at, c.give = 0, c.most = kInfinity; }
 void leave(ConeLink& c) { c.low = c.high = 0, c.give = 0, c.most = 0; }
 
-/// What is asked of a limit, a motor, a spring.
-void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow& row, LinkPhase phase, Real h) {
+Real drag_of(const JointDriveLanes& drive, std::uint32_t lane) { return std::max(get(drive.drag, lane), kLeastDrag); }
+/// 1/kg or 1/(kg m^2), of what is pulled and dragged.
+Real give_of(const JointDriveLanes& drive, std::uint32_t lane) {
+  const Real drag = drag_of(drive, lane);
+  return (1 - drag) / (drag * get(drive.m, lane));
+}
+
+/// What is asked of a limit, a motor, a spring, a rotor.
+/// @param halved  half of the loads come after the move, so half of what motors do
+void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow& row, LinkPhase phase, Real h,
+         bool halved) {
   const Real x = get(drive.row.error, row.lane), most = kJointPush * h;
   switch (row.kind) {
     case DriveKind::limit: {
@@ -46,16 +57,21 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
       return;
     }
     case DriveKind::motor:
-      if (phase != LinkPhase::move) return leave(c);
+      if (phase != LinkPhase::move && !halved) return leave(c);
       lock(c, get(drive.speed, row.lane));
-      c.most = get(drive.max_impulse, row.lane);
+      c.most = (halved ? 0.5 : 1) * get(drive.max_impulse, row.lane);
+      return;
+    case DriveKind::rotor:
+      if (phase == LinkPhase::part) return leave(c);
+      lock(c, get(drive.speed, row.lane));
+      c.give = give_of(drive, row.lane);
       return;
     case DriveKind::spring: {
       const Real m = get(drive.m, row.lane), pull = get(drive.pull, row.lane);
       if (phase != LinkPhase::move || !(m > 0) || !(pull > 0 || get(drive.drag, row.lane) > 0)) return leave(c);
-      const Real drag = std::max(get(drive.drag, row.lane), kLeastDrag);
+      const Real drag = drag_of(drive, row.lane);
       lock(c, get(drive.speed, row.lane) - (pull / drag) * (x - get(drive.lower, row.lane)));
-      c.give = (1 - drag) / (drag * m);
+      c.give = give_of(drive, row.lane);
       c.most = get(drive.max_impulse, row.lane);
       return;
     }
@@ -63,10 +79,10 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
       const Real m = get(drive.m, row.lane), pull = get(drive.pull, row.lane);
       const Real above = x - get(drive.lower, row.lane), below = get(drive.upper, row.lane) - x;
       if (phase != LinkPhase::move || !(m > 0) || (above >= 0 && below >= 0)) return leave(c);
-      const Real drag = std::max(get(drive.drag, row.lane), kLeastDrag);
+      const Real drag = drag_of(drive, row.lane);
       c.low = above < 0 ? -(pull / drag) * above : -kNowhere;
       c.high = below < 0 ? (pull / drag) * below : kNowhere;
-      c.give = (1 - drag) / (drag * m);
+      c.give = give_of(drive, row.lane);
       c.most = kInfinity;
     }
   }
@@ -183,6 +199,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
   // A lock asks for the bend of its arm where nothing else bears it. In contact that target gives energy: a taut chain
   // under loads feeds itself.
   const bool bends = phase == LinkPhase::move && problem.contacts.empty();
+  const bool halved = phase != LinkPhase::part && is_kicked(w, problem.bodies[problem.first].slot);
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
     ConeLink& c = problem.joint_rows()[i];
     const DirectGroups::LinkRow& at_row = rows[i];
@@ -215,7 +232,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     c.bends = false;
     c.p = c.start_p = phase == LinkPhase::move ? get(row.p, lane) : 0;
     if (at_row.is_drive)
-      ask(c, w.drives[at_row.row], at_row, phase, h);
+      ask(c, w.drives[at_row.row], at_row, phase, h, halved);
     else if (phase == LinkPhase::part)
       lock(c, std::clamp(-get(row.error, lane), -kJointPush * h, kJointPush * h));
     else
@@ -283,6 +300,7 @@ void measure_links(ConeProblem& problem) {
 void accumulate_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
+    if (is_rotor(rows[i])) continue;  // what turns with an axis is on neither side of the joint
     const ConeLink& c = problem.joint_rows()[i];
     JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
@@ -296,6 +314,17 @@ void keep_links(const World& world, const ConeProblem& problem, const DirectGrou
   WideJoints& w = *world.wide_joints;
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i)
     at(row_at(w, rows[i]).p, rows[i].lane) = problem.joint_rows()[i].next_p;
+}
+
+void turn_rotors(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
+  WideJoints& w = *world.wide_joints;
+  for (std::size_t i = 0; i < problem.links.size(); ++i) {
+    const ConeLink& c = problem.links[i];
+    if (!is_rotor(rows[i])) continue;
+    JointDriveLanes& drive = w.drives[rows[i].row];
+    at(drive.speed, rows[i].lane) -= c.give * c.p;
+    at(drive.row.p, rows[i].lane) = 0;
+  }
 }
 
 Real worst_error(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {

@@ -34,6 +34,8 @@ void accumulate_links(const World& world, const ConeProblem& problem, const Dire
 /// Keep what the next substep starts from.
 void keep_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 /// m or rad: the largest error of what is locked and limited.
+/// Rotors have what they gave their axes the other way round.
+void turn_rotors(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 Real worst_error(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows);
 
 }  // namespace carom::dynamics

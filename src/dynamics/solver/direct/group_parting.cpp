@@ -119,6 +119,7 @@ void ConeGroup::settle(Velocities& to, Real h) {
   solution_.factorisations += solution.factorisations;
   find_lock_impulses(problem_);
   accumulate_links(world_, problem_, link_row_);
+  turn_rotors(world_, problem_, link_row_);
   for (ConeBody& b : bodies_of(problem_)) store(to, b);
 }
 
