@@ -238,7 +238,7 @@ static void wrong_files(const char* plugins, const char* folder) {
   snprintf(path, sizeof path, "%s/short_struct" ENDING, folder);
   refused(path, CAROM_E_PLUGIN_ABI, "", "rebuild the plugin");
   snprintf(path, sizeof path, "%s/long_struct" ENDING, folder);
-  refused(path, CAROM_E_PLUGIN_ABI, "struct_size", "rebuild the plugin");
+  refused(path, CAROM_E_PLUGIN_ABI, "plugin", "rebuild the plugin"); /* by the size of the symbol, where it is known */
 }
 
 /* The loader finds plugins by name beside the library or in $CAROM_PLUGIN_PATH, and says where it looked for others. */
