@@ -171,8 +171,8 @@ static void refused_bytes(const char* folder, const char* name, const void* byte
   remove(path);
 }
 
-static void refused_copy(const char* plugins, const char* folder) { /* half of one: a copy that broke off */
-  char path[4096], half[2048];
+static void refused_copy(const char* plugins, const char* folder) { /* the beginning of one: a copy that broke off */
+  char path[4096], half[512];
   FILE* file;
   snprintf(path, sizeof path, "%s/box" ENDING, plugins);
   file = fopen(path, "rb");
