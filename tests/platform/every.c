@@ -241,11 +241,13 @@ static void wrong_files(const char* plugins, const char* folder) {
   refused(path, CAROM_E_PLUGIN_ABI, "plugin", "rebuild the plugin"); /* by the size of the symbol, where it is known */
 }
 
-/* The loader finds plugins by name beside the library or in $CAROM_PLUGIN_PATH, and says where it looked for others. */
-static void wrong_names(void) {
+/* Plugins are found by name beside the library, and of others it is said where they were looked for. */
+static void names(void) {
   carom_error e = CAROM_ERROR_INIT;
   carom_shape shape;
-  const double radius = 1;
+  const double radius = 1, top[2] = {0.3, 0.35};
+  if (carom_shape_create_named(engine, "template", top, 2, &shape, &e) != CAROM_OK)
+    fprintf(stderr, "by name: %s. %s\n", e.message, e.remedy), ++wrong;
   if (carom_shape_create_named(engine, "there_is_none", &radius, 1, &shape, &e) != CAROM_E_NOT_FOUND ||
       !strstr(e.message, "there_is_none") || !strstr(e.message, "plugins") || !strstr(e.remedy, "CAROM_PLUGIN_PATH"))
     fprintf(stderr, "by name: %s. %s\n", e.message, e.remedy), ++wrong;
@@ -261,7 +263,7 @@ int main(int argc, char** argv) {
   make_shapes(plugins);
   for (solver = 0; solver <= CAROM_SOLVER_AUTO; ++solver)
     for (k = 0; k < COUNT(precisions); ++k) all = (all ^ hash_of(solver, precisions[k])) * 0x100000001B3u + solver;
-  if (plugins) wrong_files(plugins, argv[2]), wrong_names();
+  if (plugins) wrong_files(plugins, argv[2]), names();
   printf("every shape, joint and solver: %016llx\n", (unsigned long long)all);
   if (all != golden) fprintf(stderr, "  other platforms have %016llx\n", (unsigned long long)golden), ++wrong;
   TRY(carom_engine_destroy(engine, &error));
