@@ -6,7 +6,7 @@
 namespace carom::abi {
 namespace {
 
-constexpr const char* kElf = "Linux or another ELF system";
+constexpr const char* kElf = "Linux (ELF)";
 constexpr const char* kMac = "macOS";
 constexpr const char* kWindows = "Windows";
 constexpr const char* kWasm = "WebAssembly";

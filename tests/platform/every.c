@@ -186,9 +186,9 @@ static const struct {
   const char *system, *machine, *bytes;
   size_t machine_at, machine_bytes;
   uint32_t machine_number;
-} kinds[] = {{"ELF system", "x86-64", "\177ELF\2\1\1", 18, 2, 62},
-             {"ELF system", "arm64", "\177ELF\2\1\1", 18, 2, 183},
-             {"ELF system", "RISC-V", "\177ELF\2\1\1", 18, 2, 243},
+} kinds[] = {{"Linux (ELF)", "x86-64", "\177ELF\2\1\1", 18, 2, 62},
+             {"Linux (ELF)", "arm64", "\177ELF\2\1\1", 18, 2, 183},
+             {"Linux (ELF)", "RISC-V", "\177ELF\2\1\1", 18, 2, 243},
              {"macOS", "x86-64", "\xCF\xFA\xED\xFE", 4, 4, 0x01000007},
              {"macOS", "arm64", "\xCF\xFA\xED\xFE", 4, 4, 0x0100000C},
              {"Windows", "x86-64", "MZ", 4, 2, 0x8664},
@@ -199,7 +199,7 @@ static const char* const this_system = "Windows";
 #elif defined(__APPLE__)
 static const char* const this_system = "macOS";
 #else
-static const char* const this_system = "ELF system";
+static const char* const this_system = "Linux (ELF)";
 #endif
 #if defined(__aarch64__)
 static const char* const this_machine = "arm64";
