@@ -168,7 +168,9 @@ static void refused_bytes(const char* folder, const char* name, const void* byte
     exit(1);
   }
   refused(path, CAROM_E_PLUGIN_LOAD, says, cure);
+#if !defined(__wasm__) /* it has no files */
   remove(path);
+#endif
 }
 
 static void refused_copy(const char* plugins, const char* folder) { /* the beginning of one: a copy that broke off */
