@@ -1,6 +1,5 @@
 // `carom tune SCENE`: which settings err least within so many milliseconds a frame, on this machine: what it asks and
 // says.
-#include "host/system.h"
 #include "tune/tune.h"
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "cli/scene_choice.h"
 #include "cli/table.h"
 #include "host/drawings.h"
+#include "host/system.h"
 #include "report/plot.h"
 #include "scenefile/scenefile.h"
 
