@@ -42,6 +42,15 @@ bool Call::advise(const char* remedy) {
   return false;
 }
 
+void Call::name_file(const char* path) {
+  const std::size_t used = std::strlen(message_), length = std::strlen(path);
+  constexpr std::size_t kAround = sizeof " (...)";
+  if (ok() || message_[0] == '"' || std::strstr(message_, path) || used + kAround + 8 > sizeof message_) return;
+  const std::size_t space = sizeof message_ - used - kAround, shown = std::min(length, space);
+  std::snprintf(message_ + used, sizeof message_ - used, " (%s%s)", shown < length ? "..." : "",
+                path + (length - shown));
+}
+
 void Call::witness(const double dir[3], const double out[3]) {
   has_witness_ = true;
   std::memcpy(dir_, dir, sizeof dir_);

@@ -33,6 +33,9 @@ class Call {
   /// @return false, so that it chains: check || call.fail(...) || call.advise(...)
   bool advise(const char* remedy);
 
+  /// Say in which file it is, or the end of that name, unless the message does.
+  void name_file(const char* path);
+
   /// Attach what a support function was given and gave back.
   void witness(const double dir[3], const double out[3]);
 

@@ -1,15 +1,18 @@
-// Systems whose shared objects the library can't load: WebAssembly (the host brings a side module into memory and
-// registers it by pointer) and, for now, all without glibc.
+// Systems whose shared objects the library can't load. In WebAssembly the host brings a side module into memory and
+// registers it by pointer: bindings/js/src/side_module.js.
 #include "abi/loader.h"
 
-namespace carom::abi {
+namespace carom::abi::system {
 
-EntrySymbol load_entry_symbol(Call& call, const char* path, std::size_t) {
-  call.fail(CAROM_E_PLUGIN_LOAD, 2,
-            "\"%.120s\": this build of the library loads no shared objects; use carom_plugin_register()", path);
-  return {};
-}
+const char* const kEnding = nullptr;
+const char kBetween = ':';
+const char* const kSlashes = "/";
 
-void find_plugin_file(std::string_view, PluginFile&) {}
+bool is_absolute(std::string_view) { return false; }
+bool is_file(const char*) { return false; }
+const char* variable(const char*, char*, std::size_t) { return nullptr; }
+void own_file(char* path, std::size_t) { path[0] = 0; }
+std::FILE* open_file(const char*) { return nullptr; }
+Symbol load(const char*, const char*, char*, std::size_t) { return {}; }
 
-}  // namespace carom::abi
+}  // namespace carom::abi::system

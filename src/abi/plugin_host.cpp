@@ -162,7 +162,7 @@ void add(Call& call, carom_engine& engine, PluginRecord* record, carom_plugin* p
 
 /// "box" of "/usr/lib/carom/plugins/box.so".
 std::string_view stem_of(std::string_view path) {
-  path.remove_prefix(path.rfind('/') + 1);  // npos + 1 is 0
+  path.remove_prefix(path.find_last_of(system::kSlashes) + 1);  // npos + 1 is 0
   return path.substr(0, path.rfind('.'));
 }
 
@@ -209,6 +209,7 @@ int32_t carom_plugin_load(carom_engine* engine, const char* path, carom_plugin* 
       return;
     const EntrySymbol entry = load_entry_symbol(call, path, kSmallestPlugin);
     if (entry.description) take_plugin(call, *engine, entry.description, entry.bytes, path, plugin);
+    call.name_file(path);
   });
 }
 

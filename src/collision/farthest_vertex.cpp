@@ -6,20 +6,19 @@
 #include <numeric>
 
 #include "collision/hull.h"
+#include "core/int128.h"
 
 namespace carom::collision {
 
 namespace {
-
-__extension__ typedef __int128 Wide128;
 
 /// A direction in whole numbers, good to 2^-61, and its exact products with corners.
 struct WholeDirection {
   // |n_i| < 8 fits in 63 bits; three products with 52 bits stay below 2^117.
   explicit WholeDirection(const Vec3& n) : x(whole(n.x())), y(whole(n.y())), z(whole(n.z())) {}
   template <class Corner>
-  Wide128 along(const Corner& c) const {
-    return static_cast<Wide128>(x) * c.x + static_cast<Wide128>(y) * c.y + static_cast<Wide128>(z) * c.z;
+  Int128 along(const Corner& c) const {
+    return static_cast<Int128>(x) * c.x + static_cast<Int128>(y) * c.y + static_cast<Int128>(z) * c.z;
   }
   std::int64_t x, y, z;
 
@@ -172,11 +171,11 @@ std::uint32_t FarthestVertex::guess(const Vec3& n) const { return guesses_[cell_
 std::uint32_t FarthestVertex::climb_from(std::uint32_t at, const Vec3& n) const {
   if (!(n.abs().sum() < 8)) return 0;
   const WholeDirection d(n);
-  Wide128 most = d.along(corners_[at]);
+  Int128 most = d.along(corners_[at]);
   for (;;) {
     std::uint32_t best = at;
     for (std::uint32_t k = corners_[at].first; k < corners_[at + 1].first; ++k) {
-      const Wide128 h = d.along(corners_[neighbours_[k]]);
+      const Int128 h = d.along(corners_[neighbours_[k]]);
       if (h > most) most = h, best = neighbours_[k];
     }
     if (best == at) return at;

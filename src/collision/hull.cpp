@@ -3,21 +3,22 @@
 
 #include <algorithm>
 
-namespace carom::collision {
+#include "core/int128.h"
 
-__extension__ typedef __int128 Wide;
+namespace carom::collision {
 
 // Differences of grid points are 54-bit integers, their 2 x 2 minors fit 110 bits, and a row times the minors is summed
 // in two halves of 64 bits.
 int HullMesh::orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& x) {
   const auto whole = [&p](const Vec3& v, int i) { return static_cast<std::int64_t>((v[i] - p[i]) / kGrid); };
-  Wide high = 0, low = 0;
+  Int128 high = 0, low = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const Wide minor = static_cast<Wide>(whole(q, j)) * whole(r, k) - static_cast<Wide>(whole(q, k)) * whole(r, j);
+    const Int128 minor =
+        static_cast<Int128>(whole(q, j)) * whole(r, k) - static_cast<Int128>(whole(q, k)) * whole(r, j);
     const std::int64_t along = whole(x, i);
     high += (minor >> 64) * along;
-    low += static_cast<Wide>(static_cast<std::uint64_t>(minor)) * along;
+    low += static_cast<Int128>(static_cast<std::uint64_t>(minor)) * along;
   }
   high += low >> 64;
   return high > 0 || (high == 0 && static_cast<std::uint64_t>(low) != 0) ? 1 : high < 0 ? -1 : 0;

@@ -67,13 +67,14 @@ static uint64_t bits_after(const carom_engine_desc* desc, int steps, int setting
 static void* shifting_alloc(void* user, uint64_t size, uint64_t alignment) {
   static int calls = 0;
   const size_t shift = (size_t)alignment * (size_t)(++calls % 7);
-  void* raw = NULL;
+  void* raw;
   unsigned char* p;
   (void)user;
   if (alignment < 2 * sizeof(void*)) alignment = 2 * sizeof(void*);
-  if (posix_memalign(&raw, (size_t)alignment, (size_t)(size + 8 * alignment))) return NULL;
-  memset(raw, calls * 37, (size_t)(size + 8 * alignment));
-  p = (unsigned char*)raw + alignment + shift;
+  raw = malloc((size_t)(size + 9 * alignment));
+  if (!raw) return NULL;
+  memset(raw, calls * 37, (size_t)(size + 9 * alignment));
+  p = (unsigned char*)raw + 2 * alignment - (uintptr_t)raw % alignment + shift;
   memcpy(p - sizeof raw, &raw, sizeof raw);
   return p;
 }

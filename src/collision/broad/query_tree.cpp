@@ -37,7 +37,7 @@ void QueryTree::clear() {
 /// Outwards by kPad of the coordinate, and kBlur of all.
 void QueryTree::put(Node& node, std::uint32_t lane, const Aabb& box) const {
   const Vec3 far = (box.lo - origin_).abs().max((box.hi - origin_).abs());
-  const auto blur = static_cast<float>(kBlur * far.max_entry()) + FLT_MIN;
+  const auto blur = static_cast<float>(kBlur * far.max_entry()) + std::numeric_limits<float>::min();
   for (std::uint32_t k = 0; k < 3; ++k) {
     const auto lo = static_cast<float>(box.lo[k] - origin_[k]), hi = static_cast<float>(box.hi[k] - origin_[k]);
     node.planes[4 * k + lane] = lo - kPad * std::fabs(lo) - blur;

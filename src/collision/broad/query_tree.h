@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <cfloat>
+#include <limits>
 
 #include "collision/broad/bounds.h"
 #include "core/four.h"
@@ -77,9 +77,9 @@ class QueryTree {
 
   /// Not below x, as float.
   static float above(Real x) {
-    if (!(x < FLT_MAX / 2)) return FLT_MAX;
+    if (!(x < std::numeric_limits<float>::max() / 2)) return std::numeric_limits<float>::max();
     const auto f = static_cast<float>(x);
-    return f + (f < 0 ? -f : f) * FLT_EPSILON + FLT_MIN;
+    return f + (f < 0 ? -f : f) * std::numeric_limits<float>::epsilon() + std::numeric_limits<float>::min();
   }
 
  private:
@@ -87,7 +87,7 @@ class QueryTree {
   static constexpr std::uint32_t kWidth = 4;
   /// Of a coordinate and an offset, in units of them. A plane as seen from a line's start is off by 1 u for each of the
   /// two as they are rounded, and the way to it by 3 u of their difference: 4 u (|plane| + |start|), u = 2^-24.
-  static constexpr float kPad = 8 * FLT_EPSILON / 2;
+  static constexpr float kPad = 8 * std::numeric_limits<float>::epsilon() / 2;
   /// What rounding in double may do to a cast (three times kCastRounding u of lengths, not of coordinates).
   static constexpr Real kBlur = 0x1p-42;
   /// Halving by surface may split off one leaf at a time; from this depth on counts are halved.
@@ -141,7 +141,7 @@ inline unsigned QueryTree::Box::hits(const float* planes, float limit, float key
         (Four(planes + 4 * k) - Four(hi_[k])).max(Four(lo_[k]) - Four(planes + 12 + 4 * k)).max(Four(0.0f));
     sum = sum + off * off;
   }
-  sum = sum * Four(1 - 4 * FLT_EPSILON);
+  sum = sum * Four(1 - 4 * std::numeric_limits<float>::epsilon());
   sum.store(key);
   return sum.not_above(Four(limit));
 }

@@ -2,7 +2,6 @@
 #include "check/probe.h"
 
 #include <carom/carom.h>
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <atomic>
@@ -15,6 +14,7 @@
 #include <thread>
 
 #include "check/sets.h"
+#include "host/system.h"
 
 namespace carom::tools {
 namespace {
@@ -47,15 +47,10 @@ class Trial {
     enter(Phase::load);
     std::fenv_t environment;
     std::fegetenv(&environment);
-    void* object = dlopen(request_.path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    std::string why;
+    plugin_ = static_cast<const carom_shape_plugin*>(load_symbol(request_.path, CAROM_SHAPE_PLUGIN_SYMBOL, why));
     std::fesetenv(&environment);  // a plugin built with -Ofast flushes small numbers from the moment it is loaded
-    if (!object)
-      return find(Lie::cannot_load, nullptr, std::string("the loader refuses it: ") + dlerror(),
-                  "build it as a shared object for this machine, with all that it needs linked in");
-    plugin_ = static_cast<const carom_shape_plugin*>(dlsym(object, CAROM_SHAPE_PLUGIN_SYMBOL));
-    if (!plugin_)
-      return find(Lie::cannot_load, nullptr, "it does not export carom_shape_plugin_v1",
-                  "define `CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {...};` in C");
+    if (!plugin_) return cannot_load(why);
     enter(Phase::describe);
     if (!description_is_sound() || !parameters_fit()) return;
     std::size_t ordinary = 1;
@@ -92,6 +87,14 @@ class Trial {
       finding.has_witness = 1;
       finding.witness = *witness;
     }
+  }
+
+  /// The engine knows more of the file than the system says: for which machine it is, say.
+  void cannot_load(const std::string& why) {
+    load_into_engine();
+    if (guilty()) return;
+    find(Lie::cannot_load, nullptr, "the loader refuses it: " + why,
+         "build it as a shared object for this machine, with all that it needs linked in");
   }
 
   bool description_is_sound() {
@@ -369,8 +372,8 @@ class Trial {
 
 }  // namespace
 
-void probe(Verdict& verdict, const void* request) {
-  Trial trial(verdict, *static_cast<const ProbeRequest*>(request));
+void probe(Verdict& verdict, const ProbeRequest& request) {
+  Trial trial(verdict, request);
   trial.run();
   verdict.complete = 1;
 }

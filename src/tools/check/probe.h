@@ -18,6 +18,6 @@ struct ProbeRequest {
 /// What is asked of every call: success; finite; the same bits again, also with several threads asking; as far along
 /// the direction whatever the direction's length; and no other point farther along it, which over all pairs is exactly
 /// the condition that the points come from one convex set.
-void probe(Verdict& verdict, const void* request);
+void probe(Verdict& verdict, const ProbeRequest& request);
 
 }  // namespace carom::tools

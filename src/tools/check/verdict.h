@@ -42,7 +42,7 @@ struct Finding {
   char remedy[300] = {};
 };
 
-/// Lives in a shared mapping. The child writes, the parent reads after the child has ended.
+/// Lives in memory that processes share. The child writes, the parent reads after the child has ended.
 struct Verdict {
   Phase phase = Phase::start;
   std::uint32_t complete = 0;  ///< 1: the child reached its end
@@ -59,22 +59,5 @@ struct Verdict {
 
 /// Plain words for a phase: "sampling its support function".
 const char* phase_text(Phase phase);
-
-/// How the child ended.
-struct ChildEnd {
-  bool finished = false;     ///< ended by itself with status 0
-  bool out_of_time = false;  ///< CPU or wall-clock limit
-  int signal = 0;            ///< that ended it, or 0
-  int status = 0;            ///< exit status if it left by exit()
-};
-
-/// Run work(verdict) in a child process under a CPU limit, with a wall-clock limit of twice that and 5 s.
-/// @param cpu_seconds  whole seconds, >= 1   @throws Error if no process can be made
-ChildEnd run_in_child(unsigned cpu_seconds, Verdict& shared, void (*work)(Verdict&, const void* argument),
-                      const void* argument);
-
-/// A zeroed Verdict in memory shared with children; release with unmap_verdict().
-Verdict& map_verdict();
-void unmap_verdict(Verdict& verdict);
 
 }  // namespace carom::tools

@@ -1,8 +1,6 @@
 // `carom accuracy sweep` and `carom accuracy report`: dials x steps on scenes with a truth, and one page that shows it.
 #include "cli/accuracy_sweep.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -16,6 +14,7 @@
 #include "cli/table.h"
 #include "host/drawings.h"
 #include "host/files.h"
+#include "host/system.h"
 
 namespace carom::tools {
 namespace {
@@ -37,7 +36,7 @@ std::string minutes(double seconds) {
 /// A line that rewrites itself on a terminal; elsewhere one line a scene.
 class Teller {
  public:
-  explicit Teller(bool quiet) : quiet_(quiet), rewrites_(isatty(STDERR_FILENO)) {}
+  explicit Teller(bool quiet) : quiet_(quiet), rewrites_(errors_are_seen()) {}
   void operator()(const accuracy::Progress& p) {
     if (quiet_) return;
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();

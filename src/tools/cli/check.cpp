@@ -1,11 +1,14 @@
 // `carom check PLUGIN.so`: is this shape plugin valid? Tried in a child process; prints a witness when it is not.
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <new>
 
 #include "check/probe.h"
+#include "cli/children.h"
 #include "cli/commands.h"
 #include "cli/table.h"
 
@@ -22,7 +25,7 @@ struct CheckOptions {
 std::string absolute_path(const std::string& given, const PluginPath& path) {
   std::error_code failed;
   if (std::filesystem::is_regular_file(given, failed)) return std::filesystem::absolute(given).string();
-  if (given.find('/') == std::string::npos && !given.ends_with(".so")) return path.find(given);
+  if (std::filesystem::path(given).filename() == given && !given.ends_with(kPluginEnding)) return path.find(given);
   throw Error("there is no file " + given,
               "give the path of a shared object, or the name of a plugin that `carom shapes` lists");
 }
@@ -46,7 +49,7 @@ void print_death(const ChildEnd& end, const Verdict& verdict, unsigned seconds) 
   if (end.out_of_time)
     how = format("it did not come back within %u s", seconds);
   else if (end.signal)
-    how = format("it crashed (signal %d: %s)", end.signal, strsignal(end.signal));
+    how = format("it crashed (signal %d: %s)", end.signal, signal_text(end.signal).c_str());
   else if (verdict.threw)
     how = "it threw an exception";
   else
@@ -64,6 +67,7 @@ void print_death(const ChildEnd& end, const Verdict& verdict, unsigned seconds) 
 }
 
 int print_verdict(const Verdict& verdict, const ChildEnd& end, const CheckOptions& options) {
+  const bool finished = end.left && end.status == 0 && verdict.complete && !verdict.threw;
   std::printf("  %s; %llu calls, %llu parameter sets, %llu shapes made%s\n", verdict.id[0] ? verdict.id : "(no id)",
               static_cast<unsigned long long>(verdict.calls), static_cast<unsigned long long>(verdict.param_sets),
               static_cast<unsigned long long>(verdict.shapes),
@@ -78,29 +82,46 @@ int print_verdict(const Verdict& verdict, const ChildEnd& end, const CheckOption
     if (finding.has_witness) print_witness(finding.witness, true);
     std::printf("     what to do: %s\n", finding.remedy);
   }
-  if (!end.finished) print_death(end, verdict, options.seconds);
-  if (invalid || !end.finished) return kExitBadNews;
+  if (!finished) print_death(end, verdict, options.seconds);
+  if (invalid || !finished) return kExitBadNews;
   std::printf(
       "  valid: every support point finite, repeatable, free of the direction's length, and of one convex set;\n"
       "  its declarations agree with its support function\n");
   return 0;
 }
 
-void check(const CheckOptions& options, Context& context) {
+/// @param words  path of the plugin, then the parameters to judge it with, if any
+int probe_here(void* shared, const std::vector<std::string>& words) {
+  auto& verdict = *static_cast<Verdict*>(shared);
   ProbeRequest request;
-  request.path = absolute_path(options.plugin, context.plugins());
-  request.params = options.params;
-  request.params_given = !options.params.empty();
-  std::unique_ptr<Verdict, void (*)(Verdict*)> verdict(&map_verdict(), [](Verdict* v) { unmap_verdict(*v); });
-  const ChildEnd end = run_in_child(options.seconds, *verdict, probe, &request);
+  request.path = words[0];
+  for (std::size_t i = 1; i < words.size(); ++i) request.params.push_back(std::strtod(words[i].c_str(), nullptr));
+  request.params_given = !request.params.empty();
+  try {
+    probe(verdict, request);
+  } catch (...) {
+    verdict.threw = 1;
+  }
+  return 0;
+}
+
+void check(const CheckOptions& options, Context& context) {
+  const std::string path = absolute_path(options.plugin, context.plugins());
+  std::vector<std::string> words = {path};
+  for (const double param : options.params) words.push_back(format("%a", param));
+  SharedMemory shared(sizeof(Verdict));
+  const auto* verdict = new (shared.data()) Verdict();
+  const ChildEnd end = run_in_child(probe_work, words, options.seconds, shared);
   if (verdict->usage)
     throw Error("these parameters do not fit the plugin: " + std::string(verdict->usage_text),
                 "give what `carom shapes` shows for it, or none to have some chosen");
-  std::printf("%s\n", request.path.c_str());
+  std::printf("%s\n", path.c_str());
   context.exit_code = print_verdict(*verdict, end, options);
 }
 
 }  // namespace
+
+const ChildWork probe_work = {"check", probe_here};
 
 void add_check_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<CheckOptions>();

@@ -36,8 +36,7 @@ Seeds seeds_from(const JuryOptions& options) {
   if (options.seed) return {*options.seed, *options.seed};
   if (options.seeds.empty()) {
     const std::time_t now = std::time(nullptr);
-    std::tm day{};
-    gmtime_r(&now, &day);
+    const std::tm day = *std::gmtime(&now);
     const std::uint64_t first = jury::seed_of_day(day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
     return {first, first + options.count - 1};
   }

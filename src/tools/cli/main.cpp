@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/children.h"
 #include "cli/commands.h"
 #include "cli/explain.h"
 #include "host/files.h"
@@ -36,8 +37,10 @@ int fail(const Error& error) {
 
 int main(int argc, char** argv) {
   using namespace carom::tools;
+  if (const int status = child_main(argc, argv, {probe_work, print_shape_work}); status >= 0) return status;
   CLI::App app{"Carom: rigid-body physics whose shapes are plugins. Try: carom run seesaw --gltf seesaw.gltf", "carom"};
   app.require_subcommand(1);
+  app.allow_windows_style_options(false);  // the same words on every system; /a/path is none
   app.set_version_flag("--version", "carom " + std::to_string(CAROM_VERSION_MAJOR) + "." +
                                         std::to_string(CAROM_VERSION_MINOR) + "." +
                                         std::to_string(CAROM_VERSION_PATCH));

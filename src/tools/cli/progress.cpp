@@ -1,16 +1,15 @@
 #include "cli/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 
 #include "cli/table.h"
+#include "host/system.h"
 
 namespace carom::tools {
 
 ShareOfProgress::ShareOfProgress(std::size_t parts)
-    : parts_(std::max<std::size_t>(1, parts)), rewrites_(isatty(STDERR_FILENO)) {}
+    : parts_(std::max<std::size_t>(1, parts)), rewrites_(errors_are_seen()) {}
 
 void ShareOfProgress::show(double share) const {
   if (rewrites_)

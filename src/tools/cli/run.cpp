@@ -1,5 +1,4 @@
 // `carom run SCENE`: simulate a scene, show how it goes, say what it cost and what ended where, and write the motion.
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -16,6 +15,7 @@
 #include "cli/table.h"
 #include "host/drawings.h"
 #include "host/files.h"
+#include "host/system.h"
 #include "replay/replay.h"
 #include "report/perspective.h"
 #include "report/silhouette.h"
@@ -35,7 +35,7 @@ struct RunOptions {
 /// A line that rewrites itself, at most ten times a second, on a terminal only.
 class Progress {
  public:
-  Progress(double seconds, bool wanted) : seconds_(seconds), shown_(wanted && isatty(STDERR_FILENO)) {}
+  Progress(double seconds, bool wanted) : seconds_(seconds), shown_(wanted && errors_are_seen()) {}
   void update(const carom_step_report& report) {
     if (!shown_) return;
     const auto now = std::chrono::steady_clock::now();

@@ -1,11 +1,7 @@
 // `carom shapes`: the shape plugins that were found, what they take and what they declare.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <csignal>
 #include <cstdio>
 
+#include "cli/children.h"
 #include "cli/commands.h"
 #include "cli/table.h"
 
@@ -40,51 +36,44 @@ void print_plugin(Engine& engine, const std::string& name, const std::string& fi
   std::printf("    declares %s\n\n", declarations(plugin).c_str());
 }
 
-constexpr rlim_t kSeconds = 5;  // of computing, that a plugin may take to be loaded and told of
+constexpr unsigned kSeconds = 5;  // of computing, that a plugin may take to be loaded and told of
 
-/// A plugin is a file of a stranger's: it is loaded in a child, which may hang or crash alone.
-/// @param print  -> exit code   @return likewise
-template <class Print>
-int print_in_child(const std::string& name, const std::string& file, Print&& print) {
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child == 0) {
-    const rlimit most = {kSeconds, kSeconds + 1};
-    setrlimit(RLIMIT_CPU, &most);
-    const int code = print();
-    std::fflush(stdout);
-    _exit(code);
+/// @param words  name, file, folders of plugins
+int print_shape(void*, const std::vector<std::string>& words) {
+  try {
+    Engine engine(PluginPath(std::vector<std::string>(words.begin() + 2, words.end())));
+    print_plugin(engine, words[0], words[1]);
+    return 0;
+  } catch (const Error& error) {
+    std::printf("%s  REFUSED: %s\n  what to do: %s\n\n", words[0].c_str(), error.what(), error.remedy.c_str());
+    return kExitBadNews;
   }
-  int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child)
-    throw Error("cannot start a process of its own for " + name, "free memory or processes, and try again");
-  if (WIFEXITED(status)) return WEXITSTATUS(status);
+}
+
+/// A plugin is a file of a stranger's: it is loaded in a child, which may hang or crash alone.   @return exit code
+int print_in_child(const std::string& name, const std::string& file, const std::vector<std::string>& folders) {
+  std::vector<std::string> words = {name, file};
+  words.insert(words.end(), folders.begin(), folders.end());
+  SharedMemory none(1);
+  const ChildEnd end = run_in_child(print_shape_work, words, kSeconds, none);
+  if (end.left && end.status != kChildThrew) return end.status;
   std::printf("%s  REFUSED: %s %s\n  what to do: run `carom check %s`\n\n", name.c_str(), file.c_str(),
-              WTERMSIG(status) == SIGXCPU ? "did not return within 5 s" : "crashed", file.c_str());
+              end.out_of_time ? "did not return within 5 s" : "crashed", file.c_str());
   return kExitBadNews;
 }
 
 void print_shapes(Context& context) {
-  Engine engine(context.plugins());
-  const std::map<std::string, std::string> files = engine.path().all();
-  if (files.empty()) engine.path().find("sphere");  // throws the error that says where we looked
-  for (const auto& found : files) {
-    const std::string &name = found.first, &file = found.second;
-    const int code = print_in_child(name, file, [&] {
-      try {
-        print_plugin(engine, name, file);
-        return 0;
-      } catch (const Error& error) {
-        std::printf("%s  REFUSED: %s\n  what to do: %s\n\n", name.c_str(), error.what(), error.remedy.c_str());
-        return kExitBadNews;
-      }
-    });
-    if (code != 0) context.exit_code = code;
-  }
+  const PluginPath path = context.plugins();
+  const std::map<std::string, std::string> files = path.all();
+  if (files.empty()) path.find("sphere");  // throws the error that says where we looked
+  for (const auto& [name, file] : files)
+    if (const int code = print_in_child(name, file, path.folders())) context.exit_code = code;
   std::printf("half_space  (built in, static bodies only: it is not bounded)\n");
 }
 
 }  // namespace
+
+const ChildWork print_shape_work = {"shapes", print_shape};
 
 void add_shapes_command(CLI::App& app, Context& context) {
   app.add_subcommand("shapes", "List the shape plugins found: parameters, bounds, declarations")->callback([&context] {

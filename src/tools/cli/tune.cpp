@@ -2,8 +2,6 @@
 // says.
 #include "tune/tune.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include "cli/scene_choice.h"
 #include "cli/table.h"
 #include "host/drawings.h"
+#include "host/system.h"
 #include "report/plot.h"
 #include "scenefile/scenefile.h"
 
@@ -304,7 +303,7 @@ void write_plot(const std::string& path, const Question& q, const Result& a) {
 /// A line that rewrites itself on a terminal; elsewhere a line each tenth of the way.
 class TuneProgress {
  public:
-  explicit TuneProgress(bool quiet) : quiet_(quiet), rewrites_(isatty(STDERR_FILENO)) {}
+  explicit TuneProgress(bool quiet) : quiet_(quiet), rewrites_(errors_are_seen()) {}
   void operator()(int done, int total, const std::string& what) {
     if (quiet_) return;
     const int tenth = 10 * done / total;

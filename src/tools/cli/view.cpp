@@ -1,7 +1,4 @@
 // `carom view SCENE`: the page of src/site, served to browsers of this machine, with a scene packed on the spot.
-#include <signal.h>
-#include <spawn.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -9,9 +6,8 @@
 #include "cli/packed_scene.h"
 #include "cli/packed_truth.h"
 #include "host/files.h"
+#include "host/system.h"
 #include "serve/serve.h"
-
-extern char** environ;
 
 namespace carom::tools {
 namespace {
@@ -60,21 +56,6 @@ std::string index_with(const nlohmann::json& row, const std::string& folder) {
   return index.dump();
 }
 
-void open_browser(const std::string& address) {
-  std::string program = "xdg-open", argument = address;
-  char* const line[] = {program.data(), argument.data(), nullptr};
-  posix_spawnattr_t attributes;  // a browser hears the signals that serve::run() keeps from its threads
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, line[0], nullptr, &attributes, line, environ);
-  posix_spawnattr_destroy(&attributes);
-  if (failed) std::fprintf(stderr, "carom: xdg-open is not there to open a browser; open the address by hand\n");
-}
-
 /// "?scene=pyramid&set=n=12": length of the row (4 bytes, little-endian), row, world, truth.   @throws Error
 std::string made_scene(const serve::Question& question, Context& context) {
   SceneChoice choice;
@@ -112,7 +93,8 @@ void view(ViewOptions& options, Context& context) {
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
     std::printf("%s  (ctrl-C ends it)\n", address.c_str());
     std::fflush(stdout);
-    if (options.open) open_browser(address);
+    if (options.open && !open_in_browser(address))
+      std::fprintf(stderr, "carom: no program is there to open a browser; open the address by hand\n");
   });
 }
 

@@ -1,16 +1,10 @@
 #include "host/drawings.h"
 
-#include <spawn.h>
-#include <sys/wait.h>
-
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 #include "host/files.h"
 #include "host/host.h"
-
-extern char** environ;
+#include "host/system.h"
 
 namespace carom::tools {
 namespace {
@@ -30,21 +24,12 @@ class PassingFile {
 
 void draw_png(const std::string& path, const std::string& svg) {
   const PassingFile source(path + ".svg.part", svg);
-  std::string arguments[] = {"rsvg-convert", "--zoom", "2", "--output", path, source.path()};
-  char* argv[std::size(arguments) + 1] = {};
-  for (std::size_t i = 0; i < std::size(arguments); ++i) argv[i] = arguments[i].data();
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, argv[0], nullptr, nullptr, argv, environ);
-  int status = 0;
-  if (failed == 0)
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-  const bool missing = failed == ENOENT || (WIFEXITED(status) && WEXITSTATUS(status) == 127);
-  if (missing)
+  const int status = run_program({"rsvg-convert", "--zoom", "2", "--output", path, source.path()});
+  if (status == kNoProgram)
     throw Error("cannot write " + path + ": the command rsvg-convert, which draws PNG, is not there",
                 "install it (Debian: apt-get install librsvg2-bin), or name a file that ends in .svg");
-  if (failed || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw Error("cannot write " + path + ": rsvg-convert " + (failed ? std::strerror(failed) : "gave up"),
+  if (status != 0)
+    throw Error("cannot write " + path + ": rsvg-convert gave up",
                 "check that its folder is writable and the disk has space, or name a file that ends in .svg");
 }
 

@@ -1,66 +1,40 @@
 #include "host/files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 #include "host/host.h"
+#include "host/system.h"
 
 namespace carom::tools {
 namespace {
 
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) close(fd_);
-  }
-  Descriptor(Descriptor&& o) noexcept : fd_(std::exchange(o.fd_, -1)) {}
-  Descriptor& operator=(Descriptor&& o) noexcept {
-    std::swap(fd_, o.fd_);
-    return *this;
-  }
-  int get() const { return fd_; }
-  explicit operator bool() const { return fd_ >= 0; }
-
- private:
-  int fd_;
-};
-
-// O_NONBLOCK: opening a FIFO does not wait for somebody who writes to it.
-constexpr int kReading = O_RDONLY | O_NONBLOCK | O_CLOEXEC;
-
 [[noreturn]] void cannot(const std::string& path, const std::string& why, const std::string& remedy) {
-  throw Error("cannot read " + path + why, remedy);
+  throw Error("cannot read " + path + ": " + why, remedy);
 }
 
-std::string read_all(const Descriptor& file, const std::string& path, const std::string& remedy) {
-  if (!file)
-    cannot(path, errno == ELOOP ? ": it is a symbolic link" : std::string(": ") + std::strerror(errno), remedy);
-  struct stat about {};
-  if (fstat(file.get(), &about) != 0 || !S_ISREG(about.st_mode)) cannot(path, ": it is no regular file", remedy);
+std::string read_all(const FileToRead& opened, const std::string& path, const std::string& remedy) {
+  if (!opened.file) cannot(path, opened.why, remedy);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(opened.file, std::fclose);
   const std::size_t most = file_limits().largest;
   const auto too_large = [&] {
-    cannot(path, ": it is larger than " + std::to_string(most >> 20) + " MiB",
+    cannot(path, "it is larger than " + std::to_string(most >> 20) + " MiB",
            "read something smaller, or raise the limit: --file-limit MIB");
   };
-  if (about.st_size < 0 || static_cast<std::uint64_t>(about.st_size) > most) too_large();
+  if (opened.size > most) too_large();
   std::string bytes;
-  bytes.reserve(static_cast<std::size_t>(about.st_size));
+  bytes.reserve(static_cast<std::size_t>(opened.size));
   char some[1 << 16];
-  for (;;) {
-    const ssize_t n = read(file.get(), some, sizeof some);
-    if (n == 0) return bytes;
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) cannot(path, std::string(": ") + std::strerror(errno), remedy);
-    if (bytes.size() + static_cast<std::size_t>(n) > most) too_large();  // it grew meanwhile
-    bytes.append(some, static_cast<std::size_t>(n));
+  while (const std::size_t n = std::fread(some, 1, sizeof some, file.get())) {
+    if (bytes.size() + n > most) too_large();  // it grew meanwhile
+    bytes.append(some, n);
   }
+  if (std::ferror(file.get())) cannot(path, std::strerror(errno), remedy);
+  return bytes;
 }
 
 }  // namespace
@@ -71,31 +45,21 @@ FileLimits& file_limits() {
 }
 
 std::string read_file(const std::string& path, const std::string& remedy) {
-  return read_all(Descriptor(open(path.c_str(), kReading)), path, remedy);
+  return read_all(open_to_read(path), path, remedy);
 }
 
 std::string read_below(const std::string& folder, const std::string& relative, const std::string& remedy) {
   namespace fs = std::filesystem;
   const fs::path inner(relative);
   const std::string path = (fs::path(folder) / inner).string();
-  if (inner.empty() || inner.is_absolute()) cannot(path, ": only what lies below its folder is read", remedy);
-  Descriptor at(open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!at) cannot(folder, std::string(": ") + std::strerror(errno), remedy);
-  for (auto part = inner.begin(); part != inner.end();) {
-    const std::string name = part->string();
-    if (name == ".." || name.find('\0') != std::string::npos)
-      cannot(path, ": only what lies below its folder is read", remedy);
-    const bool last = ++part == inner.end();
-    Descriptor next(openat(at.get(), name.c_str(), kReading | O_NOFOLLOW | (last ? 0 : O_DIRECTORY)));
-    if (last) return read_all(next, path, remedy);
-    if (!next)
-      cannot(path,
-             errno == ELOOP || errno == ENOTDIR ? ": a folder on the way is a link, or none"
-                                                : std::string(": ") + std::strerror(errno),
-             remedy);
-    at = std::move(next);
-  }
-  cannot(path, ": it has no name", remedy);
+  std::vector<std::string> names;
+  for (const fs::path& part : inner) names.push_back(part.string());
+  for (const std::string& name : names)
+    if (inner.has_root_path() || name == ".." || name.find('\0') != std::string::npos)
+      cannot(path, "only what lies below its folder is read", remedy);
+  if (names.empty()) cannot(path, "only what lies below its folder is read", remedy);
+  if (names.back().empty()) cannot(path, "it has no name", remedy);
+  return read_all(open_below(folder.empty() ? "." : folder, names), path, remedy);
 }
 
 void check_output(const std::string& path) {
@@ -113,8 +77,8 @@ void check_output(const std::string& path) {
   if (!fs::is_directory(folder, failed))
     refuse(folder.string() + " is no folder", "name a file in a folder that exists");
   const bool exists = fs::exists(path, failed);
-  if (access(exists ? path.c_str() : folder.c_str(), W_OK) != 0)
-    refuse(std::strerror(errno), "name a file in a folder that you may write to");
+  if (const std::string why = why_not_written(exists ? path : folder.string()); !why.empty())
+    refuse(why, "name a file in a folder that you may write to");
 }
 
 void write_file(const std::string& path, const std::string& content) {

@@ -1,12 +1,11 @@
 // Where shape plugins are found: the library takes absolute paths only, so the search is ours.
-#include <sys/auxv.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
 #include "host/host.h"
+#include "host/system.h"
 
 namespace carom::tools {
 namespace fs = std::filesystem;
@@ -20,7 +19,7 @@ PluginPath::PluginPath(std::vector<std::string> explicit_dirs) {
   for (const std::string& dir : explicit_dirs) add(dir);
   if (const char* variable = std::getenv("CAROM_PLUGIN_PATH")) {
     std::stringstream list(variable);
-    for (std::string dir; std::getline(list, dir, ':');)
+    for (std::string dir; std::getline(list, dir, kBetweenFolders);)
       if (!dir.empty()) add(dir);
   }
   if (const fs::path base = own_base(); !base.empty()) {
@@ -30,14 +29,8 @@ PluginPath::PluginPath(std::vector<std::string> explicit_dirs) {
 }
 
 std::string own_base(const char* link) {
-  std::error_code failed;
-  fs::path executable = fs::read_symlink(link, failed);
-  if (failed) {
-    const auto* started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
-    executable = started ? fs::canonical(started, failed) : fs::path();
-    if (failed) return "";
-  }
-  return executable.parent_path().parent_path().string();
+  const fs::path own = own_program(link);
+  return own.parent_path().parent_path().string();
 }
 
 bool is_plugin_name(const std::string& name) {
@@ -65,7 +58,7 @@ std::string PluginPath::find(const std::string& name) const {
                 "give its id alone: up to 64 letters, digits, _, - or dots; `carom shapes` lists them");
   std::string searched;
   for (const std::string& folder : folders_) {
-    const fs::path candidate = fs::path(folder) / (name + ".so");
+    const fs::path candidate = fs::path(folder) / (name + kPluginEnding);
     std::error_code ignored;
     if (fs::is_regular_file(candidate, ignored)) {
       if (lies_in(candidate, folder)) return candidate.string();
@@ -77,11 +70,11 @@ std::string PluginPath::find(const std::string& name) const {
   std::vector<std::string> known;
   for (const auto& plugin : all()) known.push_back(plugin.first);
   const std::string near = nearest_name(name, known);
-  throw Error(
-      "the shape plugin '" + name + ".so' was not found; searched:" + (searched.empty() ? " nowhere" : searched),
-      (near.empty() ? "" : "did you mean '" + near + "'? `carom shapes` lists all that are there; else ") +
-          "build the plugins (cmake --build --preset demo), or point --plugins DIR or CAROM_PLUGIN_PATH at the "
-          "folder that holds them");
+  throw Error("the shape plugin '" + name + kPluginEnding +
+                  "' was not found; searched:" + (searched.empty() ? " nowhere" : searched),
+              (near.empty() ? "" : "did you mean '" + near + "'? `carom shapes` lists all that are there; else ") +
+                  "build the plugins (cmake --build --preset demo), or point --plugins DIR or CAROM_PLUGIN_PATH at the "
+                  "folder that holds them");
 }
 
 std::map<std::string, std::string> PluginPath::all() const {
@@ -89,7 +82,7 @@ std::map<std::string, std::string> PluginPath::all() const {
   for (const std::string& folder : folders_) {
     std::error_code failed;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed))
-      if (entry.path().extension() == ".so" && is_plugin_name(entry.path().stem().string()) &&
+      if (entry.path().extension() == kPluginEnding && is_plugin_name(entry.path().stem().string()) &&
           entry.is_regular_file(failed) && lies_in(entry.path(), folder))
         found.emplace(entry.path().stem().string(), entry.path().string());
   }

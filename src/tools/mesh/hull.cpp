@@ -2,7 +2,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
 #include <limits>
 
 extern "C" {
@@ -21,22 +21,19 @@ using Eigen::Vector3d;
 /// qhull writes its complaints to a FILE*; keep them for the error message.
 class ErrorText {
  public:
-  ErrorText() : file_(open_memstream(&text_, &size_)) {}
   ~ErrorText() {
-    std::fclose(file_);
-    std::free(text_);
+    if (file_) std::fclose(file_);
   }
   FILE* file() { return file_; }
   std::string first_line() {
-    std::fflush(file_);
-    const std::string all(text_, size_);
+    char line[400] = "";
+    if (file_) std::rewind(file_), static_cast<void>(std::fgets(line, sizeof line, file_) != nullptr);
+    const std::string all(line);
     return all.substr(0, all.find('\n'));
   }
 
  private:
-  char* text_ = nullptr;
-  std::size_t size_ = 0;
-  FILE* file_;
+  FILE* file_ = std::tmpfile();  // null: they go to stderr
 };
 
 /// Largest distance from a vertex of `full` to the boundary of `kept`; vertices inside `kept` count as 0.

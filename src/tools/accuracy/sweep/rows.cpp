@@ -145,9 +145,8 @@ std::string this_machine() {
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
-  std::tm utc{};
+  const std::tm utc = *std::gmtime(&now);
   char text[16];
-  gmtime_r(&now, &utc);
   std::strftime(text, sizeof text, "%Y-%m-%d", &utc);
   return text;
 }
