@@ -80,6 +80,8 @@ AxisOffsets offsets_of(const JointAxes& axes) {
   return off;
 }
 
+static_assert(kMostDriveRows == kAxes * kAxisSources + 3, "all that acts along axes, and a drive to an orientation");
+
 void add_axis_drives(const Joints& joints, const Joint& joint, JointLayout& layout) {
   const JointAxes& axes = joints.axes_of(joint);
   layout.axed = joint.def.kind == JointKind::six_axis;

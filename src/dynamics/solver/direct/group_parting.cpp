@@ -94,7 +94,7 @@ void ConeGroup::part(Poses& to, Real h) {
   const Real goal = is_joined() ? std::max(0.1 * tolerable_gap(), kGiveOfDisplacements * most_asked) : 0.01 * tolerance;
   const auto most_steps = static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>(kLeastWork / work_, 2 * kAlways.value, kStepsOfYielding.value));
-  solution_ = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
+  solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
   const Real share = displacement_share(most_asked, h);
   for (const ConeBody& b : bodies_of(problem_)) {
     Vec3 turn = share * b.v.angular();

@@ -184,7 +184,7 @@ Real ConeGroup::start(Real h) {
   if (is_joined()) stiffen(world_, problem_, link_row_, h);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
   hold_forest();
-  for (ConeLink& link : problem_.links)  // `gained` is what the substep before ended with, less nothing yet
+  for (ConeLink& link : problem_.links)  // `gained` is, as yet, minus what the substep before ended with
     if (link.is_spring()) link.p = link.start_p = link.given(-relative<&ConeBody::gained>(problem_.bodies, link));
   for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
   if (const Real share = share_that_helps(problem_); share < 1) {

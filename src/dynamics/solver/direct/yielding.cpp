@@ -57,17 +57,14 @@ void bound_friction(ConeProblem& problem) {
   }
 }
 
-ConeSolution solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance, std::uint32_t most_steps) {
+std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance, std::uint32_t most_steps) {
   for (ConeContact& c : problem.contacts) c.give = forgets * give * c.k, c.slip = 0;
   bound_friction(problem);
   problem.factored = problem.locked_softness = 0;
-  ConeSolution solution;
-  Round round(problem, (1 - forgets) * give, Round::Friction::known);
-  solution.factorisations = round.minimise(tolerance, most_steps);
-  solution.rounds = 1;
+  const std::uint32_t steps =
+      Round(problem, (1 - forgets) * give, Round::Friction::known).minimise(tolerance, most_steps);
   for (ConeContact& c : problem.contacts) c.give = 0;
-  solution.residual = residual(problem);
-  return solution;
+  return steps;
 }
 
 ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps) {

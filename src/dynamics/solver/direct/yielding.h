@@ -20,8 +20,8 @@ void bound_friction(ConeProblem& problem);
 /// do to the bodies is what was found, to the bit.
 /// @param give  of a contact's response   @param tolerance  m/s   @param most_steps  of Newton
 /// @param forgets  1: contacts yield from where they bear nothing; less: by so much, from what acts already
-/// @return      its residual is that of the exact law
-ConeSolution solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance, std::uint32_t most_steps);
+/// @return      steps taken
+std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance, std::uint32_t most_steps);
 
 /// From a solution that yields on: rounds in which each contact keeps to what it bore in the round before, friction as it is
 /// known: by what was borne in the last substep, of what begins to bear by the round before. What a contact gives shrinks by the softness of what it bears on.
