@@ -185,7 +185,8 @@ static void refused_copy(const char* plugins, const char* folder) { /* the begin
 
 /* The first bytes of shared objects: of a format, and in it the number of a machine. */
 static const struct {
-  const char *system, *machine, *bytes;
+  const char *system, *machine;
+  char bytes[8];
   size_t machine_at, machine_bytes;
   uint32_t machine_number;
 } kinds[] = {{"Linux (ELF)", "x86-64", "\177ELF\2\1\1", 18, 2, 62},
