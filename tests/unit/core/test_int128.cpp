@@ -27,7 +27,8 @@ void sums_products_and_order_are_the_compilers(void**) {
     const std::int64_t a = number(i), b = number(i / 3), c = number(i / 9);
     const OwnInt128 own = OwnInt128(a) * b - OwnInt128(c) * a, own_b = OwnInt128(static_cast<std::uint64_t>(b)) * c;
     const Its its = Its(a) * b - Its(c) * a, its_b = Its(static_cast<std::uint64_t>(b)) * c;
-    assert_true(same(own, its) && same(own_b, its_b) && same(own + own_b, static_cast<Its>(Modulo(its) + Modulo(its_b))));
+    assert_true(same(own, its) && same(own_b, its_b) &&
+                same(own + own_b, static_cast<Its>(Modulo(its) + Modulo(its_b))));
     assert_true((own < own_b) == (its < its_b) && (own > 0) == (its > 0) && (own == own_b) == (its == its_b));
     OwnInt128 sum = own;
     sum += own >> 64;
