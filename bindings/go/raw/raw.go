@@ -821,16 +821,19 @@ const CAROM_JOINT_COLLIDE = uint32(2)
 // length is given; else it is the distance of the points as they stand now
 const CAROM_JOINT_FIELD_LENGTH = uint32(4)
 
+// each step measures the joint's accelerations, @see CAROM_JOINT_BULK_ACCELERATION
+const CAROM_JOINT_ACCELERATIONS = uint32(8)
+
 // 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only
 const CAROM_JOINT_BULK_COORDINATES = uint32(0)
 
 // 4: m/s or rad/s, their rates, from the present velocities; read only
 const CAROM_JOINT_BULK_SPEEDS = uint32(1)
 
-// 6: m and rad, by CAROM_AXIS_*; read only
+// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
 const CAROM_JOINT_BULK_AXES = uint32(2)
 
-// 6: m/s and rad/s, their rates; read only
+// 6: m/s and rad/s, their rates; written likewise
 const CAROM_JOINT_BULK_AXIS_SPEEDS = uint32(3)
 
 // 3: N, world, as carom_joint_state.force; read only
@@ -845,10 +848,10 @@ const CAROM_JOINT_BULK_ERROR = uint32(6)
 // 1: 1 or 0; read only
 const CAROM_JOINT_BULK_BROKEN = uint32(7)
 
-// 1: m or rad, of one motion, whole turns counted; read only
+// 1: m or rad, of one motion, whole turns counted; written: hinge, slider
 const CAROM_JOINT_BULK_POSITION = uint32(8)
 
-// 1: m/s or rad/s, of one motion; read only
+// 1: m/s or rad/s, of one motion; written likewise
 const CAROM_JOINT_BULK_VELOCITY = uint32(9)
 
 // 1: N or N m, borne along one motion, mean over the last step; read only
@@ -905,7 +908,19 @@ const CAROM_JOINT_BULK_ORIENTATION_EFFORT = uint32(26)
 // 2: stiffness, damping, likewise
 const CAROM_JOINT_BULK_ORIENTATION_GAINS = uint32(27)
 
-const CAROM_JOINT_BULK_COUNT = uint32(28)
+// 1: m/s^2 or rad/s^2, of a hinge or slider; read only
+const CAROM_JOINT_BULK_ACCELERATION = uint32(28)
+
+// 6: by CAROM_AXIS_*, of any kind; read only. Both of joints with CAROM_JOINT_ACCELERATIONS
+const CAROM_JOINT_BULK_AXIS_ACCELERATIONS = uint32(29)
+
+// 6: friction of each axis of a six-axis joint, as carom_joint_axis
+const CAROM_JOINT_BULK_AXIS_FRICTIONS = uint32(30)
+
+// 6: armature, likewise
+const CAROM_JOINT_BULK_AXIS_ARMATURES = uint32(31)
+
+const CAROM_JOINT_BULK_COUNT = uint32(32)
 
 // gyroscopic term of bodies with unlike moments of inertia
 const CAROM_EFFECT_GYROSCOPIC = uint32(0)
@@ -5038,10 +5053,12 @@ func WorldReadJoints(world *World, field uint32, scalar uint32, joints *Joint, n
 	return int32(C.carom_world_read_joints((*C.carom_world)(unsafe.Pointer(world)), C.uint32_t(field), C.uint32_t(scalar), (*C.carom_joint)(unsafe.Pointer(joints)), C.uint64_t(n), dst, C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+// Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+// Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
 // enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
 // @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+// one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
 // OUT_OF_RANGE; REENTRANT
 func WorldWriteJoints(world *World, field uint32, scalar uint32, joints *Joint, n uint64, src unsafe.Pointer, stride uint64, error_ *Error) int32 {
 	return int32(C.carom_world_write_joints((*C.carom_world)(unsafe.Pointer(world)), C.uint32_t(field), C.uint32_t(scalar), (*C.carom_joint)(unsafe.Pointer(joints)), C.uint64_t(n), src, C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))

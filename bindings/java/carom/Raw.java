@@ -526,13 +526,15 @@ public final class Raw {
     public static final int CAROM_JOINT_COLLIDE = 2;
     /** length is given; else it is the distance of the points as they stand now */
     public static final int CAROM_JOINT_FIELD_LENGTH = 4;
+    /** each step measures the joint's accelerations, see: CAROM_JOINT_BULK_ACCELERATION */
+    public static final int CAROM_JOINT_ACCELERATIONS = 8;
     /** 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only */
     public static final int CAROM_JOINT_BULK_COORDINATES = 0;
     /** 4: m/s or rad/s, their rates, from the present velocities; read only */
     public static final int CAROM_JOINT_BULK_SPEEDS = 1;
-    /** 6: m and rad, by CAROM_AXIS_*; read only */
+    /** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
     public static final int CAROM_JOINT_BULK_AXES = 2;
-    /** 6: m/s and rad/s, their rates; read only */
+    /** 6: m/s and rad/s, their rates; written likewise */
     public static final int CAROM_JOINT_BULK_AXIS_SPEEDS = 3;
     /** 3: N, world, as carom_joint_state.force; read only */
     public static final int CAROM_JOINT_BULK_FORCE = 4;
@@ -542,9 +544,9 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_ERROR = 6;
     /** 1: 1 or 0; read only */
     public static final int CAROM_JOINT_BULK_BROKEN = 7;
-    /** 1: m or rad, of one motion, whole turns counted; read only */
+    /** 1: m or rad, of one motion, whole turns counted; written: hinge, slider */
     public static final int CAROM_JOINT_BULK_POSITION = 8;
-    /** 1: m/s or rad/s, of one motion; read only */
+    /** 1: m/s or rad/s, of one motion; written likewise */
     public static final int CAROM_JOINT_BULK_VELOCITY = 9;
     /** 1: N or N m, borne along one motion, mean over the last step; read only */
     public static final int CAROM_JOINT_BULK_EFFORT = 10;
@@ -582,7 +584,15 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_ORIENTATION_EFFORT = 26;
     /** 2: stiffness, damping, likewise */
     public static final int CAROM_JOINT_BULK_ORIENTATION_GAINS = 27;
-    public static final int CAROM_JOINT_BULK_COUNT = 28;
+    /** 1: m/s^2 or rad/s^2, of a hinge or slider; read only */
+    public static final int CAROM_JOINT_BULK_ACCELERATION = 28;
+    /** 6: by CAROM_AXIS_*, of any kind; read only. Both of joints with CAROM_JOINT_ACCELERATIONS */
+    public static final int CAROM_JOINT_BULK_AXIS_ACCELERATIONS = 29;
+    /** 6: friction of each axis of a six-axis joint, as carom_joint_axis */
+    public static final int CAROM_JOINT_BULK_AXIS_FRICTIONS = 30;
+    /** 6: armature, likewise */
+    public static final int CAROM_JOINT_BULK_AXIS_ARMATURES = 31;
+    public static final int CAROM_JOINT_BULK_COUNT = 32;
     /** gyroscopic term of bodies with unlike moments of inertia */
     public static final int CAROM_EFFECT_GYROSCOPIC = 0;
     /** damping of velocity */
@@ -4797,10 +4807,12 @@ public final class Raw {
     private static final class carom_world_write_joints_ {
         static final MethodHandle CALL = Library.call("carom_world_write_joints", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+    /** Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+     *  Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
      *  enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
      *  param: src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-     *  status: as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+     *  status: as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+     *  one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
      *  OUT_OF_RANGE; REENTRANT */
     public static int carom_world_write_joints(MemorySegment world, int field, int scalar, MemorySegment joints, long n, MemorySegment src, long stride, MemorySegment error) {
         try { return (int) carom_world_write_joints_.CALL.invokeExact(world, field, scalar, joints, n, src, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }

@@ -624,10 +624,12 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
    *  OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_read_joints(world: number, field: number, scalar: number, joints: number, n: bigint, dst: number, stride: bigint, error: number): number;
-  /** Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+  /** Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+   *  Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
    *  enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
    *  @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-   *  @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+   *  @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+   *  one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
    *  OUT_OF_RANGE; REENTRANT */
   carom_world_write_joints(world: number, field: number, scalar: number, joints: number, n: bigint, src: number, stride: bigint, error: number): number;
   /** Number of joints, and their handles in creation order of the slots.

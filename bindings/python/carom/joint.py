@@ -44,9 +44,12 @@ def make_joint(world: World, kind: JointWord | int, a: Body | None, b: Body | No
                axis: Vector | None, about: Mapping[str, Any]) -> Joint:
     """World.joint(). With `position` the joint is placed in the world as the bodies stand now; `axis` is the direction of its
     x axis there (of a hinge, of a slider), or `orientation` says more. Else position_a, position_b, ... are in the bodies'
-    frames. Also: length, break_force, break_torque, collide=True, user."""
+    frames. Also: length, break_force, break_torque, collide=True, accelerations=True
+    (each step measures them), user."""
     about = dict(about)
     fields = raw.CAROM_JOINT_COLLIDE if about.pop("collide", False) else 0
+    if about.pop("accelerations", False):
+        fields |= raw.CAROM_JOINT_ACCELERATIONS
     if axis is not None:
         orientation = turn_x_to(axis)
     if position is not None or orientation is not None:

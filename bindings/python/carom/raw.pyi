@@ -272,6 +272,7 @@ CAROM_GAINS_COUNT: int
 CAROM_JOINT_WORLD_FRAME: int
 CAROM_JOINT_COLLIDE: int
 CAROM_JOINT_FIELD_LENGTH: int
+CAROM_JOINT_ACCELERATIONS: int
 CAROM_JOINT_BULK_COORDINATES: int
 CAROM_JOINT_BULK_SPEEDS: int
 CAROM_JOINT_BULK_AXES: int
@@ -300,6 +301,10 @@ CAROM_JOINT_BULK_ORIENTATION_TARGET: int
 CAROM_JOINT_BULK_ORIENTATION_VELOCITY: int
 CAROM_JOINT_BULK_ORIENTATION_EFFORT: int
 CAROM_JOINT_BULK_ORIENTATION_GAINS: int
+CAROM_JOINT_BULK_ACCELERATION: int
+CAROM_JOINT_BULK_AXIS_ACCELERATIONS: int
+CAROM_JOINT_BULK_AXIS_FRICTIONS: int
+CAROM_JOINT_BULK_AXIS_ARMATURES: int
 CAROM_JOINT_BULK_COUNT: int
 CAROM_EFFECT_GYROSCOPIC: int
 CAROM_EFFECT_LINEAR_DAMPING: int
@@ -2074,10 +2079,12 @@ def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n:
     OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_world_write_joints(world: Any, field: Any, scalar: Any, joints: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
-    """Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+    """Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+    Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
     enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
     @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+    @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+    one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
     OUT_OF_RANGE; REENTRANT"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:

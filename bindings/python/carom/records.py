@@ -68,7 +68,8 @@ JointFieldsWord = Literal["length"]
 JointBulkWord = Literal["coordinates", "speeds", "axes", "axis_speeds", "force", "torque", "error", "broken",
     "position", "velocity", "effort", "target", "target_velocity", "target_effort", "motor", "spring", "limit",
     "axis_efforts", "axis_targets", "axis_target_velocities", "axis_target_efforts", "axis_max_forces", "axis_gains",
-    "axis_limits", "orientation_target", "orientation_velocity", "orientation_effort", "orientation_gains"]
+    "axis_limits", "orientation_target", "orientation_velocity", "orientation_effort", "orientation_gains",
+    "acceleration", "axis_accelerations", "axis_frictions", "axis_armatures"]
 EffectWord = Literal["gyroscopic", "linear_damping", "angular_damping", "gravity", "user_force", "user_torque",
     "collision", "friction", "restitution", "rolling_resistance", "spinning_resistance", "sleep", "particles",
     "filter", "sensor", "joints", "scenery", "continuous", "surface_velocity", "axis_locks", "drag", "wind", "fields",
@@ -657,6 +658,7 @@ class JointKeywords(TypedDict, total=False):
     break_torque: float | None
     user: int | None
     collide: bool
+    accelerations: bool
 
 
 class JointTransmissionKeywords(TypedDict, total=False):

@@ -3,6 +3,7 @@
 
 #include "dynamics/events/events.h"
 #include "dynamics/joint/parts.h"
+#include "dynamics/joint/tree/joint_moves.h"
 #include "dynamics/joint/turns.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
@@ -63,6 +64,7 @@ void World::fill_joint(std::uint32_t slot, const JointDef& def) {
   Joint& joint = joints.joint[slot] = Joint{};
   joint.def = def;
   if (def.kind == JointKind::gear) joint.transmission.ratio = 1;
+  joints.measured += def.measured;
   if (def.kind == JointKind::six_axis) {
     joints.axes.emplace_back().owner = slot;
     joint.axes = static_cast<std::uint32_t>(joints.axes.size());
@@ -71,12 +73,21 @@ void World::fill_joint(std::uint32_t slot, const JointDef& def) {
   if (parts(def)) scene.joined.add(def.body_a, def.body_b);
 }
 
+void World::move_joints(const JointMoves& moves) {
+  moves.each_body(*this, [&](std::uint32_t body, const Pose& pose, const Vec3& v, const Vec3& omega, bool turns) {
+    if (turns) set_pose(body, pose);
+    set_velocity(body, v, omega);
+  });
+  moves.each_count([&](std::uint32_t j, const Vec3& turned) { joints.joint[j].turned = turned; });
+}
+
 void World::remove_joint(std::uint32_t slot) {
   Joint& joint = joints.joint[slot];
   wake_both(*this, joint.def);
   if (joint.def.body_a != kInvalid) link_of(joints, joint.def.body_a, slot) = joint.next_a;
   if (joint.def.body_b != kInvalid) link_of(joints, joint.def.body_b, slot) = joint.next_b;
   if (!joint.broken) unpart(scene.joined, joint.def);
+  joints.measured -= joint.def.measured;
   if (JointAxes* const axes = joints.axes_of(joint)) {
     *axes = joints.axes.back();  // the last takes its place
     joints.joint[axes->owner].axes = joint.axes;

@@ -74,6 +74,7 @@ struct JointDef {
   Pose frame_a, frame_b;                                   // joint -> body frame (origin as the host gave it)
   Real length = 0;                                         // m, of a distance joint
   bool collide = false;                                    // its bodies may touch each other
+  bool measured = false;                                   // each step notes its accelerations
   Real break_force = kInfinity, break_torque = kInfinity;  // N, N m, mean over a step
   std::uint64_t user = 0;
 };
@@ -87,6 +88,8 @@ struct Transmission {
   // the gear was set. No pose says how often a body has turned: this is kept along.
   Real phase = 0;  // rad
 };
+
+using AxisRates = std::array<Real, kAxes>;  // m/s and rad/s, by axis, or how fast those change
 
 inline constexpr int kMostEqualities = 6;
 inline constexpr int kMostDrives = 4;  // rows that limit, drive or spring, of one joint
@@ -108,6 +111,7 @@ struct Joint {
   std::uint32_t axes = 0;                              // in Joints::axes, from 1; 0: it is no six-axis joint
   TurnDrive turn;                                      // of a ball, or of a six-axis joint that may turn any way
   Vec3 turned = Vec3::zero();  // rad: twist, and swing about y and z of six axes, as counted last, @see turns.h
+  AxisRates acceleration{};  // m/s^2 and rad/s^2, if it is measured: what the last step did to its rates, over its time
 };
 
 /// Of a joint that has none: all are free.
@@ -120,6 +124,7 @@ struct Joints {
   Array<Joint> joint;          // by slot
   Array<JointAxes> axes;       // of six-axis joints, in no order
   Array<std::uint32_t> first;  // by body slot: its first joint, or kInvalid; empty until there is a joint
+  std::uint32_t measured = 0;  // joints whose accelerations steps note
 
   bool alive(std::uint32_t slot) const { return slots.alive(slot); }
   const JointAxes& axes_of(const Joint& j) const { return j.axes ? axes[j.axes - 1] : kFreeAxes; }

@@ -51,4 +51,31 @@ JointSpeeds speeds_of(const World& world, const Joint& joint) {
   return speeds;
 }
 
+namespace {
+
+/// f(slot)
+template <class F>
+void each_measured(const Joints& joints, F&& f) {
+  for (std::uint32_t j = 0; j < joints.slots.slots(); ++j)
+    if (joints.alive(j) && joints.joint[j].def.measured) f(j);
+}
+
+}  // namespace
+
+void measure_rates(const World& world, Array<AxisRates>& rates) {
+  rates.reserve(world.joints.measured);
+  each_measured(world.joints, [&](std::uint32_t j) { rates.push_back(speeds_of(world, world.joints.joint[j]).axis); });
+}
+
+void note_accelerations(const World& world, const Array<AxisRates>& begun, Real dt, Joints& joints) {
+  std::size_t i = 0;
+  each_measured(joints, [&](std::uint32_t j) {
+    const AxisRates now = speeds_of(world, joints.joint[j]).axis, &was = begun[i++];
+    for (std::size_t k = 0; k < kAxes; ++k) {
+      const Real rate = (now[k] - was[k]) / dt;
+      joints.joint[j].acceleration[k] = finite(rate) ? rate : 0;
+    }
+  });
+}
+
 }  // namespace carom::dynamics

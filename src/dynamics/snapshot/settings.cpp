@@ -213,6 +213,11 @@ struct AllJoints {
       io.demand(h >= 0);
       keep(io, j.p_h, h), keep(io, j.force, force), keep(io, j.torque, torque);
     }
+    if (j.def.measured)
+      for (auto& rate : j.acceleration) {
+        const Real v = io.real(rate);
+        keep(io, rate, v);
+      }
     if (has_transmission(j.def.kind)) transmission(io, j.transmission);
     if (j.axes) all_axes(io, world.joints.axes[j.axes - 1]);
     const bool turns = turns_any_way(j.def.kind);

@@ -120,7 +120,7 @@ inline Argument joint_desc(Context& c) {
   std::vector<Wrong> more;
   Argument a = in_struct(
       c, d,
-      {HOSTILE_CHOICE(carom_joint_desc, kind, uint32_t(CAROM_JOINT_COUNT)), HOSTILE_BITS(carom_joint_desc, fields, 7u),
+      {HOSTILE_CHOICE(carom_joint_desc, kind, uint32_t(CAROM_JOINT_COUNT)), HOSTILE_BITS(carom_joint_desc, fields, 15u),
        HOSTILE_RESERVED(carom_joint_desc, reserved), HOSTILE_HANDLE(carom_joint_desc, body_a, kBody, true),
        HOSTILE_HANDLE(carom_joint_desc, body_b, kBody, true), HOSTILE_NUMBERS(carom_joint_desc, position_a, 3, any()),
        HOSTILE_UNIT(carom_joint_desc, orientation_a, 4), HOSTILE_NUMBERS(carom_joint_desc, break_force, 1, {0, kMost}),
@@ -1249,7 +1249,7 @@ inline const Row kRows[] = {
        for (const Owned& o : c.own.live[kJoint])
          if (kind_of_joint(c, o.handle) != kind) others.push_back(o.handle);
          else if (some.size() < 2) some.push_back(o.handle);
-       Bulk b = axes ? bulk(c, some, {{CAROM_JOINT_BULK_AXIS_TARGETS, 6}, {CAROM_JOINT_BULK_AXIS_MAX_FORCES, 6}, {CAROM_JOINT_BULK_AXIS_GAINS, 12}, {CAROM_JOINT_BULK_ORIENTATION_GAINS, 2}}, CAROM_JOINT_BULK_COUNT, true)
+       Bulk b = axes ? bulk(c, some, {{CAROM_JOINT_BULK_AXIS_TARGETS, 6}, {CAROM_JOINT_BULK_AXIS_MAX_FORCES, 6}, {CAROM_JOINT_BULK_AXIS_GAINS, 12}, {CAROM_JOINT_BULK_AXIS_FRICTIONS, 6}, {CAROM_JOINT_BULK_ORIENTATION_GAINS, 2}}, CAROM_JOINT_BULK_COUNT, true)
                      : bulk(c, some, {{CAROM_JOINT_BULK_TARGET, 1}, {CAROM_JOINT_BULK_TARGET_VELOCITY, 1}, {CAROM_JOINT_BULK_TARGET_EFFORT, 1}}, CAROM_JOINT_BULK_COUNT, true);
        wrong_last(c, b.list, some, kJoint);
        if (c.own.live[kJoint].size() > some.size())
@@ -1260,7 +1260,7 @@ inline const Row kRows[] = {
          list[some.size() - 1] = others[0];
          b.list.wrong.push_back({"last: a weld", of(list), kUnsupported});
        }
-       for (const uint32_t f : {CAROM_JOINT_BULK_SPEEDS, CAROM_JOINT_BULK_EFFORT, CAROM_JOINT_BULK_AXIS_EFFORTS}) b.field.wrong.push_back({"read only", of(uint64_t(f)), kUnsupported});
+       for (const uint32_t f : {CAROM_JOINT_BULK_SPEEDS, CAROM_JOINT_BULK_EFFORT, CAROM_JOINT_BULK_AXIS_EFFORTS, CAROM_JOINT_BULK_AXIS_ACCELERATIONS}) b.field.wrong.push_back({"read only", of(uint64_t(f)), kUnsupported});
        return call("carom_world_write_joints", carom_world_write_joints, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
      }},
     // forces

@@ -520,13 +520,15 @@ pub const CAROM_JOINT_WORLD_FRAME: u32 = 1;
 pub const CAROM_JOINT_COLLIDE: u32 = 2;
 /// length is given; else it is the distance of the points as they stand now
 pub const CAROM_JOINT_FIELD_LENGTH: u32 = 4;
+/// each step measures the joint's accelerations, @see CAROM_JOINT_BULK_ACCELERATION
+pub const CAROM_JOINT_ACCELERATIONS: u32 = 8;
 /// 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only
 pub const CAROM_JOINT_BULK_COORDINATES: u32 = 0;
 /// 4: m/s or rad/s, their rates, from the present velocities; read only
 pub const CAROM_JOINT_BULK_SPEEDS: u32 = 1;
-/// 6: m and rad, by CAROM_AXIS_*; read only
+/// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
 pub const CAROM_JOINT_BULK_AXES: u32 = 2;
-/// 6: m/s and rad/s, their rates; read only
+/// 6: m/s and rad/s, their rates; written likewise
 pub const CAROM_JOINT_BULK_AXIS_SPEEDS: u32 = 3;
 /// 3: N, world, as carom_joint_state.force; read only
 pub const CAROM_JOINT_BULK_FORCE: u32 = 4;
@@ -536,9 +538,9 @@ pub const CAROM_JOINT_BULK_TORQUE: u32 = 5;
 pub const CAROM_JOINT_BULK_ERROR: u32 = 6;
 /// 1: 1 or 0; read only
 pub const CAROM_JOINT_BULK_BROKEN: u32 = 7;
-/// 1: m or rad, of one motion, whole turns counted; read only
+/// 1: m or rad, of one motion, whole turns counted; written: hinge, slider
 pub const CAROM_JOINT_BULK_POSITION: u32 = 8;
-/// 1: m/s or rad/s, of one motion; read only
+/// 1: m/s or rad/s, of one motion; written likewise
 pub const CAROM_JOINT_BULK_VELOCITY: u32 = 9;
 /// 1: N or N m, borne along one motion, mean over the last step; read only
 pub const CAROM_JOINT_BULK_EFFORT: u32 = 10;
@@ -576,7 +578,15 @@ pub const CAROM_JOINT_BULK_ORIENTATION_VELOCITY: u32 = 25;
 pub const CAROM_JOINT_BULK_ORIENTATION_EFFORT: u32 = 26;
 /// 2: stiffness, damping, likewise
 pub const CAROM_JOINT_BULK_ORIENTATION_GAINS: u32 = 27;
-pub const CAROM_JOINT_BULK_COUNT: u32 = 28;
+/// 1: m/s^2 or rad/s^2, of a hinge or slider; read only
+pub const CAROM_JOINT_BULK_ACCELERATION: u32 = 28;
+/// 6: by CAROM_AXIS_*, of any kind; read only. Both of joints with CAROM_JOINT_ACCELERATIONS
+pub const CAROM_JOINT_BULK_AXIS_ACCELERATIONS: u32 = 29;
+/// 6: friction of each axis of a six-axis joint, as carom_joint_axis
+pub const CAROM_JOINT_BULK_AXIS_FRICTIONS: u32 = 30;
+/// 6: armature, likewise
+pub const CAROM_JOINT_BULK_AXIS_ARMATURES: u32 = 31;
+pub const CAROM_JOINT_BULK_COUNT: u32 = 32;
 /// gyroscopic term of bodies with unlike moments of inertia
 pub const CAROM_EFFECT_GYROSCOPIC: u32 = 0;
 /// damping of velocity
@@ -3790,10 +3800,12 @@ extern "C" {
     /// @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
     /// OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY
     pub fn carom_world_read_joints(world: *mut carom_world, field: u32, scalar: u32, joints: *const carom_joint, n: u64, dst: *mut c_void, stride: u64, error: *mut carom_error) -> i32;
-    /// Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+    /// Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+    /// Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
     /// enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
     /// @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    /// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+    /// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+    /// one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
     /// OUT_OF_RANGE; REENTRANT
     pub fn carom_world_write_joints(world: *mut carom_world, field: u32, scalar: u32, joints: *const carom_joint, n: u64, src: *const c_void, stride: u64, error: *mut carom_error) -> i32;
     /// Number of joints, and their handles in creation order of the slots.
