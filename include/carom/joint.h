@@ -171,7 +171,8 @@ typedef struct carom_joint_transmission {
                            A part of the rope without length pulls nowhere: keep points off anchors */
 } carom_joint_transmission;
 
-/** What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+/** What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
+ *  has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
  *  each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it. */
 typedef struct carom_joint_axis {
   uint32_t struct_size;
@@ -198,6 +199,12 @@ typedef struct carom_joint_axis {
   double armature; /**< kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times
                                 the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies
                                 no spin of its own. A host that sets velocities sets the rotor's. */
+  double
+      effort_limit; /**< N or N m, [0, 1e30]: how hard the drives of the axis push at most, however large their max_force
+                            is; of a hinge or slider its motor and spring, too. Several that act have even shares. Springs
+                            of axes, stops, friction and locks have no part in it. 1e30: none */
+  double speed_limit; /**< m/s or rad/s, [0, 1e30]: the axis goes no faster, either way, whatever that takes. Of effect
+                            joint_limits. 1e30: none */
 } carom_joint_axis;
 
 /** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
@@ -247,7 +254,7 @@ CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t s
 /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_transmission_init(carom_joint_transmission *transmission, uint32_t struct_size);
 
-/** Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+/** Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_axis_init(carom_joint_axis *axis, uint32_t struct_size);
 /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive, uint32_t struct_size);
@@ -303,17 +310,18 @@ CAROM_API int32_t carom_joint_set_transmission(carom_world *world, carom_joint j
 CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint,
                                                carom_joint_transmission *transmission, carom_error *error);
 
-/** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+/** Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
  *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
  *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
  *  frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
  *  amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
  *  bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
  *  substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
- *  the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
- *  test_six_axis_scenes.
+ *  the load does in h / 2. Forces of drives are met to rounding. A speed limit holds to 1e-9 under the
+ *  direct solver, where one joint bears all to rounding under others. Oracle: tests/oracle/test_six_axis, test_six_axis_scenes, test_armature,
+ *  test_axis_limits.
  *  @param axis CAROM_AXIS_*
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no such axis of its own; a newer field);
  *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axis,
                                        const carom_joint_axis *desc, carom_error *error);
@@ -387,7 +395,13 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
                                                    CAROM_JOINT_ACCELERATIONS */
 #define CAROM_JOINT_BULK_AXIS_FRICTIONS 30u     /* 6: friction of each axis of a six-axis joint, as carom_joint_axis */
 #define CAROM_JOINT_BULK_AXIS_ARMATURES 31u     /* 6: armature, likewise */
-#define CAROM_JOINT_BULK_COUNT 32u
+#define CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS 32u /* 6: effort_limit, likewise */
+#define CAROM_JOINT_BULK_AXIS_SPEED_LIMITS 33u  /* 6: speed_limit, likewise */
+#define CAROM_JOINT_BULK_FRICTION 34u           /* 1: friction of the axis of a hinge or slider, as carom_joint_axis */
+#define CAROM_JOINT_BULK_ARMATURE 35u           /* 1: armature, likewise */
+#define CAROM_JOINT_BULK_EFFORT_LIMIT 36u       /* 1: effort_limit, likewise */
+#define CAROM_JOINT_BULK_SPEED_LIMIT 37u        /* 1: speed_limit, likewise */
+#define CAROM_JOINT_BULK_COUNT 38u
 /* clang-format on */
 /** @} */
 

@@ -243,7 +243,21 @@ void write_boundless(World& world, std::uint32_t slot, const Joint& joint, const
              [](JointAxis& a, const double* r) { a.*number = *r < kStrongestMotor ? *r : kInfinity; });
 }
 bool check_strengths(const World&, const Joint&, const Given& given) {
-  return given.all_within(0, 6, 0, kStrongestMotor);
+  return given.all_within(0, given.width, 0, kStrongestMotor);
+}
+
+/// Of the axis of a hinge or slider.
+template <Real JointAxis::*number>
+void read_own(const World& world, const Joint& joint, double* record) {
+  *record = std::min(world.joints.axes_of(joint).axis[dynamics::own_axis(joint.def.kind)].*number, kStrongestMotor);
+}
+template <Real JointAxis::*number>
+void write_own(World& world, std::uint32_t slot, const Joint& joint, const double* record) {
+  const std::uint32_t k = dynamics::own_axis(joint.def.kind);
+  JointAxis axis = world.joints.axes_of(joint).axis[k];
+  const bool counts = number == &JointAxis::armature;  // others may be boundless
+  axis.*number = counts || *record < kStrongestMotor ? *record : kInfinity;
+  if (!(axis == world.joints.axes_of(joint).axis[k])) world.set_joint_axis(slot, k, axis);
 }
 bool check_axis_targets(const World&, const Joint&, const Given& given) {
   return given.all_within(0, 3, -farthest(0), farthest(0)) && given.all_within(3, 6, -farthest(3), farthest(3));
@@ -313,9 +327,7 @@ void write_turn_gains(World& world, std::uint32_t slot, const Joint& joint, cons
 // ---- where joints are ----
 
 /// By CAROM_AXIS_*: along or about which a hinge or slider moves.
-std::size_t axis_of(const Joint& joint) {
-  return joint.def.kind == JointKind::slider ? CAROM_AXIS_X : CAROM_AXIS_TURN_X;
-}
+std::size_t axis_of(const Joint& joint) { return dynamics::own_axis(joint.def.kind); }
 bool check_move(const World&, const Joint&, const Given& given) {
   return given.all_within(0, given.width, -kLongestJoint, kLongestJoint);
 }
@@ -378,6 +390,12 @@ constexpr JointField kBulkJointFields[CAROM_JOINT_BULK_COUNT] = {
     {"axis_accelerations", 6, Kinds::any, [](W, J j, R r) { put(j.acceleration, r); }, nullptr, nullptr},
     {"axis_frictions", 6, Kinds::six_axis, read_axes<&JointAxis::friction>, check_strengths, write_boundless<&JointAxis::friction>},
     {"axis_armatures", 6, Kinds::six_axis, read_axes<&JointAxis::armature>, check_strengths, write_axes<&JointAxis::armature>},
+    {"axis_effort_limits", 6, Kinds::six_axis, read_axes<&JointAxis::effort_limit>, check_strengths, write_boundless<&JointAxis::effort_limit>},
+    {"axis_speed_limits", 6, Kinds::six_axis, read_axes<&JointAxis::speed_limit>, check_strengths, write_boundless<&JointAxis::speed_limit>},
+    {"friction", 1, Kinds::hinge_or_slider, read_own<&JointAxis::friction>, check_strengths, write_own<&JointAxis::friction>},
+    {"armature", 1, Kinds::hinge_or_slider, read_own<&JointAxis::armature>, check_strengths, write_own<&JointAxis::armature>},
+    {"effort_limit", 1, Kinds::hinge_or_slider, read_own<&JointAxis::effort_limit>, check_strengths, write_own<&JointAxis::effort_limit>},
+    {"speed_limit", 1, Kinds::hinge_or_slider, read_own<&JointAxis::speed_limit>, check_strengths, write_own<&JointAxis::speed_limit>},
 };
 // clang-format on
 

@@ -145,6 +145,7 @@ class World {
   void fill_collider(std::uint32_t slot, std::uint32_t body, const Shape* shape, const Pose& local, Real density,
                      std::uint32_t material);  // the body's mass is not yet that
   void settle_mass(std::uint32_t body);
+  void keep_axes(std::uint32_t slot, bool any);              // properties of a hinge's or slider's axis, or none
   void move_joints(const JointMoves& moves);                 // found, @see tree/joint_moves.h
   void fill_joint(std::uint32_t slot, const JointDef& def);  // not yet in the lists of its bodies
   void fill_spring(std::uint32_t slot, const SpringDef& def);

@@ -579,7 +579,19 @@ export const CAROM_JOINT_BULK_AXIS_ACCELERATIONS: 29;
 export const CAROM_JOINT_BULK_AXIS_FRICTIONS: 30;
 /** 6: armature, likewise */
 export const CAROM_JOINT_BULK_AXIS_ARMATURES: 31;
-export const CAROM_JOINT_BULK_COUNT: 32;
+/** 6: effort_limit, likewise */
+export const CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS: 32;
+/** 6: speed_limit, likewise */
+export const CAROM_JOINT_BULK_AXIS_SPEED_LIMITS: 33;
+/** 1: friction of the axis of a hinge or slider, as carom_joint_axis */
+export const CAROM_JOINT_BULK_FRICTION: 34;
+/** 1: armature, likewise */
+export const CAROM_JOINT_BULK_ARMATURE: 35;
+/** 1: effort_limit, likewise */
+export const CAROM_JOINT_BULK_EFFORT_LIMIT: 36;
+/** 1: speed_limit, likewise */
+export const CAROM_JOINT_BULK_SPEED_LIMIT: 37;
+export const CAROM_JOINT_BULK_COUNT: 38;
 /** gyroscopic term of bodies with unlike moments of inertia */
 export const CAROM_EFFECT_GYROSCOPIC: 0;
 /** damping of velocity */

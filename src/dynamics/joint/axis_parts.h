@@ -28,6 +28,8 @@ AxisOffsets offsets_of(const JointAxes& axes);
 /// Rows of what drives, springs and limits axes, and of a drive to an orientation.
 void add_axis_drives(const Joints& joints, const Joint& joint, JointLayout& layout);
 /// Parts of layout_key().
+inline constexpr std::uint64_t kOwnDrive = std::uint64_t(1)
+                                           << 54;  // and the next: motor, spring, limit of a hinge or slider
 std::uint64_t axes_key(const Joints& joints, const Joint& joint);
 std::uint64_t turn_key(const Joint& joint, const JointAxes& axes);
 

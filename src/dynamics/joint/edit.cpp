@@ -32,6 +32,25 @@ std::uint32_t& link_of(Joints& joints, std::uint32_t body, std::uint32_t slot) {
   return *link;
 }
 
+/// What a host sets of a hinge or slider is an axis of it. Its others are locked, so its rows are those of its kind.
+void give_axes(Joints& joints, std::uint32_t slot) {
+  Joint& joint = joints.joint[slot];
+  JointAxes& axes = joints.axes.emplace_back();
+  axes.owner = slot;
+  if (joint.def.kind != JointKind::six_axis)
+    for (std::uint32_t k = 0; k < kAxes; ++k)
+      if (k != own_axis(joint.def.kind)) axes.axis[k].mode = AxisMode::locked;
+  joint.axes = static_cast<std::uint32_t>(joints.axes.size());
+}
+void take_axes(Joints& joints, Joint& joint) {
+  JointAxes* const axes = joints.axes_of(joint);
+  if (!axes) return;
+  *axes = joints.axes.back();  // the last takes its place
+  joints.joint[axes->owner].axes = joint.axes;
+  joints.axes.pop_back();
+  joint.axes = 0;
+}
+
 /// @param before  the key of its layout, as it was
 void mark_layout(World& world, Joint& joint, std::uint64_t before) {
   if (layout_key(world.joints, joint) == before) return;
@@ -65,10 +84,7 @@ void World::fill_joint(std::uint32_t slot, const JointDef& def) {
   joint.def = def;
   if (def.kind == JointKind::gear) joint.transmission.ratio = 1;
   joints.measured += def.measured;
-  if (def.kind == JointKind::six_axis) {
-    joints.axes.emplace_back().owner = slot;
-    joint.axes = static_cast<std::uint32_t>(joints.axes.size());
-  }
+  if (def.kind == JointKind::six_axis) give_axes(joints, slot);
   joint.def.frame_a.q = normalized(def.frame_a.q), joint.def.frame_b.q = normalized(def.frame_b.q);
   if (parts(def)) scene.joined.add(def.body_a, def.body_b);
 }
@@ -88,12 +104,7 @@ void World::remove_joint(std::uint32_t slot) {
   if (joint.def.body_b != kInvalid) link_of(joints, joint.def.body_b, slot) = joint.next_b;
   if (!joint.broken) unpart(scene.joined, joint.def);
   joints.measured -= joint.def.measured;
-  if (JointAxes* const axes = joints.axes_of(joint)) {
-    *axes = joints.axes.back();  // the last takes its place
-    joints.joint[axes->owner].axes = joint.axes;
-    joints.axes.pop_back();
-    joint.axes = 0;
-  }
+  take_axes(joints, joint);
   joints.slots.release(slot);
   ++scene.revision;
 }
@@ -110,10 +121,19 @@ void World::set_joint_drive(std::uint32_t slot, Coordinate c, const JointDrive& 
 void World::set_joint_axis(std::uint32_t slot, std::uint32_t axis, const JointAxis& to) {
   Joint& joint = joints.joint[slot];
   const std::uint64_t before = layout_key(joints, joint);
+  const bool has_own = joint.def.kind == JointKind::six_axis || !(to == JointAxis());
+  if (has_own && !joint.axes) reserve_slot(joints.axes.size(), joints.axes);
   wake_both(*this, joint.def);
-  joints.axes_of(joint)->axis[axis] = to;
+  keep_axes(slot, has_own);
+  if (has_own) joints.axes_of(joint)->axis[axis] = to;
   recount(*this, joint);
   mark_layout(*this, joint, before);
+}
+
+void World::keep_axes(std::uint32_t slot, bool any) {
+  Joint& joint = joints.joint[slot];
+  if (any && !joint.axes) give_axes(joints, slot);
+  if (!any) take_axes(joints, joint);
 }
 
 void World::set_joint_turn(std::uint32_t slot, const TurnDrive& to) {

@@ -108,11 +108,21 @@ struct Joint {
   Vec3 force = Vec3::zero();                           // N, world, on B, mean over the last step
   Vec3 torque = Vec3::zero();                          // N m, world, on B about its point, likewise
   std::uint32_t next_a = kInvalid, next_b = kInvalid;  // the next joint of each body
-  std::uint32_t axes = 0;                              // in Joints::axes, from 1; 0: it is no six-axis joint
+  std::uint32_t axes = 0;                              // in Joints::axes, from 1; 0: no axis has properties of its own
   TurnDrive turn;                                      // of a ball, or of a six-axis joint that may turn any way
   Vec3 turned = Vec3::zero();  // rad: twist, and swing about y and z of six axes, as counted last, @see turns.h
   AxisRates acceleration{};  // m/s^2 and rad/s^2, if it is measured: what the last step did to its rates, over its time
 };
+
+/// The axis along or about which a hinge or slider moves, and what acts there apart from it; of other kinds X, and nothing.
+inline std::uint32_t own_axis(JointKind kind) { return kind == JointKind::hinge ? kPlaces : 0; }
+inline const JointDrive& own_drive(const Joint& joint) {
+  static constexpr JointDrive kNone{};
+  const bool turns = joint.def.kind == JointKind::hinge;
+  return turns || joint.def.kind == JointKind::slider
+             ? joint.drive[static_cast<std::size_t>(turns ? Coordinate::twist : Coordinate::slide)]
+             : kNone;
+}
 
 /// Of a joint that has none: all are free.
 inline constexpr JointAxes kFreeAxes{};
@@ -122,7 +132,7 @@ struct Joints {
 
   SlotPool slots;
   Array<Joint> joint;          // by slot
-  Array<JointAxes> axes;       // of six-axis joints, in no order
+  Array<JointAxes> axes;       // of six-axis joints, and of hinges and sliders whose axis a host has set; in no order
   Array<std::uint32_t> first;  // by body slot: its first joint, or kInvalid; empty until there is a joint
   std::uint32_t measured = 0;  // joints whose accelerations steps note
 

@@ -38,8 +38,7 @@ JointSpeeds speeds_of(const World& world, const Joint& joint) {
   const Real sine = std::sqrt(n.y() * n.y() + n.z() * n.z());
   Real swing = n_rate.norm();
   if (sine > kAgree) swing = n.x() * ((n.y() * n_rate.y() + n.z() * n_rate.z()) / sine) - sine * n_rate.x();
-  const SwingPlane plane =
-      def.kind == JointKind::six_axis ? swing_plane(world.joints.axes_of(joint)) : SwingPlane::none;
+  const SwingPlane plane = joint.axes ? swing_plane(world.joints.axes_of(joint)) : SwingPlane::none;
   const Vec3 turning = rates_of_angles(t, plane, counted_angles(world, joint, ends), w);
   JointSpeeds speeds;
   speeds.coordinate = {turning.x(), swing, place.x(), lengthening(ends.apart, parting)};

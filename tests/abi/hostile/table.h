@@ -172,6 +172,7 @@ inline Argument joint_axis(Context& c) {
   d.stop_damping = c.between(0, 1), d.drive_damping = c.between(0, 1), d.spring_damping = c.between(0, 1);
   d.target = c.between(-1, 1), d.speed = c.between(-2, 2), d.effort = c.between(-9, 9), d.max_force = c.between(0, 50),
   d.rest = c.between(-1, 1), d.friction = c.between(0, 3), d.armature = c.between(0, 2);
+  d.effort_limit = c.between(1, 9), d.speed_limit = c.between(1, 9);
   return in_struct(c, d,
                    {HOSTILE_CHOICE(carom_joint_axis, mode, uint32_t(CAROM_AXIS_MODE_COUNT)),
                     HOSTILE_CHOICE(carom_joint_axis, drive, uint32_t(CAROM_DRIVE_COUNT)),
@@ -192,7 +193,9 @@ inline Argument joint_axis(Context& c) {
                     HOSTILE_NUMBERS(carom_joint_axis, spring_stiffness, 1, {0, 1e30}),
                     HOSTILE_NUMBERS(carom_joint_axis, spring_damping, 1, {0, 1e30}),
                     HOSTILE_NUMBERS(carom_joint_axis, friction, 1, {0, 1e30}),
-                    HOSTILE_NUMBERS(carom_joint_axis, armature, 1, {0, 1e30})});
+                    HOSTILE_NUMBERS(carom_joint_axis, armature, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, effort_limit, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, speed_limit, 1, {0, 1e30})});
 }
 inline Argument joint_orientation_drive(Context& c) {
   auto d = fresh<carom_joint_orientation_drive>(carom_joint_orientation_drive_init);

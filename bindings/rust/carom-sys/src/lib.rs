@@ -586,7 +586,19 @@ pub const CAROM_JOINT_BULK_AXIS_ACCELERATIONS: u32 = 29;
 pub const CAROM_JOINT_BULK_AXIS_FRICTIONS: u32 = 30;
 /// 6: armature, likewise
 pub const CAROM_JOINT_BULK_AXIS_ARMATURES: u32 = 31;
-pub const CAROM_JOINT_BULK_COUNT: u32 = 32;
+/// 6: effort_limit, likewise
+pub const CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS: u32 = 32;
+/// 6: speed_limit, likewise
+pub const CAROM_JOINT_BULK_AXIS_SPEED_LIMITS: u32 = 33;
+/// 1: friction of the axis of a hinge or slider, as carom_joint_axis
+pub const CAROM_JOINT_BULK_FRICTION: u32 = 34;
+/// 1: armature, likewise
+pub const CAROM_JOINT_BULK_ARMATURE: u32 = 35;
+/// 1: effort_limit, likewise
+pub const CAROM_JOINT_BULK_EFFORT_LIMIT: u32 = 36;
+/// 1: speed_limit, likewise
+pub const CAROM_JOINT_BULK_SPEED_LIMIT: u32 = 37;
+pub const CAROM_JOINT_BULK_COUNT: u32 = 38;
 /// gyroscopic term of bodies with unlike moments of inertia
 pub const CAROM_EFFECT_GYROSCOPIC: u32 = 0;
 /// damping of velocity
@@ -1955,7 +1967,8 @@ impl Default for carom_joint_transmission {
         }
     }
 }
-/// What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+/// What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
+/// has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
 /// each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -2001,6 +2014,10 @@ pub struct carom_joint_axis {
     pub friction: f64,
     /// kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies no spin of its own. A host that sets velocities sets the rotor's.
     pub armature: f64,
+    /// N or N m, [0, 1e30]: how hard the drives of the axis push at most, however large their max_force is; of a hinge or slider its motor and spring, too. Several that act have even shares. Springs of axes, stops, friction and locks have no part in it. 1e30: none
+    pub effort_limit: f64,
+    /// m/s or rad/s, [0, 1e30]: the axis goes no faster, either way, whatever that takes. Of effect joint_limits. 1e30: none
+    pub speed_limit: f64,
 }
 impl Default for carom_joint_axis {
     fn default() -> Self {
@@ -3312,7 +3329,7 @@ extern "C" {
     /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT
     pub fn carom_body_add_impulse(world: *mut carom_world, body: carom_body, impulse: *const f64, point: *const f64, error: *mut carom_error) -> i32;
     /// How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
-    /// rises. Wakes the body and its island.
+    /// rises. 1 - c compensates a share c of its gravity, as a counterweight does; inverse dynamics counts it (tree.h). Wakes the body and its island.
     /// @param factor any finite number; 1 when a body is created
     /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY
     pub fn carom_body_set_gravity_factor(world: *mut carom_world, body: carom_body, factor: f64, error: *mut carom_error) -> i32;
@@ -3710,7 +3727,7 @@ extern "C" {
     pub fn carom_joint_spring_init(spring: *mut carom_joint_spring, struct_size: u32) -> i32;
     /// Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_transmission_init(transmission: *mut carom_joint_transmission, struct_size: u32) -> i32;
-    /// Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
+    /// Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_axis_init(axis: *mut carom_joint_axis, struct_size: u32) -> i32;
     /// No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_orientation_drive_init(drive: *mut carom_joint_orientation_drive, struct_size: u32) -> i32;
@@ -3762,17 +3779,18 @@ extern "C" {
     /// @param transmission out: as it was set, with its length; ratio 0: not yet
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
     pub fn carom_joint_get_transmission(world: *mut carom_world, joint: carom_joint, transmission: *mut carom_joint_transmission, error: *mut carom_error) -> i32;
-    /// Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+    /// Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
     /// drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
     /// Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
     /// frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
     /// amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
     /// bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
     /// substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
-    /// the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
-    /// test_six_axis_scenes.
+    /// the load does in h / 2. Forces of drives are met to rounding. A speed limit holds to 1e-9 under the
+    /// direct solver, where one joint bears all to rounding under others. Oracle: tests/oracle/test_six_axis, test_six_axis_scenes, test_armature,
+    /// test_axis_limits.
     /// @param axis CAROM_AXIS_*
-    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no such axis of its own; a newer field);
     ///         *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT
     pub fn carom_joint_set_axis(world: *mut carom_world, joint: carom_joint, axis: u32, desc: *const carom_joint_axis, error: *mut carom_error) -> i32;
     /// @param axis CAROM_AXIS_*   @param desc out: as it was set
@@ -4568,6 +4586,8 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_joint_axis.spring_damping", offset_of!(carom_joint_axis, spring_damping), size_of::<f64>(), "f64"),
     ("carom_joint_axis.friction", offset_of!(carom_joint_axis, friction), size_of::<f64>(), "f64"),
     ("carom_joint_axis.armature", offset_of!(carom_joint_axis, armature), size_of::<f64>(), "f64"),
+    ("carom_joint_axis.effort_limit", offset_of!(carom_joint_axis, effort_limit), size_of::<f64>(), "f64"),
+    ("carom_joint_axis.speed_limit", offset_of!(carom_joint_axis, speed_limit), size_of::<f64>(), "f64"),
     ("carom_joint_orientation_drive", 0, size_of::<carom_joint_orientation_drive>(), "struct"),
     ("carom_joint_orientation_drive.struct_size", offset_of!(carom_joint_orientation_drive, struct_size), size_of::<u32>(), "u32"),
     ("carom_joint_orientation_drive.drive", offset_of!(carom_joint_orientation_drive, drive), size_of::<u32>(), "u32"),

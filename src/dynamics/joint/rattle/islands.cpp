@@ -142,7 +142,7 @@ void place_frames(const World& world, RattleJoint& j) {
   };
   j.arm_a = arm(joint.def.body_a, joint.def.frame_a), j.arm_b = arm(joint.def.body_b, joint.def.frame_b);
   j.frame_a = joint.def.frame_a.q, j.frame_b = joint.def.frame_b.q;
-  if (joint.def.kind == JointKind::six_axis) {
+  if (joint.axes) {
     const AxisOffsets off = offsets_of(world.joints.axes_of(joint));
     j.arm_a += j.frame_a * off.place;
     if (off.all_turns) j.frame_b = j.frame_b * off.orientation.conjugate();
@@ -293,7 +293,7 @@ void make_islands(const World& world, Rattle& r, int order) {
   const Array<std::uint32_t>& active = world.wide_joints->active;
   if (r.revision == world.plan->revision && r.order == order && std::ranges::equal(r.all_active, active)) {
     for (RattleJoint& j : r.joints)  // a host moves locks without a change of the scene
-      if (world.joints.joint[j.slot].def.kind == JointKind::six_axis) place_frames(world, j);
+      if (world.joints.joint[j.slot].axes) place_frames(world, j);
     return;
   }
   r.revision = 0, r.order = order;

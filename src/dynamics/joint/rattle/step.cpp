@@ -121,12 +121,11 @@ bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody
   const Joint& joint = world.joints.joint[j.slot];
   const JointEnds ends = ends_at(world, joint, a, b);
   const auto within = [](Real x, Real lower, Real upper) { return x >= lower && x <= upper; };
-  if (joint.def.kind == JointKind::six_axis) {
+  if (joint.axes) {
     const std::array<Real, kAxes> at = axes_at(ends, j.turned);
     const JointAxes& axes = world.joints.axes_of(joint);
     for (std::uint32_t k = 0; k < kAxes; ++k)
       if (axes.axis[k].is_limited() && !within(at[k], axes.axis[k].lower, axes.axis[k].upper)) return false;
-    return true;
   }
   std::array<Real, kCoordinates> at = coordinates_of(ends);
   at[0] = j.turned.x();

@@ -98,7 +98,7 @@ Freedom freedom_of(const World& world, const Joint& joint) {
     for (int k = 0; k < 3; ++k)
       if (is_free(k)) f.add(k, axis_of_a(k)), ++f.places;
   };
-  switch (joint.def.kind) {
+  switch (joint.axes ? JointKind::six_axis : joint.def.kind) {
     case JointKind::hinge:
       f.add(3, axis_of_a(3));
       break;

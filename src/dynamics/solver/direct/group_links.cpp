@@ -56,6 +56,11 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
         c.low = above > 0 ? -above / h : 0, c.high = below > 0 ? below / h : 0;
       return;
     }
+    case DriveKind::pace:
+      if (phase == LinkPhase::part) return leave(c);
+      c.low = get(drive.lower, row.lane) / h, c.high = get(drive.upper, row.lane) / h;
+      c.give = 0, c.most = kInfinity;
+      return;
     case DriveKind::motor:
       if (phase != LinkPhase::move && !halved) return leave(c);
       lock(c, get(drive.speed, row.lane));
