@@ -61,7 +61,8 @@ std::uint32_t JointMoves::node(const World& world, std::uint32_t body) const {
 
 void JointMoves::ask(const World& world, const JointMove& move) {
   const Joint& joint = world.joints.joint[move.joint];
-  Asked& asked = asked_.emplace_back(move, static_cast<std::uint32_t>(asked_.size()));
+  asked_.push_back({move, static_cast<std::uint32_t>(asked_.size())});
+  Asked& asked = asked_.back();
   for (std::uint32_t k = 0; k < kAxes; ++k)
     if (!is_free(world, joint, k)) {
       const JointAxis& axis = world.joints.axes_of(joint).axis[k];
@@ -235,8 +236,10 @@ MoveFault JointMoves::find(const World& world, bool speeds) {
   for (std::uint32_t i = 0; i < none; ++i)
     if (reached[i]) wave.push_back(i);
   for (std::size_t at = 0; at < wave.size(); ++at) {
-    const auto of = std::ranges::equal_range(ends, wave[at], {}, &End::part);
-    for (const End& end : of) {
+    const std::uint32_t part = wave[at];
+    for (auto next = std::ranges::lower_bound(ends, part, {}, &End::part); next != ends.end() && next->part == part;
+         ++next) {
+      const End& end = *next;
       const JointDef& def = world.joints.joint[asked_[end.asked].move.joint].def;
       const std::uint32_t other = part_[node(world, end.is_a ? def.body_b : def.body_a)];
       if (reached[other]) continue;
