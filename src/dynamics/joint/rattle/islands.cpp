@@ -303,8 +303,7 @@ void make_islands(const World& world, Rattle& r, int order) {
   lay_out(world, r);
   couple(r);
   const std::uint32_t slots = world.scene.bodies.slots();
-  for (auto* a : {&r.x, &r.v, &r.omega, &r.read_v, &r.read_omega, &r.accel, &r.alpha}) a->resize(slots, Vec3::zero());
-  r.q.resize(slots, Quat::identity());
+  r.trial.resize(slots);
   r.revision = world.plan->revision;
 }
 

@@ -176,9 +176,9 @@ class Mover {
 
   /// What forces do at the state's place in h.
   void take_kick(RattleBody& b, Real h) const {
-    const Vec3& a = r_.accel[b.slot];
+    const Vec3& a = r_.trial.accel[b.slot];
     b.v += h * (b.locks ? Vec3(free_axes(b.locks).times(a)) : a);
-    const Vec3& alpha = r_.alpha[b.slot];
+    const Vec3& alpha = r_.trial.alpha[b.slot];
     if (b.turns && !alpha.is_zero()) b.l += turned(b.inertia, b.r) * (h * alpha);
     b.v1 = b.v, b.l1 = b.l;
   }
@@ -253,14 +253,14 @@ class Mover {
       for (int k = 0; k < n; ++k)
         for (int l = 0; l < n; ++l) rest -= coupled[k] * locks[n * k + l] * coupled[l];
       if (!(rest > kRattleRest * whole)) continue;
-      const auto v = [&](const RattleBody& of) { return of.inv_mass > 0 ? r_.read_v[of.slot] : of.v; };
-      const auto omega = [&](const RattleBody& of) { return of.inv_mass > 0 ? r_.read_omega[of.slot] : of.omega; };
+      const auto v = [&](const RattleBody& of) { return of.inv_mass > 0 ? r_.trial.v[of.slot] : of.v; };
+      const auto omega = [&](const RattleBody& of) { return of.inv_mass > 0 ? r_.trial.omega[of.slot] : of.omega; };
       const Real rate = row.d.dot(v(b) - v(a)) + (row.w_b.dot(omega(b)) - row.w_a.dot(omega(a)));
       const Real w = 2 * std::numbers::pi * std::min(spring.frequency, 0.25 / h);
       const Real most = spring.max_force,
                  f = std::clamp(-w * (w * (along.at - spring.target) + 2 * spring.damping * rate) / rest, -most, most);
-      if (a.inv_mass > 0) r_.accel[a.slot] -= speed_of(a, row.d, f), r_.alpha[a.slot] -= f * row.i_a;
-      if (b.inv_mass > 0) r_.accel[b.slot] += speed_of(b, row.d, f), r_.alpha[b.slot] += f * row.i_b;
+      if (a.inv_mass > 0) r_.trial.accel[a.slot] -= speed_of(a, row.d, f), r_.trial.alpha[a.slot] -= f * row.i_a;
+      if (b.inv_mass > 0) r_.trial.accel[b.slot] += speed_of(b, row.d, f), r_.trial.alpha[b.slot] += f * row.i_b;
       j.force += (share * f) * row.d;
       j.torque += (share * f) * (row.w_b - placed.r_b.cross(row.d));
     }

@@ -8,6 +8,7 @@
 #include "core/constant.h"
 #include "dynamics/accuracy/measure.h"
 #include "dynamics/effects.h"
+#include "dynamics/force/trial.h"
 #include "dynamics/joint/joint_lanes.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/plan_lists.h"
@@ -174,9 +175,7 @@ struct Rattle {
   Array<Real> diagonal, below, above;
   Array<Real> left, right;  // by joint, kMostRows each: vectors
 
-  // of a step, by slot
-  Array<Vec3> x, v, omega, read_v, read_omega, accel, alpha;
-  Array<Quat> q;
+  Trial trial;  // of a step: velocities as what reads them is given them
   bool reads_velocities = false;
   // of trials, where a host asks for an accuracy, @see accurate.cpp
   Array<accuracy::Trial> trials;    // by island

@@ -60,22 +60,18 @@ void each_mover(Rattle& r, F&& f) {
 
 void show(Rattle& r) {
   each_mover(r, [&](const RattleBody& b) {
-    r.x[b.slot] = b.x, r.q[b.slot] = b.q, r.v[b.slot] = b.v, r.omega[b.slot] = b.omega;
+    r.trial.x[b.slot] = b.x, r.trial.q[b.slot] = b.q;
   });
 }
 
-bool is_force(const PlannedEffect& row) {
-  return row.effect->force && row.effect->stage == Stage::integrate && row.effect->id != EffectId::gyroscopic;
-}
-
-/// Accelerations where bodies are. What reads velocities is given read_v, read_omega.
+/// Accelerations where bodies are. What reads velocities is given those of the trial.
 /// @param h  s, a substep   @param share  s, for which they will act
 void find_accelerations(const World& world, Rattle& r, Real h, Real share) {
-  each_mover(r, [&](const RattleBody& b) { r.accel[b.slot] = r.alpha[b.slot] = Vec3::zero(); });
-  const Motion at{r.x.data(), r.q.data(), r.read_v.data(), r.read_omega.data()};
-  const Accelerate to{1, r.accel.data(), r.alpha.data(), share};
+  each_mover(r, [&](const RattleBody& b) { r.trial.accel[b.slot] = r.trial.alpha[b.slot] = Vec3::zero(); });
+  const Motion at = r.trial.at();
+  const Accelerate to = r.trial.to(share);
   for (PlannedEffect& row : world.plan->effects) {
-    if (!is_force(row) || row.participants.count == 0) continue;
+    if (!is_asked_at_trials(*row.effect) || row.participants.count == 0) continue;
     const AccountForRow account(world, row, to.v, to.omega, share);
     row.effect->force(world.scene, world.state, row.participants, at, to);
     row.evaluations += row.participants.count;
@@ -85,12 +81,12 @@ void find_accelerations(const World& world, Rattle& r, Real h, Real share) {
 
 /// Velocities that forces read: of now.
 void read_now(Rattle& r) {
-  each_mover(r, [&](const RattleBody& b) { r.read_v[b.slot] = b.v, r.read_omega[b.slot] = b.omega; });
+  each_mover(r, [&](const RattleBody& b) { r.trial.v[b.slot] = b.v, r.trial.omega[b.slot] = b.omega; });
 }
 /// Of a stage's end, from those of its beginning and its middle: to first order, without knowing its last impulses.
 void read_ahead(Rattle& r) {
   each_mover(r, [&](const RattleBody& b) {
-    r.read_v[b.slot] = 2 * b.v - r.read_v[b.slot], r.read_omega[b.slot] = 2 * b.omega - r.read_omega[b.slot];
+    r.trial.v[b.slot] = 2 * b.v - r.trial.v[b.slot], r.trial.omega[b.slot] = 2 * b.omega - r.trial.omega[b.slot];
   });
 }
 
