@@ -74,6 +74,8 @@ struct SweptBody {
   bool loose = false;                              // it is not in the tree of participants, or has left its box there
   bool changed = false;                            // something hit it in this substep
   bool is_hit = false;                             // likewise, in this step
+  bool is_hit_elsewhere = false;                   // not by one and the same pair
+  collision::Pair hit = {kInvalid, kInvalid};      // the first that it was hit by
   bool flies = false;                              // its path is a parabola's chord; else a solver's straight line
   static constexpr std::uint32_t kMostHits = 16;   // in a substep, before what impulses do not move holds it
   static constexpr std::uint32_t kMostShared = 4;  // before it joins what they do move

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include "collision/manifold/adopt.h"
 #include "collision/narrow/hybrid.h"
@@ -38,7 +39,12 @@ void Sweeper::strike(SweptBody& b) {
   b.when = kInfinity;
   for (SweptBody* const p : {&b, partner}) {
     if (!p || !moved_by_hits(p->body)) continue;
-    each_as_one(*p, [&](SweptBody& one) { sense(one, s.now), one.is_hit = true; });
+    const collision::Pair pair = {std::min(b.own, b.other), std::max(b.own, b.other)};
+    each_as_one(*p, [&](SweptBody& one) {
+      sense(one, s.now);
+      if (!std::exchange(one.is_hit, true)) one.hit = pair;
+      one.is_hit_elsewhere |= one.hit != pair;
+    });
     ++p->hits;
   }
   if (has_its_turn_later(other)) return wait_at(s);

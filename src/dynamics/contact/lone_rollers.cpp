@@ -20,7 +20,7 @@ const Shape& shape_of(const World& world, std::uint32_t collider) { return *worl
 bool is_flat(const World& world, std::uint32_t collider, const Vec3& n, const Vec3& at, Real far) {
   const Shape& shape = shape_of(world, collider);
   if (shape.form == Form::half_space) return true;
-  if (shape.form == Form::scenery || shape.core_radius > 0 || shape.host_thread) return false;
+  if (shape.form == Form::scenery || shape.core_radius > 0) return false;
   constexpr Real kTilt = 1e-4;  // rad: a face has its far corner there, a round surface the point itself
   const std::uint32_t body = world.scene.colliders.body[collider];
   const Frame frame = Frame(world.state.q[body].matrix(), world.state.x[body]) * world.plan->local[collider];
@@ -185,7 +185,7 @@ bool may_roll_alone(const World& world, const ContactPair& m) {
   const Scene& scene = world.scene;
   const std::uint32_t body = m.moves_a ? m.a : m.b, other = m.moves_a ? m.b : m.a;
   if (scene.type[other] == BodyType::dynamic) return false;
-  if (scene.locks_of(body) || !rotates(scene, body) || shape_of(world, collider_of(world, m)).host_thread) return false;
+  if (scene.locks_of(body) || !rotates(scene, body)) return false;
   const Vec3& spin = world.state.omega[other];  // about the normal, which then stays what it is
   return spin.is_zero() || spin.cross(world.contacts->rows[m.row].n).squared_norm() <= 1e-24 * spin.squared_norm();
 }
@@ -214,6 +214,8 @@ Stand stand_of(const Contacts& c, const ContactPair& m) {
     if (far > length) length = far, line = apart, to.other_end = i;
   }
   to.is_point = !(length > 0), to.is_line = length > 0;
+  // Of a line that lies level rounding says which end is deeper; friction along it counts from the same all the time.
+  if (to.other_end < to.deepest) std::swap(to.deepest, to.other_end);
   return to;
 }
 
@@ -297,6 +299,16 @@ void gather(const World& world, LoneRollers& l) {
   }
 }
 
+/// Whether a sweep found anything in its way but what it touches anyway.
+bool is_hit_elsewhere(const World& world, const TouchingBody& of) {
+  const SweptBody* const swept = world.continuous->find(of.body);
+  if (!swept || !swept->is_hit) return false;
+  return swept->is_hit_elsewhere || std::none_of(of.touches, of.touches + of.count, [&](const FlatTouch& touch) {
+           return swept->hit ==
+                  collision::Pair{std::min(touch.collider, touch.surface), std::max(touch.collider, touch.surface)};
+         });
+}
+
 /// Of the whole step, where it touches.
 void tell_impulses(const World& world, const TouchingBody& of, const Vec3 impulse[]) {
   Contacts& c = *world.contacts;
@@ -359,8 +371,7 @@ bool ends_alone(const World& world, std::uint32_t body, Real dt, TouchingMotion:
 void roll_alone(const World& world, Poses& poses, Velocities& motion, const StepTime& time) {
   if (!world.lone_rollers) return;
   for (const TouchingBody& of : world.lone_rollers->bodies) {
-    const SweptBody* const swept = world.continuous->find(of.body);
-    if (world.state.held_out[of.body] || (swept && swept->is_hit)) continue;
+    if (world.state.held_out[of.body] || is_hit_elsewhere(world, of)) continue;
     TouchingMotion::At at;
     Vec3 impulse[TouchingMotion::kMostEnds];
     if (!roll(world, of, time.dt, at, impulse)) continue;

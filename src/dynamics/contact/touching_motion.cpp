@@ -81,8 +81,8 @@ bool TouchingMotion::support(const Mat3& turn, const FlatTouch& touch, const Vec
   const Frame& local = world_.plan->local[touch.collider];
   collision::SupportFault fault;
   Vec3 point;
-  if (!full_support(*world_.scene.colliders.shape[touch.collider],
-                    local.r.transpose() * (turn.transpose() * direction), point, fault))
+  if (!full_support(*world_.scene.colliders.shape[touch.collider], local.r.transpose() * (turn.transpose() * direction),
+                    point, fault))
     return false;
   r = turn * local.apply(point);
   return true;
@@ -114,7 +114,8 @@ bool TouchingMotion::ends(const Quat& q, Vec3 r[kMostEnds]) const {
   for (int k = 0; k < of_.count; ++k) {
     if (grip_[k] == Grip::opened) continue;
     const FlatTouch& touch = of_.touches[k];
-    if (touch.is_line() ? !line_ends(turn, touch, r[2 * k], r[2 * k + 1]) : !support(turn, touch, -1 * touch.n, r[2 * k]))
+    if (touch.is_line() ? !line_ends(turn, touch, r[2 * k], r[2 * k + 1])
+                        : !support(turn, touch, -1 * touch.n, r[2 * k]))
       return false;
   }
   return true;

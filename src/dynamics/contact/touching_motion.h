@@ -68,7 +68,7 @@ struct TouchingBody {
   FlatTouch touches[kMost];
   Vec3 x, v, omega;
   Quat q;
-  Vec3 accel, torque;  // m/s^2 of forces; N m, world: of those that are the same all step long
+  Vec3 accel, torque;   // m/s^2 of forces; N m, world: of those that are the same all step long
   ForcesOnOne varying;  // the others
 };
 
