@@ -11,8 +11,7 @@ namespace carom::dynamics {
 
 /// Bodies at a trial, and what forces do there. By body slot; empty until somebody asks.
 struct Trial {
-  explicit Trial(Memory* m)
-      : x(m), v(m), omega(m), accel(m), alpha(m), q(m), springs(m), own(m), hanging(m) {}
+  explicit Trial(Memory* m) : x(m), v(m), omega(m), accel(m), alpha(m), q(m), springs(m), own(m), hanging(m) {}
   void resize(std::size_t slots) {
     for (auto* a : {&x, &v, &omega, &accel, &alpha}) a->resize(slots, Vec3::zero());
     q.resize(slots, Quat::identity());
@@ -34,14 +33,14 @@ bool is_asked_at_trials(const Effect& effect);
 /// What forces that vary do to one body.
 struct ForcesOnOne {
   std::uint32_t body = kInvalid;
-  std::uint64_t rows = 0;                // of the table, as bits
+  std::uint64_t rows = 0;                 // of the table, as bits
   std::uint32_t spring = 0, springs = 0;  // Trial::springs: the first, how many
-  Real rate = 0;  // 1/s: of all that decays, and how fast springs may swing it
+  Real rate = 0;                          // 1/s: of all that decays, and how fast springs may swing it
 
   explicit operator bool() const { return rows != 0 || springs > 0; }
   /// @param accel, alpha  m/s^2, rad/s^2, world: to which it is added
-  void add(const World& world, Trial& trial, const Vec3& x, const Quat& q, const Vec3& v, const Vec3& omega, Vec3& accel,
-           Vec3& alpha) const;
+  void add(const World& world, Trial& trial, const Vec3& x, const Quat& q, const Vec3& v, const Vec3& omega,
+           Vec3& accel, Vec3& alpha) const;
 };
 /// Those that are not the same all step long, as a step begins. Allocates.
 /// @return false: not all can be told where the body alone is at a trial: a spring's other end goes its own way

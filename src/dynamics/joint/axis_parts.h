@@ -31,6 +31,10 @@ void add_axis_drives(const Joints& joints, const Joint& joint, JointLayout& layo
 std::uint64_t axes_key(const Joints& joints, const Joint& joint);
 std::uint64_t turn_key(const Joint& joint, const JointAxes& axes);
 
+/// Where the impulse of a drive's row is kept between steps.   @param k  the row, of its layout
+Real& impulse_of(JointAxes* axes, Joint& joint, const DriveRow& row, std::uint32_t k);
+Real kept_impulse(const JointAxes& axes, const Joint& joint, const DriveRow& row, std::uint32_t k);
+
 struct DrivenAxes {
   bool limited, driven;
 };

@@ -107,7 +107,14 @@ void fill_turn(const TurnDrive& d, const DriveRow& row, const RowFill& to) {
   fill_pull(d.gains, to.h, 1, to.pull, to.lane);
 }
 
-/// Where the impulse of a row is kept between steps.
+/// m/s or rad/s: what a host does to the bodies' velocities it does to the rotor's.
+Real speed_of_rotor(const World& world, const Joint& joint, const DriveRow& row) {
+  const std::uint32_t axis = row.coordinate - kFirstAxis;
+  return speeds_of(world, joint).axis[axis] + world.joints.axes_of(joint).p[axis][kOfRotor];
+}
+
+}  // namespace
+
 Real& impulse_of(JointAxes* axes, Joint& joint, const DriveRow& row, std::uint32_t k) {
   if (row.coordinate >= kFirstTurn) return joint.turn.p[row.coordinate - kFirstTurn];
   if (row.coordinate >= kFirstAxis) return axes->p[row.coordinate - kFirstAxis][row.source];
@@ -118,14 +125,6 @@ Real kept_impulse(const JointAxes& axes, const Joint& joint, const DriveRow& row
   if (row.coordinate >= kFirstAxis) return axes.p[row.coordinate - kFirstAxis][row.source];
   return joint.drive_p[k];
 }
-
-/// m/s or rad/s: what a host does to the bodies' velocities it does to the rotor's.
-Real speed_of_rotor(const World& world, const Joint& joint, const DriveRow& row) {
-  const std::uint32_t axis = row.coordinate - kFirstAxis;
-  return speeds_of(world, joint).axis[axis] + world.joints.axes_of(joint).p[axis][kOfRotor];
-}
-
-}  // namespace
 
 void fill_drives(const World& world, const Joint& joint, const DriveStart& start, WideJoints& w, JointLanes& lanes,
                  int lane) {
