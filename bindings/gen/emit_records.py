@@ -60,7 +60,7 @@ KEYWORDS = {
     "carom_force_field_desc": {"-": "kind"},
     "carom_particles_desc": {},
     "carom_accuracy": {},
-    "carom_joint_desc": {"+collide": "bool", "-": "kind fields body_a body_b"},
+    "carom_joint_desc": {"+collide": "bool", "+accelerations": "bool", "-": "kind fields body_a body_b"},
     "carom_joint_transmission": {},
     "carom_joint_axis": {
         "mode": "AxisModeWord | int",

@@ -41,6 +41,7 @@ GROUPS = {
     "CAROM_FORCE_FIELD_": ("force_field", "choice"),
     "CAROM_JOINT_WORLD_FRAME": ("joint_fields", "bits"),
     "CAROM_JOINT_COLLIDE": ("joint_fields", "bits"),
+    "CAROM_JOINT_ACCELERATIONS": ("joint_fields", "bits"),
     "CAROM_JOINT_FIELD_": ("joint_fields", "bits"),
     "CAROM_JOINT_BULK_": ("joint_bulk", "choice"),
     "CAROM_JOINT_": ("joint", "choice"),

@@ -120,7 +120,7 @@ struct carom_joint_limit { uint32_t struct_size; uint32_t enabled; double lower;
 struct carom_joint_motor { uint32_t struct_size; uint32_t enabled; double speed; double max_force; };
 struct carom_joint_spring { uint32_t struct_size; uint32_t enabled; double target; double frequency; double damping; double max_force; };
 struct carom_joint_transmission { uint32_t struct_size; uint32_t fields; double ratio; double anchor_a[3]; double anchor_b[3]; double length; };
-struct carom_joint_axis { uint32_t struct_size; uint32_t mode; double lower; double upper; uint32_t stop_gains; uint32_t drive_gains; uint32_t spring_gains; uint32_t drive; double stop_stiffness; double stop_damping; double target; double speed; double effort; double max_force; double drive_stiffness; double drive_damping; double rest; double spring_stiffness; double spring_damping; double friction; double armature; };
+struct carom_joint_axis { uint32_t struct_size; uint32_t mode; double lower; double upper; uint32_t stop_gains; uint32_t drive_gains; uint32_t spring_gains; uint32_t drive; double stop_stiffness; double stop_damping; double target; double speed; double effort; double max_force; double drive_stiffness; double drive_damping; double rest; double spring_stiffness; double spring_damping; double friction; double armature; double effort_limit; double speed_limit; };
 struct carom_joint_orientation_drive { uint32_t struct_size; uint32_t drive; uint32_t gains; uint32_t reserved; double target[4]; double velocity[3]; double effort[3]; double max_force[3]; double stiffness; double damping; };
 struct carom_joint_state { uint32_t struct_size; uint32_t broken; double force[3]; double torque[3]; double gap; double angle; double coordinate[4]; double axis[6]; };
 struct carom_ledger_entry { const char *name; double kinetic; double potential; double linear[3]; double angular[3]; double total_kinetic; double total_potential; double total_linear[3]; double total_angular[3]; };
@@ -652,6 +652,7 @@ return {
   CAROM_JOINT_WORLD_FRAME = 1,
   CAROM_JOINT_COLLIDE = 2,
   CAROM_JOINT_FIELD_LENGTH = 4,
+  CAROM_JOINT_ACCELERATIONS = 8,
   CAROM_JOINT_BULK_COORDINATES = 0,
   CAROM_JOINT_BULK_SPEEDS = 1,
   CAROM_JOINT_BULK_AXES = 2,
@@ -680,7 +681,17 @@ return {
   CAROM_JOINT_BULK_ORIENTATION_VELOCITY = 25,
   CAROM_JOINT_BULK_ORIENTATION_EFFORT = 26,
   CAROM_JOINT_BULK_ORIENTATION_GAINS = 27,
-  CAROM_JOINT_BULK_COUNT = 28,
+  CAROM_JOINT_BULK_ACCELERATION = 28,
+  CAROM_JOINT_BULK_AXIS_ACCELERATIONS = 29,
+  CAROM_JOINT_BULK_AXIS_FRICTIONS = 30,
+  CAROM_JOINT_BULK_AXIS_ARMATURES = 31,
+  CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS = 32,
+  CAROM_JOINT_BULK_AXIS_SPEED_LIMITS = 33,
+  CAROM_JOINT_BULK_FRICTION = 34,
+  CAROM_JOINT_BULK_ARMATURE = 35,
+  CAROM_JOINT_BULK_EFFORT_LIMIT = 36,
+  CAROM_JOINT_BULK_SPEED_LIMIT = 37,
+  CAROM_JOINT_BULK_COUNT = 38,
   CAROM_EFFECT_GYROSCOPIC = 0,
   CAROM_EFFECT_LINEAR_DAMPING = 1,
   CAROM_EFFECT_ANGULAR_DAMPING = 2,
@@ -770,5 +781,5 @@ return {
   CAROM_WANT_FIRST = 0,
   CAROM_WANT_ANY = 1,
   VERSION = "0.9.0",
-  ROWS = 783, -- of the layout manifest
+  ROWS = 785, -- of the layout manifest
 }

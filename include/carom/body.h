@@ -176,7 +176,7 @@ CAROM_API int32_t carom_body_add_impulse(carom_world *world, carom_body body, co
                                          const double point[3], carom_error *error);
 
 /** How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
- *  rises. Wakes the body and its island.
+ *  rises. 1 - c compensates a share c of its gravity, as a counterweight does; inverse dynamics counts it (tree.h). Wakes the body and its island.
  *  @param factor any finite number; 1 when a body is created
  *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY */
 CAROM_API int32_t carom_body_set_gravity_factor(carom_world *world, carom_body body, double factor, carom_error *error);

@@ -101,6 +101,8 @@ CAROM_API const char *carom_joint_kind_name(uint32_t kind);
                                            bodies as they stand now; those of B are not read */
 #define CAROM_JOINT_COLLIDE 0x2u      /**< the two bodies may touch each other; else they do not */
 #define CAROM_JOINT_FIELD_LENGTH 0x4u /**< length is given; else it is the distance of the points as they stand now */
+#define CAROM_JOINT_ACCELERATIONS 0x8u /**< each step measures the joint's accelerations, @see
+                                            CAROM_JOINT_BULK_ACCELERATION */
 /* clang-format on */
 /** @} */
 
@@ -169,7 +171,8 @@ typedef struct carom_joint_transmission {
                            A part of the rope without length pulls nowhere: keep points off anchors */
 } carom_joint_transmission;
 
-/** What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+/** What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
+ *  has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
  *  each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it. */
 typedef struct carom_joint_axis {
   uint32_t struct_size;
@@ -196,6 +199,12 @@ typedef struct carom_joint_axis {
   double armature; /**< kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times
                                 the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies
                                 no spin of its own. A host that sets velocities sets the rotor's. */
+  double
+      effort_limit; /**< N or N m, [0, 1e30]: how hard the drives of the axis push at most, however large their max_force
+                            is; of a hinge or slider its motor and spring, too. Several that act have even shares. Springs
+                            of axes, stops, friction and locks have no part in it. 1e30: none */
+  double speed_limit; /**< m/s or rad/s, [0, 1e30]: the axis goes no faster, either way, whatever that takes. Of effect
+                            joint_limits. 1e30: none */
 } carom_joint_axis;
 
 /** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
@@ -245,7 +254,7 @@ CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t s
 /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_transmission_init(carom_joint_transmission *transmission, uint32_t struct_size);
 
-/** Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+/** Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_axis_init(carom_joint_axis *axis, uint32_t struct_size);
 /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive, uint32_t struct_size);
@@ -301,17 +310,18 @@ CAROM_API int32_t carom_joint_set_transmission(carom_world *world, carom_joint j
 CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint,
                                                carom_joint_transmission *transmission, carom_error *error);
 
-/** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+/** Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
  *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
  *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
  *  frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
  *  amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
  *  bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
  *  substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
- *  the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
- *  test_six_axis_scenes.
+ *  the load does in h / 2. Forces of drives are met to rounding. A speed limit holds to 1e-9 under the
+ *  direct solver, where one joint bears all to rounding under others. Oracle: tests/oracle/test_six_axis, test_six_axis_scenes, test_armature,
+ *  test_axis_limits.
  *  @param axis CAROM_AXIS_*
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no such axis of its own; a newer field);
  *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
 CAROM_API int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axis,
                                        const carom_joint_axis *desc, carom_error *error);
@@ -335,19 +345,33 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
  *  The number before the colon is how many scalars a record has. A joint of one motion is a hinge (its motion is the
  *  twist), a slider (slide), a distance joint or a pulley (distance). Six numbers are by CAROM_AXIS_*. What is set has
  *  the bounds of the call that sets it for one joint.
+ *
+ *  POSITION, VELOCITY, AXES and AXIS_SPEEDS move bodies. A joint moves that side of it which nothing holds, and all that
+ *  hangs there goes along: other joints keep where they are and how fast they go. Where nothing holds a tree, its base
+ *  stays: the body that is B of no joint, of several the first in the order of carom_world_get_bodies(). POSITION and
+ *  AXES leave rates as they are, of turns that are all free the angular velocity in A's frame; VELOCITY and AXIS_SPEEDS
+ *  leave places. Numbers are within 1e9. Those of AXES and AXIS_SPEEDS along what is locked are not used: there the joint
+ *  is without a gap afterwards. Whole turns count. Places beyond limits are taken: what is beyond is led back. A joint
+ *  that has what is written already stays as it is, to the bit. So what was read may be written back, of loops, too; else
+ *  a joint of a loop is UNSUPPORTED. Of what is not a joint's only gears go on from where they are: distance joints
+ *  and pulleys hold, springs and contacts do not.
+ *
+ *  ACCELERATION is (rate as the last step ended - rate as it began) / step, finite, and 0 before the first step.
+ *  Snapshots keep it. It is that of the mean force over a step, contacts and joints included.
+ *
  *  TARGET_EFFORT is a motor of speed 1e6, of its sign, whose max_force it is. Of any other motor it is read as 0.
  *  @{ */
 /* clang-format off */
 #define CAROM_JOINT_BULK_COORDINATES 0u /* 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only */
 #define CAROM_JOINT_BULK_SPEEDS 1u      /* 4: m/s or rad/s, their rates, from the present velocities; read only */
-#define CAROM_JOINT_BULK_AXES 2u        /* 6: m and rad, by CAROM_AXIS_*; read only */
-#define CAROM_JOINT_BULK_AXIS_SPEEDS 3u /* 6: m/s and rad/s, their rates; read only */
+#define CAROM_JOINT_BULK_AXES 2u        /* 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
+#define CAROM_JOINT_BULK_AXIS_SPEEDS 3u /* 6: m/s and rad/s, their rates; written likewise */
 #define CAROM_JOINT_BULK_FORCE 4u       /* 3: N, world, as carom_joint_state.force; read only */
 #define CAROM_JOINT_BULK_TORQUE 5u      /* 3: N m, world, as carom_joint_state.torque; read only */
 #define CAROM_JOINT_BULK_ERROR 6u       /* 2: m and rad, gap and angle; read only */
 #define CAROM_JOINT_BULK_BROKEN 7u      /* 1: 1 or 0; read only */
-#define CAROM_JOINT_BULK_POSITION 8u    /* 1: m or rad, of one motion, whole turns counted; read only */
-#define CAROM_JOINT_BULK_VELOCITY 9u    /* 1: m/s or rad/s, of one motion; read only */
+#define CAROM_JOINT_BULK_POSITION 8u    /* 1: m or rad, of one motion, whole turns counted; written: hinge, slider */
+#define CAROM_JOINT_BULK_VELOCITY 9u    /* 1: m/s or rad/s, of one motion; written likewise */
 #define CAROM_JOINT_BULK_EFFORT 10u     /* 1: N or N m, borne along one motion, mean over the last step; read only */
 #define CAROM_JOINT_BULK_TARGET 11u          /* 1: m or rad, of one motion: its spring's */
 #define CAROM_JOINT_BULK_TARGET_VELOCITY 12u /* 1: m/s or rad/s, of one motion: its motor's speed */
@@ -366,7 +390,18 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
 #define CAROM_JOINT_BULK_ORIENTATION_VELOCITY 25u /* 3: rad/s, A's frame, likewise */
 #define CAROM_JOINT_BULK_ORIENTATION_EFFORT 26u   /* 3: N m, A's frame, likewise */
 #define CAROM_JOINT_BULK_ORIENTATION_GAINS 27u    /* 2: stiffness, damping, likewise */
-#define CAROM_JOINT_BULK_COUNT 28u
+#define CAROM_JOINT_BULK_ACCELERATION 28u       /* 1: m/s^2 or rad/s^2, of a hinge or slider; read only */
+#define CAROM_JOINT_BULK_AXIS_ACCELERATIONS 29u /* 6: by CAROM_AXIS_*, of any kind; read only. Both of joints with
+                                                   CAROM_JOINT_ACCELERATIONS */
+#define CAROM_JOINT_BULK_AXIS_FRICTIONS 30u     /* 6: friction of each axis of a six-axis joint, as carom_joint_axis */
+#define CAROM_JOINT_BULK_AXIS_ARMATURES 31u     /* 6: armature, likewise */
+#define CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS 32u /* 6: effort_limit, likewise */
+#define CAROM_JOINT_BULK_AXIS_SPEED_LIMITS 33u  /* 6: speed_limit, likewise */
+#define CAROM_JOINT_BULK_FRICTION 34u           /* 1: friction of the axis of a hinge or slider, as carom_joint_axis */
+#define CAROM_JOINT_BULK_ARMATURE 35u           /* 1: armature, likewise */
+#define CAROM_JOINT_BULK_EFFORT_LIMIT 36u       /* 1: effort_limit, likewise */
+#define CAROM_JOINT_BULK_SPEED_LIMIT 37u        /* 1: speed_limit, likewise */
+#define CAROM_JOINT_BULK_COUNT 38u
 /* clang-format on */
 /** @} */
 
@@ -387,10 +422,12 @@ CAROM_API int32_t carom_world_read_joints(carom_world *world, uint32_t field, ui
                                           const carom_joint *joints, uint64_t n, void *dst, uint64_t stride,
                                           carom_error *error);
 
-/** Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+/** Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+ *  Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
  *  enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
  *  @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
- *  @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+ *  @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+ *  one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
  *  OUT_OF_RANGE; REENTRANT */
 CAROM_API int32_t carom_world_write_joints(carom_world *world, uint32_t field, uint32_t scalar,
                                            const carom_joint *joints, uint64_t n, const void *src, uint64_t stride,

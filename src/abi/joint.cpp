@@ -32,7 +32,8 @@ static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
               static_cast<std::uint32_t>(Coordinate::slide) == CAROM_COORDINATE_SLIDE &&
               static_cast<std::uint32_t>(Coordinate::distance) == CAROM_COORDINATE_DISTANCE);
 
-constexpr std::uint32_t kJointFields = CAROM_JOINT_WORLD_FRAME | CAROM_JOINT_COLLIDE | CAROM_JOINT_FIELD_LENGTH;
+constexpr std::uint32_t kJointFields =
+    CAROM_JOINT_WORLD_FRAME | CAROM_JOINT_COLLIDE | CAROM_JOINT_FIELD_LENGTH | CAROM_JOINT_ACCELERATIONS;
 constexpr double kLeastRatio = 1e-3, kMostRatio = 1e3;
 constexpr double kFarthestApart = 8 * kMaxPosition;  // m: of places on bodies that no step would quarantine
 
@@ -82,7 +83,7 @@ bool read_joint(Call& call, const World& world, const carom_joint_desc* given, J
       !in_range(call, 2, "desc->break_torque", d.break_torque, 0, kStrongestMotor))
     return false;
   def.kind = static_cast<JointKind>(d.kind);
-  def.collide = d.fields & CAROM_JOINT_COLLIDE;
+  def.collide = d.fields & CAROM_JOINT_COLLIDE, def.measured = d.fields & CAROM_JOINT_ACCELERATIONS;
   def.break_force = or_never(d.break_force), def.break_torque = or_never(d.break_torque);
   def.user = d.user;
   Joint joint;
@@ -104,7 +105,8 @@ carom_joint_desc describe(const World& world, const Joint& joint) {
   const JointDef& def = joint.def;
   carom_joint_desc d{};
   d.kind = static_cast<std::uint32_t>(def.kind);
-  d.fields = CAROM_JOINT_FIELD_LENGTH | (def.collide ? CAROM_JOINT_COLLIDE : 0u);
+  d.fields = CAROM_JOINT_FIELD_LENGTH | (def.collide ? CAROM_JOINT_COLLIDE : 0u) |
+             (def.measured ? CAROM_JOINT_ACCELERATIONS : 0u);
   d.body_a = handle_of_end(world, def.body_a), d.body_b = handle_of_end(world, def.body_b);
   from_vec3(def.frame_a.p, d.position_a), from_quat(def.frame_a.q, d.orientation_a);
   from_vec3(def.frame_b.p, d.position_b), from_quat(def.frame_b.q, d.orientation_b);

@@ -39,12 +39,20 @@ bool read_pull(Call& call, const PullGiven& g, AxisPull& to) {
 
 Real or_any(double most) { return most < kStrongestMotor ? most : kInfinity; }
 
-bool is_six_axis(Call& call, const Joint& joint) {
-  return joint.def.kind == JointKind::six_axis ||
-         call.fail(
-             CAROM_E_UNSUPPORTED, 4,
-             "a %s joint has no axes to be set; one of CAROM_JOINT_SIX_AXIS has, others have limits, motors and springs",
-             row_of(joint.def.kind).name);
+bool has_axis(Call& call, const Joint& joint, std::uint32_t axis) {
+  const JointKind kind = joint.def.kind;
+  const bool has_one = kind == JointKind::hinge || kind == JointKind::slider;
+  if (kind == JointKind::six_axis || (has_one && axis == dynamics::own_axis(kind))) return true;
+  if (has_one) {
+    call.fail(CAROM_E_UNSUPPORTED, 4, "axis %u of a %s is locked for good", axis, row_of(kind).name);
+    return call.advise(kind == JointKind::hinge ? "a hinge has CAROM_AXIS_TURN_X, a six-axis joint has all"
+                                                : "a slider has CAROM_AXIS_X, a six-axis joint has all");
+  }
+  return call.fail(
+      CAROM_E_UNSUPPORTED, 4,
+      "a %s joint has no axes to be set; hinges, sliders and CAROM_JOINT_SIX_AXIS have, others have limits, "
+      "motors and springs",
+      row_of(kind).name);
 }
 bool may_turn(Call& call, const Joint& joint) {
   return joint.def.kind == JointKind::six_axis || joint.def.kind == JointKind::ball ||
@@ -67,6 +75,8 @@ bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, Jo
       !in_range(call, 4, "desc->max_force", d.max_force, 0, kStrongestMotor) ||
       !in_range(call, 4, "desc->friction", d.friction, 0, kStrongestMotor) ||
       !in_range(call, 4, "desc->armature", d.armature, 0, kStrongestMotor) ||
+      !in_range(call, 4, "desc->effort_limit", d.effort_limit, 0, kStrongestMotor) ||
+      !in_range(call, 4, "desc->speed_limit", d.speed_limit, 0, kStrongestMotor) ||
       !read_pull(call,
                  {4, "desc->stop_gains", "desc->stop_stiffness", "desc->stop_damping", d.stop_gains, d.stop_stiffness,
                   d.stop_damping},
@@ -85,6 +95,7 @@ bool read_axis(Call& call, std::uint32_t axis, const carom_joint_axis* given, Jo
   to.drive = static_cast<AxisDrive>(d.drive), to.target = d.target, to.speed = d.speed;
   to.effort = d.effort, to.max_force = or_any(d.max_force), to.rest = d.rest;
   to.friction = or_any(d.friction), to.armature = d.armature;
+  to.effort_limit = or_any(d.effort_limit), to.speed_limit = or_any(d.speed_limit);
   return true;
 }
 
@@ -94,6 +105,7 @@ carom_joint_axis describe_axis(const JointAxis& a) {
   d.drive = static_cast<std::uint32_t>(a.drive), d.target = a.target, d.speed = a.speed, d.effort = a.effort;
   d.max_force = std::min(a.max_force, kStrongestMotor), d.rest = a.rest;
   d.friction = std::min(a.friction, kStrongestMotor), d.armature = a.armature;
+  d.effort_limit = std::min(a.effort_limit, kStrongestMotor), d.speed_limit = std::min(a.speed_limit, kStrongestMotor);
   const auto put = [](const AxisPull& from, std::uint32_t& gains, double& stiffness, double& damping) {
     gains = static_cast<std::uint32_t>(from.gains), stiffness = from.stiffness, damping = from.damping;
   };
@@ -147,7 +159,8 @@ using namespace carom::abi;
 extern "C" {
 
 int32_t carom_joint_axis_init(carom_joint_axis* axis, uint32_t struct_size) {
-  return init_struct(axis, struct_size, [](carom_joint_axis& d) { d.max_force = kStrongestMotor; });
+  return init_struct(axis, struct_size,
+                     [](carom_joint_axis& d) { d.max_force = d.effort_limit = d.speed_limit = kStrongestMotor; });
 }
 int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive* drive, uint32_t struct_size) {
   return init_struct(drive, struct_size, [](carom_joint_orientation_drive& d) {
@@ -163,7 +176,7 @@ int32_t carom_joint_set_axis(carom_world* world, carom_joint joint, uint32_t axi
     if (!changing || !resolve_joint(call, *changing, joint)) return;
     JointAxis to;
     if (known(call, 3, "axis", axis, CAROM_AXIS_COUNT) && read_axis(call, axis, desc, to) &&
-        is_six_axis(call, changing->joints.joint[handle_slot(joint)]))
+        has_axis(call, changing->joints.joint[handle_slot(joint)], axis))
       changing->set_joint_axis(handle_slot(joint), axis, to);
   });
 }
@@ -173,7 +186,8 @@ int32_t carom_joint_get_axis(carom_world* world, carom_joint handle, uint32_t ax
     const Reading reading(call, world);
     if (!reading || !resolve_joint(call, *reading, handle)) return;
     const Joint& joint = reading->joints.joint[handle_slot(handle)];
-    if (known(call, 3, "axis", axis, CAROM_AXIS_COUNT) && fillable(call, 4, "desc", desc) && is_six_axis(call, joint))
+    if (known(call, 3, "axis", axis, CAROM_AXIS_COUNT) && fillable(call, 4, "desc", desc) &&
+        has_axis(call, joint, axis))
       write_struct(describe_axis(reading->joints.axes_of(joint).axis[axis]), desc);
   });
 }

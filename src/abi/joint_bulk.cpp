@@ -12,7 +12,9 @@
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/speeds.h"
+#include "dynamics/joint/tree/joint_moves.h"
 #include "dynamics/joint/turns.h"
+#include "dynamics/quarantine.h"
 
 namespace carom::abi {
 namespace {
@@ -20,7 +22,7 @@ namespace {
 using dynamics::Joint;
 
 /// Which kinds have a field.
-enum class Kinds { any, of_one_motion, six_axis, turning };
+enum class Kinds { any, of_one_motion, six_axis, turning, hinge_or_slider, moving };
 
 Coordinate motion_of(JointKind kind) {
   return kind == JointKind::hinge    ? Coordinate::twist
@@ -40,15 +42,47 @@ bool is_among(Kinds kinds, JointKind kind) {
       return kind == JointKind::six_axis;
     case Kinds::turning:
       return kind == JointKind::ball || kind == JointKind::six_axis;
+    case Kinds::hinge_or_slider:
+      return kind == JointKind::hinge || kind == JointKind::slider;
+    case Kinds::moving:
+      return dynamics::JointMoves::can_move(kind);
   }
   return false;
 }
-constexpr const char* kNamesOfKinds[] = {"any joint", "a hinge, slider, distance joint or pulley", "a six-axis joint",
-                                         "a ball or a six-axis joint"};
+constexpr const char* kNamesOfKinds[] = {"any joint",         "a hinge, slider, distance joint or pulley",
+                                         "a six-axis joint",  "a ball or a six-axis joint",
+                                         "a hinge or slider", "a hinge, slider, ball or six-axis joint"};
 constexpr const char* kRemediesOfKinds[] = {
-    "", "list such joints alone; axes of a six-axis joint have fields AXIS_*, a ball has ORIENTATION_*",
+    "",
+    "list such joints alone; axes of a six-axis joint have fields AXIS_*, a ball has ORIENTATION_*",
     "list such joints alone; a hinge or slider has TARGET, MOTOR, SPRING and LIMIT",
-    "list such joints alone; a hinge or slider has TARGET, MOTOR, SPRING and LIMIT"};
+    "list such joints alone; a hinge or slider has TARGET, MOTOR, SPRING and LIMIT",
+    "list such joints alone; other joints have fields AXES and AXIS_*",
+    "list such joints alone; move the bodies of others by carom_world_write()"};
+
+/// What a field that moves bodies says.
+enum class Moves : std::uint8_t { none, places, speeds };
+struct MovesOf {
+  Moves what;
+  Kinds kinds;
+};
+constexpr MovesOf moves_of(std::uint32_t field) {
+  switch (field) {
+    case CAROM_JOINT_BULK_POSITION:
+      return {Moves::places, Kinds::hinge_or_slider};
+    case CAROM_JOINT_BULK_VELOCITY:
+      return {Moves::speeds, Kinds::hinge_or_slider};
+    case CAROM_JOINT_BULK_AXES:
+      return {Moves::places, Kinds::moving};
+    case CAROM_JOINT_BULK_AXIS_SPEEDS:
+      return {Moves::speeds, Kinds::moving};
+    default:
+      return {Moves::none, Kinds::any};
+  }
+}
+constexpr bool is_measured(std::uint32_t field) {
+  return field == CAROM_JOINT_BULK_ACCELERATION || field == CAROM_JOINT_BULK_AXIS_ACCELERATIONS;
+}
 
 /// A record that a host gave, and where it stands.
 struct Given {
@@ -56,6 +90,7 @@ struct Given {
   const char* field;
   std::uint64_t joint;  // its number among those listed
   const double* record;
+  int width = 1;  // of the record
 
   bool within(int k, double low, double high) const {
     return (record[k] >= low && record[k] <= high) || in_range(call, 6, name(k).data(), record[k], low, high);
@@ -201,9 +236,28 @@ template <Real JointAxis::*number>
 void write_axes(World& world, std::uint32_t slot, const Joint& joint, const double* record) {
   write_axes(world, slot, joint, record, 1, [](JointAxis& a, const double* r) { a.*number = *r; });
 }
-void write_max_forces(World& world, std::uint32_t slot, const Joint& joint, const double* record) {
+/// What is as large as may be has no bound.
+template <Real JointAxis::*number>
+void write_boundless(World& world, std::uint32_t slot, const Joint& joint, const double* record) {
   write_axes(world, slot, joint, record, 1,
-             [](JointAxis& a, const double* r) { a.max_force = *r < kStrongestMotor ? *r : kInfinity; });
+             [](JointAxis& a, const double* r) { a.*number = *r < kStrongestMotor ? *r : kInfinity; });
+}
+bool check_strengths(const World&, const Joint&, const Given& given) {
+  return given.all_within(0, given.width, 0, kStrongestMotor);
+}
+
+/// Of the axis of a hinge or slider.
+template <Real JointAxis::*number>
+void read_own(const World& world, const Joint& joint, double* record) {
+  *record = std::min(world.joints.axes_of(joint).axis[dynamics::own_axis(joint.def.kind)].*number, kStrongestMotor);
+}
+template <Real JointAxis::*number>
+void write_own(World& world, std::uint32_t slot, const Joint& joint, const double* record) {
+  const std::uint32_t k = dynamics::own_axis(joint.def.kind);
+  JointAxis axis = world.joints.axes_of(joint).axis[k];
+  const bool counts = number == &JointAxis::armature;  // others may be boundless
+  axis.*number = counts || *record < kStrongestMotor ? *record : kInfinity;
+  if (!(axis == world.joints.axes_of(joint).axis[k])) world.set_joint_axis(slot, k, axis);
 }
 bool check_axis_targets(const World&, const Joint&, const Given& given) {
   return given.all_within(0, 3, -farthest(0), farthest(0)) && given.all_within(3, 6, -farthest(3), farthest(3));
@@ -270,6 +324,14 @@ void write_turn_gains(World& world, std::uint32_t slot, const Joint& joint, cons
     set_turn(world, slot, joint, [&](TurnDrive& t) { t.gains.stiffness = r[0], t.gains.damping = r[1]; });
 }
 
+// ---- where joints are ----
+
+/// By CAROM_AXIS_*: along or about which a hinge or slider moves.
+std::size_t axis_of(const Joint& joint) { return dynamics::own_axis(joint.def.kind); }
+bool check_move(const World&, const Joint&, const Given& given) {
+  return given.all_within(0, given.width, -kLongestJoint, kLongestJoint);
+}
+
 using W = const World&;
 using J = const Joint&;
 using R = double*;
@@ -279,8 +341,8 @@ constexpr JointField kBulkJointFields[CAROM_JOINT_BULK_COUNT] = {
     // in the order of CAROM_JOINT_BULK_*
     {"coordinates", 4, Kinds::any, [](W w, J j, R r) { put(place_of(w, j).at, r); }, nullptr, nullptr},
     {"speeds", 4, Kinds::any, [](W w, J j, R r) { put(speeds_of(w, j).coordinate, r); }, nullptr, nullptr},
-    {"axes", 6, Kinds::any, [](W w, J j, R r) { put(axes_of(w, j), r); }, nullptr, nullptr},
-    {"axis_speeds", 6, Kinds::any, [](W w, J j, R r) { put(speeds_of(w, j).axis, r); }, nullptr, nullptr},
+    {"axes", 6, Kinds::any, [](W w, J j, R r) { put(axes_of(w, j), r); }, check_move, nullptr},
+    {"axis_speeds", 6, Kinds::any, [](W w, J j, R r) { put(speeds_of(w, j).axis, r); }, check_move, nullptr},
     {"force", 3, Kinds::any, [](W, J j, R r) { from_vec3(j.force, r); }, nullptr, nullptr},
     {"torque", 3, Kinds::any, [](W, J j, R r) { from_vec3(j.torque, r); }, nullptr, nullptr},
     {"error", 2, Kinds::any,
@@ -289,8 +351,8 @@ constexpr JointField kBulkJointFields[CAROM_JOINT_BULK_COUNT] = {
        r[0] = place.gap, r[1] = place.angle;
      }, nullptr, nullptr},
     {"broken", 1, Kinds::any, [](W, J j, R r) { *r = j.broken; }, nullptr, nullptr},
-    {"position", 1, Kinds::of_one_motion, [](W w, J j, R r) { *r = place_of(w, j).at[motion_of(j)]; }, nullptr, nullptr},
-    {"velocity", 1, Kinds::of_one_motion, [](W w, J j, R r) { *r = speeds_of(w, j).coordinate[motion_of(j)]; }, nullptr, nullptr},
+    {"position", 1, Kinds::of_one_motion, [](W w, J j, R r) { *r = place_of(w, j).at[motion_of(j)]; }, check_move, nullptr},
+    {"velocity", 1, Kinds::of_one_motion, [](W w, J j, R r) { *r = speeds_of(w, j).coordinate[motion_of(j)]; }, check_move, nullptr},
     {"effort", 1, Kinds::of_one_motion, [](W w, J j, R r) { *r = effort_of(w, j); }, nullptr, nullptr},
     {"target", 1, Kinds::of_one_motion, [](W, J j, R r) { *r = drive_of(j).spring.target; },
      [](W, J j, const Given& given) { return is_target(j, given, 0); },
@@ -313,8 +375,7 @@ constexpr JointField kBulkJointFields[CAROM_JOINT_BULK_COUNT] = {
      [](W, J, const Given& given) { return given.all_within(0, 6, -kFastestMotor, kFastestMotor); }, write_axes<&JointAxis::speed>},
     {"axis_target_efforts", 6, Kinds::six_axis, read_axes<&JointAxis::effort>,
      [](W, J, const Given& given) { return given.all_within(0, 6, -kStrongestMotor, kStrongestMotor); }, write_axes<&JointAxis::effort>},
-    {"axis_max_forces", 6, Kinds::six_axis, read_axes<&JointAxis::max_force>,
-     [](W, J, const Given& given) { return given.all_within(0, 6, 0, kStrongestMotor); }, write_max_forces},
+    {"axis_max_forces", 6, Kinds::six_axis, read_axes<&JointAxis::max_force>, check_strengths, write_boundless<&JointAxis::max_force>},
     {"axis_gains", 12, Kinds::six_axis, read_axis_gains, check_axis_gains, write_axis_gains},
     {"axis_limits", 12, Kinds::six_axis, read_axis_limits, check_axis_limits, write_axis_limits},
     {"orientation_target", 4, Kinds::turning, [](W, J j, R r) { from_quat(j.turn.target, r); },
@@ -325,6 +386,16 @@ constexpr JointField kBulkJointFields[CAROM_JOINT_BULK_COUNT] = {
      [](W, J, const Given& given) { return given.all_within(0, 3, -kStrongestMotor, kStrongestMotor); }, write_turn_effort},
     {"orientation_gains", 2, Kinds::turning, [](W, J j, R r) { r[0] = j.turn.gains.stiffness, r[1] = j.turn.gains.damping; },
      check_turn_gains, write_turn_gains},
+    {"acceleration", 1, Kinds::hinge_or_slider, [](W, J j, R r) { *r = j.acceleration[axis_of(j)]; }, nullptr, nullptr},
+    {"axis_accelerations", 6, Kinds::any, [](W, J j, R r) { put(j.acceleration, r); }, nullptr, nullptr},
+    {"axis_frictions", 6, Kinds::six_axis, read_axes<&JointAxis::friction>, check_strengths, write_boundless<&JointAxis::friction>},
+    {"axis_armatures", 6, Kinds::six_axis, read_axes<&JointAxis::armature>, check_strengths, write_axes<&JointAxis::armature>},
+    {"axis_effort_limits", 6, Kinds::six_axis, read_axes<&JointAxis::effort_limit>, check_strengths, write_boundless<&JointAxis::effort_limit>},
+    {"axis_speed_limits", 6, Kinds::six_axis, read_axes<&JointAxis::speed_limit>, check_strengths, write_boundless<&JointAxis::speed_limit>},
+    {"friction", 1, Kinds::hinge_or_slider, read_own<&JointAxis::friction>, check_strengths, write_own<&JointAxis::friction>},
+    {"armature", 1, Kinds::hinge_or_slider, read_own<&JointAxis::armature>, check_strengths, write_own<&JointAxis::armature>},
+    {"effort_limit", 1, Kinds::hinge_or_slider, read_own<&JointAxis::effort_limit>, check_strengths, write_own<&JointAxis::effort_limit>},
+    {"speed_limit", 1, Kinds::hinge_or_slider, read_own<&JointAxis::speed_limit>, check_strengths, write_own<&JointAxis::speed_limit>},
 };
 // clang-format on
 
@@ -338,16 +409,59 @@ bool check_data(Call& call, std::uint32_t field, std::uint32_t scalar, std::uint
          check_stride(call, 7, kBulkJointFields[field].name, kBulkJointFields[field].scalars, scalar, stride, n, 5);
 }
 
-bool have_field(Call& call, const World& world, const JointField& field, const Selection& selection, std::uint64_t n) {
+/// @param can  "has" or what else those of the kinds can
+bool have_field(Call& call, const World& world, std::uint32_t number, Kinds kinds, const char* can,
+                const Selection& selection, std::uint64_t n) {
+  const char* const name = kBulkJointFields[number].name;
   selection.for_each(n, [&](std::uint32_t slot, std::uint64_t i) {
-    const JointKind kind = world.joints.joint[slot].def.kind;
-    if (is_among(field.kinds, kind)) return true;
-    const auto k = static_cast<std::size_t>(field.kinds);
-    call.fail(CAROM_E_UNSUPPORTED, 4, "joint %llu is a %s and has no %s; %s has", static_cast<unsigned long long>(i),
-              row_of(kind).name, field.name, kNamesOfKinds[k]);
-    return call.advise(kRemediesOfKinds[k]);
+    const dynamics::JointDef& def = world.joints.joint[slot].def;
+    const auto of = static_cast<unsigned long long>(i);
+    if (!is_among(kinds, def.kind)) {
+      const auto k = static_cast<std::size_t>(kinds);
+      call.fail(CAROM_E_UNSUPPORTED, 4, "joint %llu is a %s and has no %s%s; %s has", of, row_of(def.kind).name, name,
+                can, kNamesOfKinds[k]);
+      return call.advise(kRemediesOfKinds[k]);
+    }
+    if (!is_measured(number) || def.measured) return true;
+    call.fail(CAROM_E_UNSUPPORTED, 4, "joint %llu does not measure its accelerations", of);
+    return call.advise("create the joint with CAROM_JOINT_ACCELERATIONS in desc->fields");
   });
   return call.ok();
+}
+
+/// The number of a joint among those listed.
+std::uint64_t index_of(const Selection& selection, std::uint64_t n, std::uint32_t slot) {
+  std::uint64_t index = 0;
+  selection.for_each(n, [&](std::uint32_t of, std::uint64_t i) {
+    index = i;
+    return of != slot;
+  });
+  return index;
+}
+
+bool say(Call& call, dynamics::MoveFault fault, std::uint64_t joint) {
+  const auto i = static_cast<unsigned long long>(joint);
+  using dynamics::MoveFault;
+  switch (fault) {
+    case MoveFault::none:
+      return true;
+    case MoveFault::broken:
+      call.fail(CAROM_E_UNSUPPORTED, 4, "joint %llu is broken: its bodies go their own ways", i);
+      return call.advise("leave broken joints out; CAROM_JOINT_BULK_BROKEN reports them");
+    case MoveFault::held:
+      call.fail(CAROM_E_UNSUPPORTED, 4, "neither body of joint %llu is moved by forces", i);
+      return call.advise("leave the joint out, or enable its bodies; kinematic ones have poses of their own");
+    case MoveFault::loop:
+      call.fail(CAROM_E_UNSUPPORTED, 4, "joint %llu is part of a loop: other joints hold its bodies together, too", i);
+      return call.advise(
+          "leave out the joints of loops and write poses of their bodies; the world, static and kinematic bodies "
+          "count as one body");
+    case MoveFault::far:
+      call.fail(CAROM_E_OUT_OF_RANGE, 6, "a body would be %g m from the origin, or faster than %g m/s or rad/s",
+                dynamics::kMaxPosition, dynamics::kMaxSpeed);
+      return call.advise("write smaller numbers");
+  }
+  return false;
 }
 
 void load_record(std::uint32_t scalar, const void* src, std::uint64_t i, std::uint64_t stride, int scalars,
@@ -383,7 +497,7 @@ int32_t carom_world_read_joints(carom_world* world, uint32_t field, uint32_t sca
     if (!reading || !check_data(call, field, scalar, n, "dst", dst, stride)) return;
     const JointField& row = kBulkJointFields[field];
     const Selection selection(reading->joints.slots, joints, kJoints);
-    if (!selection.check(call, n) || !have_field(call, *reading, row, selection, n)) return;
+    if (!selection.check(call, n) || !have_field(call, *reading, field, row.kinds, "", selection, n)) return;
     const FloatScope scope;
     selection.for_each(n, [&](std::uint32_t slot, std::uint64_t i) {
       double record[kMostScalars];
@@ -401,20 +515,40 @@ int32_t carom_world_write_joints(carom_world* world, uint32_t field, uint32_t sc
     const Recorded changing(call, world, record::world_write_joints(field, scalar, joints, n, src, stride));
     if (!changing || !check_data(call, field, scalar, n, "src", src, stride)) return;
     const JointField& row = kBulkJointFields[field];
-    if (!row.write) {
+    if (!row.check) {
       call.fail(CAROM_E_UNSUPPORTED, 2, "%s of joints can be read, not written", row.name);
-      call.advise("set poses and velocities of bodies to move joints; targets, motors, springs and limits are written");
+      call.advise(
+          "fields POSITION, VELOCITY, AXES and AXIS_SPEEDS move joints; targets, motors, springs and limits are written, too");
       return;
     }
+    const MovesOf moves = moves_of(field);
     const Selection selection(changing->joints.slots, joints, kJoints);
-    if (!selection.check(call, n) || !have_field(call, *changing, row, selection, n)) return;
+    if (!selection.check(call, n) || !have_field(call, *changing, field, row.write ? row.kinds : moves.kinds,
+                                                 row.write ? "" : " that can be written", selection, n))
+      return;
     const FloatScope scope;
     double record[kMostScalars];
     selection.for_each(n, [&](std::uint32_t slot, std::uint64_t i) {
       load_record(scalar, src, i, stride, row.scalars, record);
-      return row.check(*changing, changing->joints.joint[slot], {call, row.name, i, record});
+      return row.check(*changing, changing->joints.joint[slot], {call, row.name, i, record, row.scalars});
     });
     if (!call.ok()) return;
+    if (!row.write) {
+      dynamics::JointMoves all(&changing.engine().memory);
+      selection.for_each(n, [&](std::uint32_t slot, std::uint64_t i) {
+        load_record(scalar, src, i, stride, row.scalars, record);
+        dynamics::JointMove move = {slot, {}};
+        if (row.scalars == 1)
+          move.to[axis_of(changing->joints.joint[slot])] = *record;
+        else
+          std::copy_n(record, kAxes, move.to.begin());
+        all.ask(*changing, move);
+        return true;
+      });
+      const dynamics::MoveFault fault = all.find(*changing, moves.what == Moves::speeds);
+      if (say(call, fault, index_of(selection, n, all.joint_at_fault()))) changing->move_joints(all);
+      return;
+    }
     selection.for_each(n, [&](std::uint32_t slot, std::uint64_t i) {
       load_record(scalar, src, i, stride, row.scalars, record);
       row.write(*changing, slot, changing->joints.joint[slot], record);

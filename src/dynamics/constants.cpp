@@ -6,6 +6,7 @@
 #include "collision/manifold/patch_constants.h"
 #include "dynamics/accuracy/control.h"
 #include "dynamics/accuracy/growth.h"
+#include "dynamics/contact/asked_again.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/impact_points.h"
 #include "dynamics/contact/lone_rollers.h"
@@ -39,8 +40,8 @@ constexpr auto in_one_table(const ConstantRow (&... parts)[n]) {
 constexpr auto kConstantTable =
     in_one_table(kPatchConstants, kImpactConstants, kRollingConstants, kTouchingMotionConstants, kLoneRollerConstants,
                  kPatchFrictionConstants, kTurningGroundConstants, kSweepConstants, kFarTurnConstants, kDepthConstants,
-                 kAutoConstants, kConeGroupConstants, kYieldingConstants, kEnergyBoundConstants, kRattleConstants,
-                 kAccuracyConstants, accuracy::kGrowthConstants, kFloatConstants, kGiveBackConstants);
+                 kAskedAgainConstants, kAutoConstants, kConeGroupConstants, kYieldingConstants, kEnergyBoundConstants,
+                 kRattleConstants, kAccuracyConstants, accuracy::kGrowthConstants, kFloatConstants, kGiveBackConstants);
 
 }  // namespace
 

@@ -64,6 +64,18 @@ NarrowSettings narrow_settings(const Dials& dials) {
   return s;
 }
 
+void find_manifold(const PatchPair& pair, const NarrowSettings& settings, QueryMemory& memory, Manifold& manifold,
+                   NarrowReport& report, SupportFault& fault) {
+  Candidates found;
+  collide(pair.a, pair.frame_a, pair.b, pair.frame_b, settings, memory, nullptr, found, report, fault);
+  PatchMemory patch;
+  if (fault.kind != SupportFault::none || found.count == 0) return;
+  if (found.whole)
+    adopt_patch(pair, found, settings.manifold, manifold, patch);
+  else
+    update_patch(pair, found, settings.manifold, manifold, patch, report.support_calls, fault);
+}
+
 void find_pairs(const World& world, BroadPhases& broad, ClearingSleepers to, Events& events, StepReport& report,
                 const StepTime&) {
   PairTable& pairs = to;

@@ -10,6 +10,10 @@ namespace carom::dynamics {
 /// How the dials want pairs to be asked.
 NarrowSettings narrow_settings(const Dials& dials);
 
+/// Points of a pair as it stands, as ManifoldKind::clip has them. Left as they are where there are none.
+void find_manifold(const PatchPair& pair, const NarrowSettings& settings, QueryMemory& memory, Manifold& manifold,
+                   NarrowReport& report, SupportFault& fault);
+
 /// The strategy of the dial, made when first asked for.
 BroadPhase& broad_phase(const World& world, BroadPhases& all);
 

@@ -6,6 +6,7 @@
 #include "dynamics/accuracy/accuracy.h"
 #include "dynamics/begin_substep.h"
 #include "dynamics/ccd/continuous.h"
+#include "dynamics/contact/asked_again.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/contact/impact.h"
 #include "dynamics/contact/lone_rollers.h"
@@ -24,6 +25,7 @@
 #include "dynamics/quarantine.h"
 #include "dynamics/query/index.h"
 #include "dynamics/sleep/sleep.h"
+#include "dynamics/solver/direct.h"
 #include "dynamics/solver/solver.h"
 
 namespace carom::dynamics {
@@ -107,6 +109,9 @@ constexpr StageEntry kStageTable[] = {
     stage<begin_substep>({.name = "begin substep",
      .what = "velocities and gaps before the forces are saved for all that need them",
      .stage = Stage::solve, .reads = kMotion, .each_substep = true}),
+    stage<ask_again>({.name = "ask again",
+     .what = "contacts of what turns far within a step, where they are by now",
+     .stage = Stage::narrow, .effect = +EffectId::collision, .reads = kContactsRead, .each_substep = true}),
     stage<integrate_velocity>({.name = "integrate velocity",
      .what = "forces change velocities",
      .stage = Stage::integrate,
@@ -143,6 +148,10 @@ constexpr StageEntry kStageTable[] = {
     stage<sweep>({.name = "sweep",
      .what = "a fast body stops at what is in its way, bounces there and continues",
      .stage = Stage::solve, .effect = +EffectId::continuous, .reads = kContactsRead,
+     .account = LedgerAccount::sweeps, .each_substep = true}),
+    stage<close_joints>({.name = "close joints",
+     .what = "what hangs by joints on a body that a sweep has stopped follows it",
+     .stage = Stage::solve, .effect = +EffectId::continuous, .reads = kMotion | Part::joints,
      .account = LedgerAccount::sweeps, .each_substep = true}),
     // ---- once: what is left of the step, and its reports ----
     stage<quarantine_outliers>({.name = "quarantine outliers",

@@ -12,6 +12,7 @@
 #include "dynamics/contact/lone_rollers.h"
 #include "dynamics/give_back.h"
 #include "dynamics/joint/rattle/rattle.h"
+#include "dynamics/joint/speeds.h"
 #include "dynamics/observe.h"
 #include "dynamics/stages.h"
 
@@ -127,6 +128,8 @@ void World::step(Real dt) {
   Runner run(*this, dt);
   begin_report(*this, report, group_views, *events);
   give_back(*this, impulses, pairs, mean_motion);
+  Array<AxisRates> begun(memory);
+  if (joints.measured > 0) measure_rates(*this, begun);
   run.begin_lap();
   const std::span<const StageEntry> table = stage_table();
   for (auto first = table.begin(); first != table.end();) {
@@ -140,6 +143,7 @@ void World::step(Real dt) {
         if (entry->by_island != ByIsland::alone || !accuracy::goes_by_island(*this)) run(*entry);
     first = last;
   }
+  if (joints.measured > 0) note_accelerations(*this, begun, dt, joints);
 }
 
 }  // namespace carom::dynamics

@@ -81,6 +81,7 @@ struct Ledger;        // dynamics/ledger/ledger.h: where energy and momentum go,
 struct MeanMotion;    // dynamics/contact/mean_motion.h: which velocity moves what slides and rolls
 struct Sleep;         // dynamics/sleep/sleep.h: who sleeps, and what is kept of them
 struct WideContacts;  // dynamics/solver/wide_contacts.h: the same rows in lanes
+class JointMoves;     // dynamics/joint/tree/joint_moves.h: what a host asks of joints, and where bodies go
 struct WideJoints;    // dynamics/joint/wide_joints.h: joints in lanes
 struct Accuracy;      // dynamics/accuracy/accuracy.h: islands whose substeps follow from their errors
 struct LoneRollers;   // dynamics/contact/lone_rollers.h: bodies that touch flat surfaces and nothing else
@@ -144,6 +145,8 @@ class World {
   void fill_collider(std::uint32_t slot, std::uint32_t body, const Shape* shape, const Pose& local, Real density,
                      std::uint32_t material);  // the body's mass is not yet that
   void settle_mass(std::uint32_t body);
+  void keep_axes(std::uint32_t slot, bool any);              // properties of a hinge's or slider's axis, or none
+  void move_joints(const JointMoves& moves);                 // found, @see tree/joint_moves.h
   void fill_joint(std::uint32_t slot, const JointDef& def);  // not yet in the lists of its bodies
   void fill_spring(std::uint32_t slot, const SpringDef& def);
 

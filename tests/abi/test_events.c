@@ -92,7 +92,8 @@ static void events_are_collected_counted_and_copied(void** state) {
     carom_step_report report;
     report.struct_size = sizeof report;
     assert_int_equal(carom_world_get_report(b.world, &report, NULL), CAROM_OK);
-    assert_true(report.asleep_bodies > 0 && (uint64_t)(asleep - awake) == report.asleep_bodies);
+    assert_true(asleep > 0 &&
+                (uint64_t)(asleep - awake) == report.asleep_bodies); /* balls roll on: who sleeps last is chance */
   }
   assert_true(begun >= ended + 4); /* each lies or rolls on something */
   assert_int_equal(carom_world_collect_events(b.world, 0, 0, NULL), CAROM_OK);

@@ -40,6 +40,7 @@ static void axes_are_what_was_set(void** state) {
   carom_joint_orientation_drive drive = drive_desc(), drive_back;
   carom_joint_state s;
   uint32_t k;
+  assert_true(axis.effort_limit == 1e30 && axis.speed_limit == 1e30);
   assert_true(axis.struct_size == sizeof axis && axis.max_force == 1e30 && axis.mode == CAROM_AXIS_MODE_FREE);
   assert_true(drive.struct_size == sizeof drive && drive.target[3] == 1 && drive.max_force[2] == 1e30);
   for (k = 0; k < CAROM_AXIS_COUNT; ++k) {
@@ -52,7 +53,7 @@ static void axes_are_what_was_set(void** state) {
   axis.max_force = 5;
   axis.drive_gains = CAROM_GAINS_ACCELERATION, axis.drive_stiffness = 2e5, axis.drive_damping = 2e4, axis.target = 0.3;
   axis.speed = 1.5, axis.rest = -0.4, axis.spring_stiffness = 3, axis.spring_damping = 0.5;
-  axis.friction = 0.25, axis.armature = 0.01;
+  axis.friction = 0.25, axis.armature = 0.01, axis.effort_limit = 4, axis.speed_limit = 1.25;
   assert_int_equal(carom_joint_set_axis(b->world, joint, CAROM_AXIS_TURN_Y, &axis, NULL), CAROM_OK);
   assert_int_equal(carom_joint_get_axis(b->world, joint, CAROM_AXIS_TURN_Y, &back, NULL), CAROM_OK);
   assert_memory_equal(&axis, &back, sizeof axis);
@@ -104,10 +105,15 @@ static void wrong_axes_are_refused(void** state) {
   AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 0, d.max_force = -1, "max_force");
   AXIS_REFUSED(CAROM_E_NOT_FINITE, 0, d.effort = INFINITY, "effort");
   AXIS_REFUSED(CAROM_E_NOT_FINITE, 5, d.rest = NAN, "rest");
+  AXIS_REFUSED(CAROM_E_OUT_OF_RANGE, 2, d.effort_limit = -1, "effort_limit");
+  AXIS_REFUSED(CAROM_E_NOT_FINITE, 2, d.speed_limit = INFINITY, "speed_limit");
   d = axis_desc();
   assert_int_equal(carom_joint_set_axis(b->world, ball, 0, &d, &e), CAROM_E_UNSUPPORTED);
   assert_true(e.argument == 4 && strstr(e.message, "ball") && strstr(e.message, "SIX_AXIS"));
   assert_int_equal(carom_joint_get_axis(b->world, hinge, 0, &d, NULL), CAROM_E_UNSUPPORTED);
+  d = axis_desc();
+  assert_int_equal(carom_joint_set_axis(b->world, hinge, CAROM_AXIS_TURN_Y, &d, &e), CAROM_E_UNSUPPORTED);
+  assert_true(e.argument == 4 && strstr(e.message, "hinge") && strstr(e.remedy, "CAROM_AXIS_TURN_X"));
   assert_int_equal(carom_joint_set_axis(b->world, six, 0, NULL, NULL), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_joint_axis_init(NULL, sizeof(carom_joint_axis)), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_joint_orientation_drive_init(NULL, sizeof(carom_joint_orientation_drive)),
@@ -177,6 +183,121 @@ static void axes_come_back(void** state) {
   }
 }
 
+/* A hinge and a slider have one axis, whose properties come, go and come back by snapshots, whole ones and copies. */
+static void hinges_and_sliders_have_an_axis(void** state) {
+  Bench* b = *state;
+  static unsigned char bytes[1 << 17], whole[1 << 18];
+  uint64_t size, whole_size, hash;
+  const uint32_t axis_of[2] = {CAROM_AXIS_TURN_X, CAROM_AXIS_X};
+  const double one[2] = {1.5, 0.25}, none[2] = {0, 0}, free[2] = {1e30, 1e30};
+  double back[2];
+  carom_joint joint[2];
+  carom_joint_axis d, set;
+  int i;
+  uint32_t solver;
+  joint[0] = join(b, CAROM_JOINT_HINGE, b->bodies[0], b->bodies[1]);
+  joint[1] = join(b, CAROM_JOINT_SLIDER, b->bodies[2], b->bodies[3]);
+  for (i = 0; i < 2; ++i) { /* nothing, until something is set */
+    d = axis_desc(), set = axis_desc();
+    assert_int_equal(carom_joint_get_axis(b->world, joint[i], axis_of[i], &d, NULL), CAROM_OK);
+    assert_memory_equal(&d, &set, sizeof d);
+    set.friction = 0.1, set.armature = 0.3, set.spring_gains = CAROM_GAINS_FORCE, set.spring_damping = 0.2;
+    set.speed_limit = 3, set.effort_limit = 2;
+    assert_int_equal(carom_joint_set_axis(b->world, joint[i], axis_of[i], &set, NULL), CAROM_OK);
+    assert_int_equal(carom_joint_get_axis(b->world, joint[i], axis_of[i], &d, NULL), CAROM_OK);
+    assert_memory_equal(&d, &set, sizeof d);
+  }
+  for (solver = CAROM_SOLVER_SEQUENTIAL; solver <= CAROM_SOLVER_AUTO; ++solver) {
+    carom_world* other = NULL;
+    assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+    assert_int_equal(carom_world_save(b->world, 0, bytes, sizeof bytes, &size, NULL), CAROM_OK);
+    assert_int_equal(carom_world_save(b->world, CAROM_SNAPSHOT_WHOLE, whole, sizeof whole, &whole_size, NULL),
+                     CAROM_OK);
+    assert_int_equal(carom_world_fork(b->world, &other, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+    hash = bench_hash(b->world);
+    assert_int_equal(bench_steps(other, 20, NULL), CAROM_OK);
+    assert_true(bench_hash(other) == hash);
+    assert_int_equal(carom_world_restore(other, whole, whole_size, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(other, 20, NULL), CAROM_OK);
+    assert_true(bench_hash(other) == hash);
+    assert_int_equal(carom_world_destroy(other, NULL), CAROM_OK);
+    set = axis_desc(); /* nothing again, of one or of both */
+    for (i = 0; i < 2; ++i)
+      if (i || solver % 2) assert_int_equal(carom_joint_set_axis(b->world, joint[i], axis_of[i], &set, NULL), CAROM_OK);
+    assert_int_equal(bench_steps(b->world, 3, NULL), CAROM_OK);
+    assert_int_equal(carom_world_restore(b->world, bytes, size, NULL), CAROM_OK);
+    d = axis_desc();
+    assert_int_equal(carom_joint_get_axis(b->world, joint[1], axis_of[1], &d, NULL), CAROM_OK);
+    assert_true(d.friction == 0.1 && d.armature == 0.3 && d.speed_limit == 3 && d.effort_limit == 2);
+    assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
+    assert_true(bench_hash(b->world) == hash);
+  }
+  /* What a snapshot does not have goes. */
+  set = axis_desc();
+  for (i = 0; i < 2; ++i) assert_int_equal(carom_joint_set_axis(b->world, joint[i], axis_of[i], &set, NULL), CAROM_OK);
+  assert_int_equal(carom_world_save(b->world, 0, bytes, sizeof bytes, &size, NULL), CAROM_OK);
+  assert_int_equal(bench_steps(b->world, 5, NULL), CAROM_OK);
+  hash = bench_hash(b->world);
+  set.armature = 2;
+  for (i = 0; i < 2; ++i) assert_int_equal(carom_joint_set_axis(b->world, joint[i], axis_of[i], &set, NULL), CAROM_OK);
+  assert_int_equal(carom_world_restore(b->world, bytes, size, NULL), CAROM_OK);
+  assert_int_equal(bench_steps(b->world, 5, NULL), CAROM_OK);
+  assert_true(bench_hash(b->world) == hash);
+  /* In bulk. */
+#define BULK(field, to)                                                                                              \
+  do {                                                                                                               \
+    assert_int_equal(carom_world_write_joints(b->world, field, CAROM_SCALAR_F64, joint, 2, to, 0, NULL), CAROM_OK);  \
+    assert_int_equal(carom_world_read_joints(b->world, field, CAROM_SCALAR_F64, joint, 2, back, 0, NULL), CAROM_OK); \
+    assert_memory_equal(back, to, sizeof back);                                                                      \
+  } while (0)
+  BULK(CAROM_JOINT_BULK_FRICTION, one);
+  BULK(CAROM_JOINT_BULK_ARMATURE, one);
+  BULK(CAROM_JOINT_BULK_EFFORT_LIMIT, one);
+  BULK(CAROM_JOINT_BULK_SPEED_LIMIT, one);
+  d = axis_desc();
+  assert_int_equal(carom_joint_get_axis(b->world, joint[0], axis_of[0], &d, NULL), CAROM_OK);
+  assert_true(d.friction == 1.5 && d.armature == 1.5 && d.effort_limit == 1.5 && d.speed_limit == 1.5);
+  BULK(CAROM_JOINT_BULK_FRICTION, none);
+  BULK(CAROM_JOINT_BULK_ARMATURE, none);
+  BULK(CAROM_JOINT_BULK_EFFORT_LIMIT, free);
+  BULK(CAROM_JOINT_BULK_SPEED_LIMIT, free);
+  assert_int_equal(
+      carom_world_write_joints(b->world, CAROM_JOINT_BULK_FRICTION, CAROM_SCALAR_F64, b->bodies, 1, one, 0, NULL),
+      CAROM_E_WRONG_KIND);
+}
+
+/* Accelerations are of a snapshot, too. */
+static void accelerations_come_back(void** state) {
+  Bench* b = *state;
+  static unsigned char bytes[1 << 17];
+  uint64_t size;
+  carom_joint_desc d;
+  carom_joint joint;
+  carom_world* other = NULL;
+  double was, now;
+  carom_joint_desc_init(&d, sizeof d);
+  d.kind = CAROM_JOINT_SLIDER, d.body_b = b->bodies[0], d.fields = CAROM_JOINT_WORLD_FRAME | CAROM_JOINT_ACCELERATIONS;
+  d.position_a[1] = 4, d.orientation_a[2] = d.orientation_a[3] = sqrt(0.5);
+  assert_int_equal(carom_joint_create(b->world, &d, &joint, NULL), CAROM_OK);
+  assert_int_equal(bench_steps(b->world, 3, NULL), CAROM_OK);
+#define READ_ONE(world, to) \
+  assert_int_equal(         \
+      carom_world_read_joints(world, CAROM_JOINT_BULK_ACCELERATION, CAROM_SCALAR_F64, NULL, 1, to, 0, NULL), CAROM_OK)
+  READ_ONE(b->world, &was);
+  assert_true(fabs(was + 9.81) < 1e-9);
+  assert_int_equal(carom_world_save(b->world, 0, bytes, sizeof bytes, &size, NULL), CAROM_OK);
+  assert_int_equal(carom_world_fork(b->world, &other, NULL), CAROM_OK);
+  READ_ONE(other, &now);
+  assert_true(now == was);
+  assert_int_equal(carom_world_destroy(other, NULL), CAROM_OK);
+  assert_int_equal(bench_steps(b->world, 200, NULL), CAROM_OK); /* it has landed */
+  assert_int_equal(carom_world_restore(b->world, bytes, size, NULL), CAROM_OK);
+  READ_ONE(b->world, &now);
+  assert_true(now == was);
+}
+
 /* A drive needs no allocation in a step, breaks as other joints do, and stays finite where its turns are no coordinates. */
 static void extreme_axes_stay_finite(void** state) {
   Bench* b = *state;
@@ -209,6 +330,8 @@ int main(void) {
       cmocka_unit_test_setup_teardown(axes_are_what_was_set, make, clear),
       cmocka_unit_test_setup_teardown(wrong_axes_are_refused, make, clear),
       cmocka_unit_test_setup_teardown(axes_come_back, make, clear),
+      cmocka_unit_test_setup_teardown(hinges_and_sliders_have_an_axis, make, clear),
+      cmocka_unit_test_setup_teardown(accelerations_come_back, make, clear),
       cmocka_unit_test_setup_teardown(extreme_axes_stay_finite, make, clear),
   };
   return cmocka_run_group_tests_name("abi/joint_axes", tests, NULL, NULL);

@@ -289,6 +289,15 @@ static void axes_are_written_too(void** state) {
   assert_memory_equal(back, gains, sizeof gains);
   READ(CAROM_JOINT_BULK_AXIS_MAX_FORCES, &six, 1, back);
   assert_memory_equal(back, most, sizeof most);
+  assert_int_equal(ROW(CAROM_JOINT_BULK_AXIS_FRICTIONS, &six, 1, most), CAROM_OK);
+  assert_int_equal(ROW(CAROM_JOINT_BULK_AXIS_ARMATURES, &six, 1, gains), CAROM_OK);
+  READ(CAROM_JOINT_BULK_AXIS_FRICTIONS, &six, 1, back);
+  assert_memory_equal(back, most, sizeof most);
+  READ(CAROM_JOINT_BULK_AXIS_ARMATURES, &six, 1, back);
+  assert_memory_equal(back, gains, 6 * sizeof *gains);
+  assert_int_equal(ROW(CAROM_JOINT_BULK_AXIS_FRICTIONS, &six, 1, limits), CAROM_E_OUT_OF_RANGE);
+  assert_int_equal(carom_joint_get_axis(b->world, six, CAROM_AXIS_TURN_Z, &axis, NULL), CAROM_OK);
+  assert_true(axis.friction == 1e30 && axis.armature == 0.5);
   {
     const carom_joint both[2] = {ball, six};
     double poses[8], spins[6], pulls[4];
@@ -374,9 +383,83 @@ static void a_wrong_record_changes_nothing(void** state) {
   assert_int_equal(ROW(CAROM_JOINT_BULK_ORIENTATION_EFFORT, mixed, 2, values), CAROM_E_UNSUPPORTED);
   assert_int_equal(carom_joint_destroy(b->world, weld, NULL), CAROM_OK);
   assert_int_equal(ROW(CAROM_JOINT_BULK_TARGET, mixed, 2, values), CAROM_E_STALE_HANDLE);
-  assert_int_equal(ROW(CAROM_JOINT_BULK_POSITION, joint, 1, values), CAROM_E_UNSUPPORTED);
+  assert_int_equal(ROW(CAROM_JOINT_BULK_EFFORT, joint, 1, values), CAROM_E_UNSUPPORTED);
+  assert_int_equal(ROW(CAROM_JOINT_BULK_ACCELERATION, joint, 1, values), CAROM_E_UNSUPPORTED);
   READ(CAROM_JOINT_BULK_TARGET, joint, 1, after);
   assert_true(before[0] == after[0]);
+  assert_int_equal(bench_free(b), CAROM_OK);
+}
+
+/* Two hinges, one on the other, and a slider on that: written together, of which the last may be wrong. */
+static void bodies_are_moved_along(void** state) {
+  Bench bench, *b = &bench;
+  carom_joint joint[3], rod, both[2];
+  carom_joint_desc d;
+  carom_error e = CAROM_ERROR_INIT;
+  const double h = sqrt(0.5), to[3] = {3.141592653589793 / 2, -3.141592653589793, 0.5}, fast[3] = {2, 0, 0};
+  double at[3][3], was[3], q[4], v[3], w[3], back[3];
+  uint64_t hash[2];
+  int i;
+  (void)state;
+  assert_int_equal(bench_make(b, NULL, NULL), CAROM_OK);
+  for (i = 0; i < 3; ++i) { /* joints about z at the origin and at (2, 0, 0); a rail along x at (4, 0, 0) */
+    const double place[3] = {2.0 * i + 1, 0, 0};
+    assert_int_equal(carom_body_set_pose(b->world, b->bodies[i], place, upright, NULL), CAROM_OK);
+    carom_joint_desc_init(&d, sizeof d);
+    d.kind = i == 2 ? CAROM_JOINT_SLIDER : CAROM_JOINT_HINGE, d.fields = CAROM_JOINT_WORLD_FRAME;
+    d.body_a = i ? b->bodies[i - 1] : CAROM_NULL_HANDLE, d.body_b = b->bodies[i], d.position_a[0] = 2 * i;
+    if (i < 2) d.orientation_a[1] = -h, d.orientation_a[3] = h;
+    if (i == 1) d.fields |= CAROM_JOINT_ACCELERATIONS;
+    assert_int_equal(carom_joint_create(b->world, &d, &joint[i], NULL), CAROM_OK);
+  }
+  assert_int_equal(ROW(CAROM_JOINT_BULK_POSITION, joint, 3, to), CAROM_OK);
+  assert_int_equal(ROW(CAROM_JOINT_BULK_VELOCITY, joint, 3, fast), CAROM_OK);
+  /* Up to (0, 2, 0), down from there, half a metre further down. */
+  for (i = 0; i < 3; ++i) assert_int_equal(carom_body_get_pose(b->world, b->bodies[i], at[i], q, NULL), CAROM_OK);
+  assert_true(fabs(at[0][0]) < 1e-15 && fabs(at[0][1] - 1) < 1e-15);
+  assert_true(fabs(at[1][0]) < 1e-15 && fabs(at[1][1] - 1) < 1e-15);
+  assert_true(fabs(at[2][0]) < 4e-15 && fabs(at[2][1] + 1.5) < 4e-15);
+  assert_int_equal(carom_body_get_velocity(b->world, b->bodies[2], v, w, NULL), CAROM_OK);
+  assert_true(fabs(v[0] - 3) < 1e-14 && fabs(v[1]) < 1e-14 && fabs(w[2] - 2) < 1e-15);
+  READ(CAROM_JOINT_BULK_POSITION, joint, 3, back);
+  for (i = 0; i < 3; ++i) assert_true(fabs(back[i] - to[i]) < 1e-15);
+  READ(CAROM_JOINT_BULK_VELOCITY, joint, 3, back);
+  for (i = 0; i < 3; ++i) assert_true(fabs(back[i] - fast[i]) < 1e-14);
+  READ(CAROM_JOINT_BULK_ACCELERATION, joint + 1, 1, back);
+  assert_true(back[0] == 0);
+  assert_int_equal(carom_joint_get(b->world, joint[1], &d, NULL), CAROM_OK);
+  assert_true(d.fields & CAROM_JOINT_ACCELERATIONS);
+  assert_int_equal(
+      carom_world_read_joints(b->world, CAROM_JOINT_BULK_ACCELERATION, CAROM_SCALAR_F64, joint, 2, back, 0, &e),
+      CAROM_E_UNSUPPORTED);
+  assert_true(e.argument == 4 && strstr(e.message, "joint 0") && strstr(e.remedy, "CAROM_JOINT_ACCELERATIONS"));
+  /* What is refused changes nothing. */
+  assert_int_equal(carom_world_hash(b->world, &hash[0], NULL), CAROM_OK);
+  memcpy(was, to, sizeof was), was[2] = NAN;
+  assert_int_equal(ROW(CAROM_JOINT_BULK_POSITION, joint, 3, was), CAROM_E_NOT_FINITE);
+  was[2] = 2e9;
+  assert_int_equal(ROW(CAROM_JOINT_BULK_POSITION, joint, 3, was), CAROM_E_OUT_OF_RANGE);
+  was[0] = 1e9, was[1] = 1e9, was[2] = 1e9;
+  assert_int_equal(
+      carom_world_write_joints(b->world, CAROM_JOINT_BULK_VELOCITY, CAROM_SCALAR_F64, joint, 3, was, 0, &e),
+      CAROM_E_OUT_OF_RANGE);
+  assert_true(e.argument == 6 && e.remedy[0]);
+  {
+    const double far_up[3] = {0, 9, 0};
+    rod = join(b, CAROM_JOINT_DISTANCE, 2, far_up);
+  }
+  both[0] = joint[0], both[1] = rod;
+  assert_int_equal(carom_world_write_joints(b->world, CAROM_JOINT_BULK_POSITION, CAROM_SCALAR_F64, both, 2, to, 0, &e),
+                   CAROM_E_UNSUPPORTED);
+  assert_true(e.argument == 4 && strstr(e.message, "joint 1 is a distance") && strstr(e.remedy, "AXES"));
+  was[0] = 0.25, was[1] = 0;
+  assert_int_equal(
+      carom_world_write_joints(b->world, CAROM_JOINT_BULK_POSITION, CAROM_SCALAR_F64, joint + 1, 1, was, 0, &e),
+      CAROM_E_UNSUPPORTED);
+  assert_true(e.argument == 4 && strstr(e.message, "joint 0 is part of a loop") && strstr(e.remedy, "leave out"));
+  assert_int_equal(carom_joint_destroy(b->world, rod, NULL), CAROM_OK);
+  assert_int_equal(carom_world_hash(b->world, &hash[1], NULL), CAROM_OK);
+  assert_true(hash[0] == hash[1]);
   assert_int_equal(bench_free(b), CAROM_OK);
 }
 
@@ -484,6 +567,7 @@ int main(void) {
                                      cmocka_unit_test(written_is_as_set_one_by_one),
                                      cmocka_unit_test(axes_are_written_too),
                                      cmocka_unit_test(a_wrong_record_changes_nothing),
+                                     cmocka_unit_test(bodies_are_moved_along),
                                      cmocka_unit_test(efforts_are_those_of_the_drives),
                                      cmocka_unit_test(positions_count_turns),
                                      cmocka_unit_test(what_is_written_again_wakes_nothing),

@@ -165,7 +165,7 @@ static void wrong_joints_are_refused(void** state) {
   carom_joint_state s;
   REFUSED(CAROM_E_STRUCT_SIZE, d.struct_size = 5);
   REFUSED(CAROM_E_UNSUPPORTED, d.reserved = 1);
-  REFUSED(CAROM_E_UNSUPPORTED, d.fields = 8);
+  REFUSED(CAROM_E_UNSUPPORTED, d.fields = 16);
   REFUSED(CAROM_E_UNKNOWN_ENUM, d.kind = CAROM_JOINT_COUNT);
   REFUSED(CAROM_E_OUT_OF_RANGE, d.body_b = d.body_a);
   REFUSED(CAROM_E_OUT_OF_RANGE, d.body_a = d.body_b = 0);

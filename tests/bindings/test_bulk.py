@@ -152,6 +152,20 @@ class Joints(unittest.TestCase):
         self.assertIs(world.read_joints("limit", out=out), out)
         np.testing.assert_array_equal(out[1:3], [(1, -0.5, 0.5)] * 2)
 
+    def test_positions_and_velocities_move_bodies(self):
+        world, turns = self.world, np.array([7.0, -0.5, 0.25, 0.0])
+        hand = world.body(position=(2, 1, 0), mass=1)
+        wrist = world.joint("hinge", self.wheels[0], hand, position=(1, 1, 0), axis=(0, 0, 1), accelerations=True)
+        world.write_joints("position", turns, self.hinges)
+        world.write_joints("velocity", [1, 2, 3, 4], self.hinges)
+        np.testing.assert_allclose(world.read_joints("position", self.hinges)[:, 0], turns, atol=1e-14)
+        np.testing.assert_allclose(world.read_joints("velocity", self.hinges)[:, 0], [1, 2, 3, 4], atol=1e-14)
+        np.testing.assert_allclose(hand.position, (2, np.cos(7), np.sin(7)), atol=1e-14)
+        world.step(1 / 60)
+        self.assertEqual(world.read_joints("acceleration", [wrist]).shape, (1, 1))
+        with self.assertRaisesRegex(carom.CaromError, "does not measure"):
+            world.read_joints("acceleration", self.hinges)
+
     def test_what_is_wrong_is_said(self):
         ball = self.world.joint("ball", None, self.world.body(position=(0, 9, 0)), position=(0, 9, 0))
         with self.assertRaisesRegex(carom.CaromError, "joint 4 is a ball and has no target"):

@@ -363,27 +363,9 @@ struct Parting {
   Real most;
 };
 constexpr Parting kPartings[] = {
-    // What rolls alone moves by a step of its own, unless anything else acts on it.
-    {"coin", "drag", 0.26},
-    {"coin", "field", 0.26},
-    {"coin", "bead", 0.26},
-    {"coin", "weightless bead", 0.26},
-    {"coin", "spring", 0.26},
-    {"small coin", "drag", 0.26},
-    {"small coin", "field", 0.26},
+    // Lying down, it comes to touch the ground with both.
     {"small coin", "bead", 0.26},
     {"small coin", "weightless bead", 0.26},
-    {"small coin", "spring", 0.26},
-    // What joints alone hold likewise, unless a motor is among them.
-    {"pendulum", "motor", 2.2e-4},
-    {"spatial pendulum", "motor", 1.7e-2},
-    {"double pendulum", "motor", 2.1e-4},
-    {"flying chain", "motor", 7e-5},
-    {"slide", "motor", 1.4e-2},
-    {"four-bar", "motor", 3e-5},
-    {"stopped", "motor", 3e-5},
-    {"wrecking ball", "motor", 5e-2},
-    // A limit that nothing comes near.
 };
 const Parting* known_parting(const std::string& scene, const std::string& change) {
   for (const Parting& known : kPartings)

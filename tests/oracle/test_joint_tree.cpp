@@ -494,6 +494,35 @@ static void singular_poses_stay_finite(void**) {
     }
 }
 
+/// An arm some of whose links have their gravity compensated needs what the others weigh, and stands still with that.
+static void compensated_gravity_needs_no_force(void**) {
+  for (const Real share : {0.0, 0.4, 1.0, 1.5}) {
+    TestWorld t;
+    t.world.set_dial(Dial::solver, kDirectChoice);
+    const std::uint32_t upper = add_body(t, Vec3(0.5, 0, 0), 2, Vec3::constant(0.2)),
+                        lower = add_body(t, Vec3(1.5, 0, 0), 3, Vec3::constant(0.3));
+    const Quat about_z = x_along(Vec3(0, 0, 1));
+    const std::uint32_t shoulder = join(t, JointKind::hinge, kWorld, upper, Vec3::zero(), about_z),
+                        elbow = join(t, JointKind::hinge, upper, lower, Vec3(1, 0, 0), about_z);
+    t.world.set_attribute(lower, AttributeId::gravity_factor, {1 - share});
+    JointTree tree(std::pmr::new_delete_resource());
+    assert_true(tree.find(t.world, upper) == TreeFault::none);
+    const Real still[2] = {0, 0};
+    Real force[2];
+    tree.find_forces(t.world, still, still, force);
+    const Real weight = (1 - share) * 3 * kG;
+    assert_true(std::fabs(force[0] - (2 * kG * 0.5 + weight * 1.5)) < 1e-12);
+    assert_true(std::fabs(force[1] - weight * 0.5) < 1e-12);
+    const std::uint32_t joints[] = {shoulder, elbow};
+    for (int i = 0; i < 60; ++i) {
+      for (const int k : {0, 1})
+        set_motor(t, joints[k], Coordinate::twist, force[k] < 0 ? -1e6 : 1e6, std::fabs(force[k]));
+      t.world.step(1.0 / 60);
+    }
+    for (const std::uint32_t j : joints) assert_true(std::fabs(coordinate(t, j, Coordinate::twist)) < 1e-6);
+  }
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(forces_are_newtons_and_eulers),
@@ -504,6 +533,7 @@ int main() {
       cmocka_unit_test(a_rail_on_a_table_that_turns),
       cmocka_unit_test(what_is_no_tree_is_refused),
       cmocka_unit_test(singular_poses_stay_finite),
+      cmocka_unit_test(compensated_gravity_needs_no_force),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -77,6 +77,7 @@ struct SwingErrors {
 SwingErrors swing(int solver, int substeps, bool by_an_arm) {
   TestWorld t;
   choose(t, solver, substeps);
+  leave_joints_to_solver(t);
   const Vec3 arm = by_an_arm ? Vec3(0, 0.2, 0) : Vec3::zero();
   const std::uint32_t a = add_body(t, Vec3(2 * std::sin(0.8), -2 * std::cos(0.8), 0) - arm, 1, Vec3::constant(0.05)),
                       b = add_body(t, Vec3(2, -3, 0), 1.5, Vec3::constant(0.05));

@@ -87,10 +87,12 @@ struct Arm {
 
 }  // namespace
 
+/// @param solver  0: RATTLE, which holds the arm whatever the solver
 static Real sag(int solver, int substeps, bool about_y) {
   const auto expected = Arm::rest();
   TestWorld t;
-  choose(t, solver, substeps);
+  choose(t, solver ? solver : int(kAutoChoice), substeps);
+  if (solver) leave_joints_to_solver(t);
   t.world.set_dial(Dial::velocity_tolerance, 1e-8);
   const std::uint32_t one = add_body(t, Vec3(Arm::l1 / 2, 0, 0), Arm::m1, Vec3(0.01, 0.32, 0.32)),
                       two = add_body(t, Vec3(Arm::l1 + Arm::l2 / 2, 0, 0), Arm::m2, Vec3(0.01, 0.052, 0.052));
@@ -119,6 +121,7 @@ static Real sag(int solver, int substeps, bool about_y) {
 /// meets what the other joint is yet to do: soft_step, which sweeps once, rests off by c / k of such a velocity, that half a
 /// substep of what drives and weights bear, 65 N m, gives the first link about its middle, 0.32 kg m^2: in first order.
 static void an_arm_sags_under_its_weight(void**) {
+  for (const bool about_y : {false, true}) assert_true(sag(0, 3, about_y) < 1e-12);
   for (const int solver : kTheSolvers)
     for (const bool about_y : {false, true}) {
       const Real coarse = sag(solver, 3, about_y), fine = sag(solver, 6, about_y), h = 1.0 / 360;

@@ -199,7 +199,13 @@ static void pulleys_and_gears_travel_too(void**) {
   slack.enabled = 1, slack.upper = 30;
   call.done(carom_joint_set_limit(world, rope, CAROM_COORDINATE_DISTANCE, &slack, call), "a limit");
   join(CAROM_JOINT_PULLEY, falls[2], falls[3], false);
-  for (const carom_body wheel : {falls[4], falls[5]}) join(CAROM_JOINT_HINGE, CAROM_NULL_HANDLE, wheel, true);
+  for (const carom_body wheel : {falls[4], falls[5]}) {
+    const carom_joint axle = join(CAROM_JOINT_HINGE, CAROM_NULL_HANDLE, wheel, true);
+    carom_joint_axis axis;
+    carom_joint_axis_init(&axis, sizeof axis);
+    axis.friction = 0.01, axis.armature = 0.1, axis.effort_limit = 5, axis.speed_limit = wheel == falls[4] ? 3.5 : 7;
+    call.done(carom_joint_set_axis(world, axle, CAROM_AXIS_TURN_X, &axis, call), "an axis");
+  }
   drive(join(CAROM_JOINT_GEAR, falls[4], falls[5], false), -3, Vec::Zero(), Vec::Zero());
   const double spin[3] = {4, 0, 0}, still[3] = {0, 0, 0};
   call.done(carom_body_set_velocity(world, falls[4], still, spin, call), "a spin");

@@ -74,7 +74,7 @@ static void a_bounce_is_judged_by_its_closed_form(void**) {
 
 [[maybe_unused]] static void chaos_is_told_and_laws_are_compared(void**) {
   Question q = question("falling", 3, ErrorKind::pose);  // a few boxes and balls tumble over each other
-  q.settings.values = {{"n", 6}};
+  q.settings.values = {{"n", 12}};
   const Result a = ask(q);
   is_a_front(a);
   assert_true(a.chaotic);

@@ -821,16 +821,19 @@ const CAROM_JOINT_COLLIDE = uint32(2)
 // length is given; else it is the distance of the points as they stand now
 const CAROM_JOINT_FIELD_LENGTH = uint32(4)
 
+// each step measures the joint's accelerations, @see CAROM_JOINT_BULK_ACCELERATION
+const CAROM_JOINT_ACCELERATIONS = uint32(8)
+
 // 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only
 const CAROM_JOINT_BULK_COORDINATES = uint32(0)
 
 // 4: m/s or rad/s, their rates, from the present velocities; read only
 const CAROM_JOINT_BULK_SPEEDS = uint32(1)
 
-// 6: m and rad, by CAROM_AXIS_*; read only
+// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
 const CAROM_JOINT_BULK_AXES = uint32(2)
 
-// 6: m/s and rad/s, their rates; read only
+// 6: m/s and rad/s, their rates; written likewise
 const CAROM_JOINT_BULK_AXIS_SPEEDS = uint32(3)
 
 // 3: N, world, as carom_joint_state.force; read only
@@ -845,10 +848,10 @@ const CAROM_JOINT_BULK_ERROR = uint32(6)
 // 1: 1 or 0; read only
 const CAROM_JOINT_BULK_BROKEN = uint32(7)
 
-// 1: m or rad, of one motion, whole turns counted; read only
+// 1: m or rad, of one motion, whole turns counted; written: hinge, slider
 const CAROM_JOINT_BULK_POSITION = uint32(8)
 
-// 1: m/s or rad/s, of one motion; read only
+// 1: m/s or rad/s, of one motion; written likewise
 const CAROM_JOINT_BULK_VELOCITY = uint32(9)
 
 // 1: N or N m, borne along one motion, mean over the last step; read only
@@ -905,7 +908,37 @@ const CAROM_JOINT_BULK_ORIENTATION_EFFORT = uint32(26)
 // 2: stiffness, damping, likewise
 const CAROM_JOINT_BULK_ORIENTATION_GAINS = uint32(27)
 
-const CAROM_JOINT_BULK_COUNT = uint32(28)
+// 1: m/s^2 or rad/s^2, of a hinge or slider; read only
+const CAROM_JOINT_BULK_ACCELERATION = uint32(28)
+
+// 6: by CAROM_AXIS_*, of any kind; read only. Both of joints with CAROM_JOINT_ACCELERATIONS
+const CAROM_JOINT_BULK_AXIS_ACCELERATIONS = uint32(29)
+
+// 6: friction of each axis of a six-axis joint, as carom_joint_axis
+const CAROM_JOINT_BULK_AXIS_FRICTIONS = uint32(30)
+
+// 6: armature, likewise
+const CAROM_JOINT_BULK_AXIS_ARMATURES = uint32(31)
+
+// 6: effort_limit, likewise
+const CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS = uint32(32)
+
+// 6: speed_limit, likewise
+const CAROM_JOINT_BULK_AXIS_SPEED_LIMITS = uint32(33)
+
+// 1: friction of the axis of a hinge or slider, as carom_joint_axis
+const CAROM_JOINT_BULK_FRICTION = uint32(34)
+
+// 1: armature, likewise
+const CAROM_JOINT_BULK_ARMATURE = uint32(35)
+
+// 1: effort_limit, likewise
+const CAROM_JOINT_BULK_EFFORT_LIMIT = uint32(36)
+
+// 1: speed_limit, likewise
+const CAROM_JOINT_BULK_SPEED_LIMIT = uint32(37)
+
+const CAROM_JOINT_BULK_COUNT = uint32(38)
 
 // gyroscopic term of bodies with unlike moments of inertia
 const CAROM_EFFECT_GYROSCOPIC = uint32(0)
@@ -2503,7 +2536,8 @@ func NewJointTransmission() (it JointTransmission) {
 	return
 }
 
-// What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+// What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
+// has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
 // each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.
 type JointAxis struct {
 	StructSize uint32
@@ -2567,6 +2601,12 @@ type JointAxis struct {
 
 	// kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies no spin of its own. A host that sets velocities sets the rotor's.
 	Armature float64
+
+	// N or N m, [0, 1e30]: how hard the drives of the axis push at most, however large their max_force is; of a hinge or slider its motor and spring, too. Several that act have even shares. Springs of axes, stops, friction and locks have no part in it. 1e30: none
+	EffortLimit float64
+
+	// m/s or rad/s, [0, 1e30]: the axis goes no faster, either way, whatever that takes. Of effect joint_limits. 1e30: none
+	SpeedLimit float64
 }
 
 var _ = [1]struct{}{}[unsafe.Sizeof(JointAxis{})-C.sizeof_carom_joint_axis] // as large as in C
@@ -4191,7 +4231,7 @@ func BodyAddImpulse(world *World, body Body, impulse *float64, point *float64, e
 }
 
 // How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
-// rises. Wakes the body and its island.
+// rises. 1 - c compensates a share c of its gravity, as a counterweight does; inverse dynamics counts it (tree.h). Wakes the body and its island.
 // @param factor any finite number; 1 when a body is created
 // @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY
 func BodySetGravityFactor(world *World, body Body, factor float64, error_ *Error) int32 {
@@ -4888,7 +4928,7 @@ func JointTransmissionInit(transmission *JointTransmission, struct_size uint32) 
 	return int32(C.carom_joint_transmission_init((*C.carom_joint_transmission)(unsafe.Pointer(transmission)), C.uint32_t(struct_size)))
 }
 
-// Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
+// Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
 func JointAxisInit(axis *JointAxis, struct_size uint32) int32 {
 	return int32(C.carom_joint_axis_init((*C.carom_joint_axis)(unsafe.Pointer(axis)), C.uint32_t(struct_size)))
 }
@@ -4982,17 +5022,18 @@ func JointGetTransmission(world *World, joint Joint, transmission *JointTransmis
 	return int32(C.carom_joint_get_transmission((*C.carom_world)(unsafe.Pointer(world)), C.carom_joint(joint), (*C.carom_joint_transmission)(unsafe.Pointer(transmission)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+// Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
 // drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
 // Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
 // frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
 // amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
 // bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
 // substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
-// the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
-// test_six_axis_scenes.
+// the load does in h / 2. Forces of drives are met to rounding. A speed limit holds to 1e-9 under the
+// direct solver, where one joint bears all to rounding under others. Oracle: tests/oracle/test_six_axis, test_six_axis_scenes, test_armature,
+// test_axis_limits.
 // @param axis CAROM_AXIS_*
-// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no such axis of its own; a newer field);
 // *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT
 func JointSetAxis(world *World, joint Joint, axis uint32, desc *JointAxis, error_ *Error) int32 {
 	return int32(C.carom_joint_set_axis((*C.carom_world)(unsafe.Pointer(world)), C.carom_joint(joint), C.uint32_t(axis), (*C.carom_joint_axis)(unsafe.Pointer(desc)), (*C.carom_error)(unsafe.Pointer(error_))))
@@ -5038,10 +5079,12 @@ func WorldReadJoints(world *World, field uint32, scalar uint32, joints *Joint, n
 	return int32(C.carom_world_read_joints((*C.carom_world)(unsafe.Pointer(world)), C.uint32_t(field), C.uint32_t(scalar), (*C.carom_joint)(unsafe.Pointer(joints)), C.uint64_t(n), dst, C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+// Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+// Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
 // enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
 // @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+// one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
 // OUT_OF_RANGE; REENTRANT
 func WorldWriteJoints(world *World, field uint32, scalar uint32, joints *Joint, n uint64, src unsafe.Pointer, stride uint64, error_ *Error) int32 {
 	return int32(C.carom_world_write_joints((*C.carom_world)(unsafe.Pointer(world)), C.uint32_t(field), C.uint32_t(scalar), (*C.carom_joint)(unsafe.Pointer(joints)), C.uint64_t(n), src, C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
@@ -6060,6 +6103,8 @@ var Layout = []Row{
 	{"carom_joint_axis.spring_damping", unsafe.Offsetof(JointAxis{}.SpringDamping), unsafe.Sizeof(JointAxis{}.SpringDamping), "f64"},
 	{"carom_joint_axis.friction", unsafe.Offsetof(JointAxis{}.Friction), unsafe.Sizeof(JointAxis{}.Friction), "f64"},
 	{"carom_joint_axis.armature", unsafe.Offsetof(JointAxis{}.Armature), unsafe.Sizeof(JointAxis{}.Armature), "f64"},
+	{"carom_joint_axis.effort_limit", unsafe.Offsetof(JointAxis{}.EffortLimit), unsafe.Sizeof(JointAxis{}.EffortLimit), "f64"},
+	{"carom_joint_axis.speed_limit", unsafe.Offsetof(JointAxis{}.SpeedLimit), unsafe.Sizeof(JointAxis{}.SpeedLimit), "f64"},
 	{"carom_joint_orientation_drive", 0, unsafe.Sizeof(JointOrientationDrive{}), "struct"},
 	{"carom_joint_orientation_drive.struct_size", unsafe.Offsetof(JointOrientationDrive{}.StructSize), unsafe.Sizeof(JointOrientationDrive{}.StructSize), "u32"},
 	{"carom_joint_orientation_drive.drive", unsafe.Offsetof(JointOrientationDrive{}.Drive), unsafe.Sizeof(JointOrientationDrive{}.Drive), "u32"},

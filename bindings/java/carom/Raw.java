@@ -526,13 +526,15 @@ public final class Raw {
     public static final int CAROM_JOINT_COLLIDE = 2;
     /** length is given; else it is the distance of the points as they stand now */
     public static final int CAROM_JOINT_FIELD_LENGTH = 4;
+    /** each step measures the joint's accelerations, see: CAROM_JOINT_BULK_ACCELERATION */
+    public static final int CAROM_JOINT_ACCELERATIONS = 8;
     /** 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only */
     public static final int CAROM_JOINT_BULK_COORDINATES = 0;
     /** 4: m/s or rad/s, their rates, from the present velocities; read only */
     public static final int CAROM_JOINT_BULK_SPEEDS = 1;
-    /** 6: m and rad, by CAROM_AXIS_*; read only */
+    /** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
     public static final int CAROM_JOINT_BULK_AXES = 2;
-    /** 6: m/s and rad/s, their rates; read only */
+    /** 6: m/s and rad/s, their rates; written likewise */
     public static final int CAROM_JOINT_BULK_AXIS_SPEEDS = 3;
     /** 3: N, world, as carom_joint_state.force; read only */
     public static final int CAROM_JOINT_BULK_FORCE = 4;
@@ -542,9 +544,9 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_ERROR = 6;
     /** 1: 1 or 0; read only */
     public static final int CAROM_JOINT_BULK_BROKEN = 7;
-    /** 1: m or rad, of one motion, whole turns counted; read only */
+    /** 1: m or rad, of one motion, whole turns counted; written: hinge, slider */
     public static final int CAROM_JOINT_BULK_POSITION = 8;
-    /** 1: m/s or rad/s, of one motion; read only */
+    /** 1: m/s or rad/s, of one motion; written likewise */
     public static final int CAROM_JOINT_BULK_VELOCITY = 9;
     /** 1: N or N m, borne along one motion, mean over the last step; read only */
     public static final int CAROM_JOINT_BULK_EFFORT = 10;
@@ -582,7 +584,27 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_ORIENTATION_EFFORT = 26;
     /** 2: stiffness, damping, likewise */
     public static final int CAROM_JOINT_BULK_ORIENTATION_GAINS = 27;
-    public static final int CAROM_JOINT_BULK_COUNT = 28;
+    /** 1: m/s^2 or rad/s^2, of a hinge or slider; read only */
+    public static final int CAROM_JOINT_BULK_ACCELERATION = 28;
+    /** 6: by CAROM_AXIS_*, of any kind; read only. Both of joints with CAROM_JOINT_ACCELERATIONS */
+    public static final int CAROM_JOINT_BULK_AXIS_ACCELERATIONS = 29;
+    /** 6: friction of each axis of a six-axis joint, as carom_joint_axis */
+    public static final int CAROM_JOINT_BULK_AXIS_FRICTIONS = 30;
+    /** 6: armature, likewise */
+    public static final int CAROM_JOINT_BULK_AXIS_ARMATURES = 31;
+    /** 6: effort_limit, likewise */
+    public static final int CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS = 32;
+    /** 6: speed_limit, likewise */
+    public static final int CAROM_JOINT_BULK_AXIS_SPEED_LIMITS = 33;
+    /** 1: friction of the axis of a hinge or slider, as carom_joint_axis */
+    public static final int CAROM_JOINT_BULK_FRICTION = 34;
+    /** 1: armature, likewise */
+    public static final int CAROM_JOINT_BULK_ARMATURE = 35;
+    /** 1: effort_limit, likewise */
+    public static final int CAROM_JOINT_BULK_EFFORT_LIMIT = 36;
+    /** 1: speed_limit, likewise */
+    public static final int CAROM_JOINT_BULK_SPEED_LIMIT = 37;
+    public static final int CAROM_JOINT_BULK_COUNT = 38;
     /** gyroscopic term of bodies with unlike moments of inertia */
     public static final int CAROM_EFFECT_GYROSCOPIC = 0;
     /** damping of velocity */
@@ -1926,10 +1948,11 @@ public final class Raw {
         public JointTransmission length(double it) { segment.set(JAVA_DOUBLE, 64, it); return this; }
     }
 
-    /** What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+    /** What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
+     *  has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
      *  each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it. */
     public static final class JointAxis {
-        public static final int SIZE = 144;
+        public static final int SIZE = 160;
         public final MemorySegment segment;
         public JointAxis(Arena arena) { segment = arena.allocate(SIZE, 8); carom_joint_axis_init(segment, SIZE); }
         public JointAxis(MemorySegment at) { segment = at; }
@@ -1993,6 +2016,12 @@ public final class Raw {
         /** kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies no spin of its own. A host that sets velocities sets the rotor's. */
         public double armature() { return segment.get(JAVA_DOUBLE, 136); }
         public JointAxis armature(double it) { segment.set(JAVA_DOUBLE, 136, it); return this; }
+        /** N or N m, [0, 1e30]: how hard the drives of the axis push at most, however large their max_force is; of a hinge or slider its motor and spring, too. Several that act have even shares. Springs of axes, stops, friction and locks have no part in it. 1e30: none */
+        public double effortLimit() { return segment.get(JAVA_DOUBLE, 144); }
+        public JointAxis effortLimit(double it) { segment.set(JAVA_DOUBLE, 144, it); return this; }
+        /** m/s or rad/s, [0, 1e30]: the axis goes no faster, either way, whatever that takes. Of effect joint_limits. 1e30: none */
+        public double speedLimit() { return segment.get(JAVA_DOUBLE, 152); }
+        public JointAxis speedLimit(double it) { segment.set(JAVA_DOUBLE, 152, it); return this; }
     }
 
     /** A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
@@ -3595,7 +3624,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_body_set_gravity_factor", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_DOUBLE, ADDRESS));
     }
     /** How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
-     *  rises. Wakes the body and its island.
+     *  rises. 1 - c compensates a share c of its gravity, as a counterweight does; inverse dynamics counts it (tree.h). Wakes the body and its island.
      *  param: factor any finite number; 1 when a body is created
      *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public static int carom_body_set_gravity_factor(MemorySegment world, long body, double factor, MemorySegment error) {
@@ -4587,7 +4616,7 @@ public final class Raw {
     private static final class carom_joint_axis_init_ {
         static final MethodHandle CALL = Library.call("carom_joint_axis_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
-    /** Free, without drive and spring, `max_force` as large as may be.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
+    /** Free, without drive and spring, `max_force` and limits as large as may be.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
     public static int carom_joint_axis_init(MemorySegment axis, int structSize) {
         try { return (int) carom_joint_axis_init_.CALL.invokeExact(axis, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4723,17 +4752,18 @@ public final class Raw {
     private static final class carom_joint_set_axis_ {
         static final MethodHandle CALL = Library.call("carom_joint_set_axis", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+    /** Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
      *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
      *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
      *  frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
      *  amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
      *  bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
      *  substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
-     *  the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
-     *  test_six_axis_scenes.
+     *  the load does in h / 2. Forces of drives are met to rounding. A speed limit holds to 1e-9 under the
+     *  direct solver, where one joint bears all to rounding under others. Oracle: tests/oracle/test_six_axis, test_six_axis_scenes, test_armature,
+     *  test_axis_limits.
      *  param: axis CAROM_AXIS_*
-     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no such axis of its own; a newer field);
      *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public static int carom_joint_set_axis(MemorySegment world, long joint, int axis, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_joint_set_axis_.CALL.invokeExact(world, joint, axis, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4797,10 +4827,12 @@ public final class Raw {
     private static final class carom_world_write_joints_ {
         static final MethodHandle CALL = Library.call("carom_world_write_joints", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+    /** Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+     *  Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
      *  enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
      *  param: src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-     *  status: as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+     *  status: as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+     *  one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
      *  OUT_OF_RANGE; REENTRANT */
     public static int carom_world_write_joints(MemorySegment world, int field, int scalar, MemorySegment joints, long n, MemorySegment src, long stride, MemorySegment error) {
         try { return (int) carom_world_write_joints_.CALL.invokeExact(world, field, scalar, joints, n, src, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -6029,7 +6061,7 @@ carom_joint_transmission.ratio 8 8 f64
 carom_joint_transmission.anchor_a 16 24 f64[3]
 carom_joint_transmission.anchor_b 40 24 f64[3]
 carom_joint_transmission.length 64 8 f64
-carom_joint_axis 0 144 struct
+carom_joint_axis 0 160 struct
 carom_joint_axis.struct_size 0 4 u32
 carom_joint_axis.mode 4 4 u32
 carom_joint_axis.lower 8 8 f64
@@ -6051,6 +6083,8 @@ carom_joint_axis.spring_stiffness 112 8 f64
 carom_joint_axis.spring_damping 120 8 f64
 carom_joint_axis.friction 128 8 f64
 carom_joint_axis.armature 136 8 f64
+carom_joint_axis.effort_limit 144 8 f64
+carom_joint_axis.speed_limit 152 8 f64
 carom_joint_orientation_drive 0 136 struct
 carom_joint_orientation_drive.struct_size 0 4 u32
 carom_joint_orientation_drive.drive 4 4 u32

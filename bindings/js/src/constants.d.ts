@@ -513,13 +513,15 @@ export const CAROM_JOINT_WORLD_FRAME: 1;
 export const CAROM_JOINT_COLLIDE: 2;
 /** length is given; else it is the distance of the points as they stand now */
 export const CAROM_JOINT_FIELD_LENGTH: 4;
+/** each step measures the joint's accelerations, @see CAROM_JOINT_BULK_ACCELERATION */
+export const CAROM_JOINT_ACCELERATIONS: 8;
 /** 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only */
 export const CAROM_JOINT_BULK_COORDINATES: 0;
 /** 4: m/s or rad/s, their rates, from the present velocities; read only */
 export const CAROM_JOINT_BULK_SPEEDS: 1;
-/** 6: m and rad, by CAROM_AXIS_*; read only */
+/** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
 export const CAROM_JOINT_BULK_AXES: 2;
-/** 6: m/s and rad/s, their rates; read only */
+/** 6: m/s and rad/s, their rates; written likewise */
 export const CAROM_JOINT_BULK_AXIS_SPEEDS: 3;
 /** 3: N, world, as carom_joint_state.force; read only */
 export const CAROM_JOINT_BULK_FORCE: 4;
@@ -529,9 +531,9 @@ export const CAROM_JOINT_BULK_TORQUE: 5;
 export const CAROM_JOINT_BULK_ERROR: 6;
 /** 1: 1 or 0; read only */
 export const CAROM_JOINT_BULK_BROKEN: 7;
-/** 1: m or rad, of one motion, whole turns counted; read only */
+/** 1: m or rad, of one motion, whole turns counted; written: hinge, slider */
 export const CAROM_JOINT_BULK_POSITION: 8;
-/** 1: m/s or rad/s, of one motion; read only */
+/** 1: m/s or rad/s, of one motion; written likewise */
 export const CAROM_JOINT_BULK_VELOCITY: 9;
 /** 1: N or N m, borne along one motion, mean over the last step; read only */
 export const CAROM_JOINT_BULK_EFFORT: 10;
@@ -569,7 +571,27 @@ export const CAROM_JOINT_BULK_ORIENTATION_VELOCITY: 25;
 export const CAROM_JOINT_BULK_ORIENTATION_EFFORT: 26;
 /** 2: stiffness, damping, likewise */
 export const CAROM_JOINT_BULK_ORIENTATION_GAINS: 27;
-export const CAROM_JOINT_BULK_COUNT: 28;
+/** 1: m/s^2 or rad/s^2, of a hinge or slider; read only */
+export const CAROM_JOINT_BULK_ACCELERATION: 28;
+/** 6: by CAROM_AXIS_*, of any kind; read only. Both of joints with CAROM_JOINT_ACCELERATIONS */
+export const CAROM_JOINT_BULK_AXIS_ACCELERATIONS: 29;
+/** 6: friction of each axis of a six-axis joint, as carom_joint_axis */
+export const CAROM_JOINT_BULK_AXIS_FRICTIONS: 30;
+/** 6: armature, likewise */
+export const CAROM_JOINT_BULK_AXIS_ARMATURES: 31;
+/** 6: effort_limit, likewise */
+export const CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS: 32;
+/** 6: speed_limit, likewise */
+export const CAROM_JOINT_BULK_AXIS_SPEED_LIMITS: 33;
+/** 1: friction of the axis of a hinge or slider, as carom_joint_axis */
+export const CAROM_JOINT_BULK_FRICTION: 34;
+/** 1: armature, likewise */
+export const CAROM_JOINT_BULK_ARMATURE: 35;
+/** 1: effort_limit, likewise */
+export const CAROM_JOINT_BULK_EFFORT_LIMIT: 36;
+/** 1: speed_limit, likewise */
+export const CAROM_JOINT_BULK_SPEED_LIMIT: 37;
+export const CAROM_JOINT_BULK_COUNT: 38;
 /** gyroscopic term of bodies with unlike moments of inertia */
 export const CAROM_EFFECT_GYROSCOPIC: 0;
 /** damping of velocity */

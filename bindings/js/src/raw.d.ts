@@ -136,7 +136,7 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
   carom_body_add_impulse(world: number, body: bigint, impulse: number, point: number, error: number): number;
   /** How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
-   *  rises. Wakes the body and its island.
+   *  rises. 1 - c compensates a share c of its gravity, as a counterweight does; inverse dynamics counts it (tree.h). Wakes the body and its island.
    *  @param factor any finite number; 1 when a body is created
    *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY */
   carom_body_set_gravity_factor(world: number, body: bigint, factor: number, error: number): number;
@@ -534,7 +534,7 @@ export interface Raw {
   carom_joint_spring_init(spring: number, struct_size: number): number;
   /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_transmission_init(transmission: number, struct_size: number): number;
-  /** Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  /** Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_axis_init(axis: number, struct_size: number): number;
   /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_orientation_drive_init(drive: number, struct_size: number): number;
@@ -586,17 +586,18 @@ export interface Raw {
   /** @param transmission out: as it was set, with its length; ratio 0: not yet
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_transmission(world: number, joint: bigint, transmission: number, error: number): number;
-  /** Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+  /** Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
    *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
    *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
    *  frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
    *  amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
    *  bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
    *  substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
-   *  the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
-   *  test_six_axis_scenes.
+   *  the load does in h / 2. Forces of drives are met to rounding. A speed limit holds to 1e-9 under the
+   *  direct solver, where one joint bears all to rounding under others. Oracle: tests/oracle/test_six_axis, test_six_axis_scenes, test_armature,
+   *  test_axis_limits.
    *  @param axis CAROM_AXIS_*
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no such axis of its own; a newer field);
    *          *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
   carom_joint_set_axis(world: number, joint: bigint, axis: number, desc: number, error: number): number;
   /** @param axis CAROM_AXIS_*   @param desc out: as it was set
@@ -624,10 +625,12 @@ export interface Raw {
    *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
    *  OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY */
   carom_world_read_joints(world: number, field: number, scalar: number, joints: number, n: bigint, dst: number, stride: bigint, error: number): number;
-  /** Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+  /** Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+   *  Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
    *  enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
    *  @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-   *  @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+   *  @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+   *  one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
    *  OUT_OF_RANGE; REENTRANT */
   carom_world_write_joints(world: number, field: number, scalar: number, joints: number, n: bigint, src: number, stride: bigint, error: number): number;
   /** Number of joints, and their handles in creation order of the slots.

@@ -266,6 +266,7 @@ CAROM_GAINS_COUNT = 3
 CAROM_JOINT_WORLD_FRAME = 1
 CAROM_JOINT_COLLIDE = 2
 CAROM_JOINT_FIELD_LENGTH = 4
+CAROM_JOINT_ACCELERATIONS = 8
 CAROM_JOINT_BULK_COORDINATES = 0
 CAROM_JOINT_BULK_SPEEDS = 1
 CAROM_JOINT_BULK_AXES = 2
@@ -294,7 +295,17 @@ CAROM_JOINT_BULK_ORIENTATION_TARGET = 24
 CAROM_JOINT_BULK_ORIENTATION_VELOCITY = 25
 CAROM_JOINT_BULK_ORIENTATION_EFFORT = 26
 CAROM_JOINT_BULK_ORIENTATION_GAINS = 27
-CAROM_JOINT_BULK_COUNT = 28
+CAROM_JOINT_BULK_ACCELERATION = 28
+CAROM_JOINT_BULK_AXIS_ACCELERATIONS = 29
+CAROM_JOINT_BULK_AXIS_FRICTIONS = 30
+CAROM_JOINT_BULK_AXIS_ARMATURES = 31
+CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS = 32
+CAROM_JOINT_BULK_AXIS_SPEED_LIMITS = 33
+CAROM_JOINT_BULK_FRICTION = 34
+CAROM_JOINT_BULK_ARMATURE = 35
+CAROM_JOINT_BULK_EFFORT_LIMIT = 36
+CAROM_JOINT_BULK_SPEED_LIMIT = 37
+CAROM_JOINT_BULK_COUNT = 38
 CAROM_EFFECT_GYROSCOPIC = 0
 CAROM_EFFECT_LINEAR_DAMPING = 1
 CAROM_EFFECT_ANGULAR_DAMPING = 2
@@ -474,7 +485,7 @@ class carom_joint_spring(Structure):
 class carom_joint_transmission(Structure):
     _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("ratio", c_double), ("anchor_a", c_double * 3), ("anchor_b", c_double * 3), ("length", c_double)]
 class carom_joint_axis(Structure):
-    _fields_ = [("struct_size", c_uint32), ("mode", c_uint32), ("lower", c_double), ("upper", c_double), ("stop_gains", c_uint32), ("drive_gains", c_uint32), ("spring_gains", c_uint32), ("drive", c_uint32), ("stop_stiffness", c_double), ("stop_damping", c_double), ("target", c_double), ("speed", c_double), ("effort", c_double), ("max_force", c_double), ("drive_stiffness", c_double), ("drive_damping", c_double), ("rest", c_double), ("spring_stiffness", c_double), ("spring_damping", c_double), ("friction", c_double), ("armature", c_double)]
+    _fields_ = [("struct_size", c_uint32), ("mode", c_uint32), ("lower", c_double), ("upper", c_double), ("stop_gains", c_uint32), ("drive_gains", c_uint32), ("spring_gains", c_uint32), ("drive", c_uint32), ("stop_stiffness", c_double), ("stop_damping", c_double), ("target", c_double), ("speed", c_double), ("effort", c_double), ("max_force", c_double), ("drive_stiffness", c_double), ("drive_damping", c_double), ("rest", c_double), ("spring_stiffness", c_double), ("spring_damping", c_double), ("friction", c_double), ("armature", c_double), ("effort_limit", c_double), ("speed_limit", c_double)]
 class carom_joint_orientation_drive(Structure):
     _fields_ = [("struct_size", c_uint32), ("drive", c_uint32), ("gains", c_uint32), ("reserved", c_uint32), ("target", c_double * 4), ("velocity", c_double * 3), ("effort", c_double * 3), ("max_force", c_double * 3), ("stiffness", c_double), ("damping", c_double)]
 class carom_joint_state(Structure):

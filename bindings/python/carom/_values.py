@@ -116,7 +116,7 @@ def enum(prefix: str, value: str | int, name: str) -> int:
 # Of constants that begin with a prefix, those of other enumerations.
 _OTHERS = {
     "BODY": ("field_", "stays_awake", "disabled"),
-    "JOINT": ("field_", "bulk_", "world_frame", "collide"),
+    "JOINT": ("field_", "bulk_", "world_frame", "collide", "accelerations"),
     "AXIS": ("mode_",),
     "DIAL": ("kind_",),
     "DRAW": ("by_",),

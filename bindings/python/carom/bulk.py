@@ -198,9 +198,9 @@ class Bulk:
                     dtype: Any = "float64") -> Any:
         """One field of many joints, a row each, as read() has those of bodies. Of hinges, sliders, distance joints and pulleys: "position"
         (m or rad, whole turns counted), "velocity", "effort" (N or N m, mean over the last step), "target", "target_velocity",
-        "target_effort", "motor" (enabled, speed, max_force), "spring" (enabled, target, frequency, damping, max_force), "limit"
+        "target_effort", "acceleration" (m/s^2 or rad/s^2, of joints made with accelerations=True), "motor" (enabled, speed, max_force), "spring" (enabled, target, frequency, damping, max_force), "limit"
         (enabled, lower, upper). Of six-axis joints "axis_targets" and others, of balls "orientation_target" and others, of any
-        "coordinates", "speeds", "axes", "axis_speeds", "force", "torque", "error", "broken", "axis_efforts". carom/joint.h says how
+        "coordinates", "speeds", "axes", "axis_speeds", "force", "torque", "error", "broken", "axis_efforts", "axis_accelerations". carom/joint.h says how
         many numbers a row has."""
         number, width, handles, n, alive = self._joints(field, joints)
         if out is None:
@@ -210,7 +210,8 @@ class Bulk:
         return out
 
     def write_joints(self, field: JointBulkWord | int, values: Any, joints: Iterable[Joint | int] | NDArray[np.uint64] | None = None) -> None:
-        """The reverse, of targets, motors, springs, limits and gains. All values are checked before the first is written.
+        """The reverse, of targets, motors, springs, limits and gains; "position", "velocity", "axes" and "axis_speeds" move bodies and what
+        hangs on them. All values are checked before the first is written.
         @param values  rows: array, buffer, or lists; a number each where a row has one"""
         number, width, handles, n, alive = self._joints(field, joints)
         address, _, scalar, stride, held = place(packed(values, width), width, n, "values")

@@ -44,9 +44,12 @@ def make_joint(world: World, kind: JointWord | int, a: Body | None, b: Body | No
                axis: Vector | None, about: Mapping[str, Any]) -> Joint:
     """World.joint(). With `position` the joint is placed in the world as the bodies stand now; `axis` is the direction of its
     x axis there (of a hinge, of a slider), or `orientation` says more. Else position_a, position_b, ... are in the bodies'
-    frames. Also: length, break_force, break_torque, collide=True, user."""
+    frames. Also: length, break_force, break_torque, collide=True, accelerations=True
+    (each step measures them), user."""
     about = dict(about)
     fields = raw.CAROM_JOINT_COLLIDE if about.pop("collide", False) else 0
+    if about.pop("accelerations", False):
+        fields |= raw.CAROM_JOINT_ACCELERATIONS
     if axis is not None:
         orientation = turn_x_to(axis)
     if position is not None or orientation is not None:
@@ -104,11 +107,11 @@ class Joint(Thing):
         return record(JointTransmissionRecord, now)
 
     def axis(self, axis: AxisWord | int, **about: Unpack[JointAxisKeywords]) -> JointAxisRecord:
-        """Of a six-axis joint. Read what an axis ("x", ..., "turn_z") does, or set it, all of it: mode="free", "locked" or
+        """Of a six-axis joint; "turn_x" of a hinge, "x" of a slider. Read what an axis ("x", ..., "turn_z") does, or set it, all of it: mode="free", "locked" or
         "limited", lower=, upper= (m or rad); drive="position", "velocity" or "effort", with target=, speed=, effort=, max_force=,
         drive_stiffness=, drive_damping=; rest=, spring_stiffness=, spring_damping=; stop_stiffness=, stop_damping=; and in what
         those are, stop_gains=, drive_gains=, spring_gains="frequency", "force" or "acceleration"; friction= (N or N m) and
-        armature= (kg or kg m^2)."""
+        armature= (kg or kg m^2); effort_limit= (N or N m, of its drives together) and speed_limit= (m/s or rad/s)."""
         number, struct = enum("AXIS", axis, "axis"), raw.carom_joint_axis
         if about:
             self._call(raw.carom_joint_set_axis, number, ctypes.byref(describe(struct, _with_numbers(about))))

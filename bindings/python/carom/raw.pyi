@@ -272,6 +272,7 @@ CAROM_GAINS_COUNT: int
 CAROM_JOINT_WORLD_FRAME: int
 CAROM_JOINT_COLLIDE: int
 CAROM_JOINT_FIELD_LENGTH: int
+CAROM_JOINT_ACCELERATIONS: int
 CAROM_JOINT_BULK_COORDINATES: int
 CAROM_JOINT_BULK_SPEEDS: int
 CAROM_JOINT_BULK_AXES: int
@@ -300,6 +301,16 @@ CAROM_JOINT_BULK_ORIENTATION_TARGET: int
 CAROM_JOINT_BULK_ORIENTATION_VELOCITY: int
 CAROM_JOINT_BULK_ORIENTATION_EFFORT: int
 CAROM_JOINT_BULK_ORIENTATION_GAINS: int
+CAROM_JOINT_BULK_ACCELERATION: int
+CAROM_JOINT_BULK_AXIS_ACCELERATIONS: int
+CAROM_JOINT_BULK_AXIS_FRICTIONS: int
+CAROM_JOINT_BULK_AXIS_ARMATURES: int
+CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS: int
+CAROM_JOINT_BULK_AXIS_SPEED_LIMITS: int
+CAROM_JOINT_BULK_FRICTION: int
+CAROM_JOINT_BULK_ARMATURE: int
+CAROM_JOINT_BULK_EFFORT_LIMIT: int
+CAROM_JOINT_BULK_SPEED_LIMIT: int
 CAROM_JOINT_BULK_COUNT: int
 CAROM_EFFECT_GYROSCOPIC: int
 CAROM_EFFECT_LINEAR_DAMPING: int
@@ -826,7 +837,8 @@ class carom_joint_transmission(ctypes.Structure):
     anchor_b: Any
     length: float
 class carom_joint_axis(ctypes.Structure):
-    """What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+    """What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
+    has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
     each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it."""
     struct_size: int
     mode: int
@@ -849,6 +861,8 @@ class carom_joint_axis(ctypes.Structure):
     spring_damping: float
     friction: float
     armature: float
+    effort_limit: float
+    speed_limit: float
 class carom_joint_orientation_drive(ctypes.Structure):
     """A drive of all three turns as one, by the shortest way: of a ball, or of a six-axis joint none of whose turns is
     locked (else it rests). With e the rotation vector, in A's frame, of the shortest turn from the target to where B's
@@ -1467,7 +1481,7 @@ def carom_body_add_impulse(world: Any, body: Any, impulse: Any, point: Any, erro
     ...
 def carom_body_set_gravity_factor(world: Any, body: Any, factor: Any, error: Any) -> int:
     """How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
-    rises. Wakes the body and its island.
+    rises. 1 - c compensates a share c of its gravity, as a counterweight does; inverse dynamics counts it (tree.h). Wakes the body and its island.
     @param factor any finite number; 1 when a body is created
     @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY"""
     ...
@@ -1964,7 +1978,7 @@ def carom_joint_transmission_init(transmission: Any, struct_size: Any) -> int:
     """Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_axis_init(axis: Any, struct_size: Any) -> int:
-    """Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    """Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
 def carom_joint_orientation_drive_init(drive: Any, struct_size: Any) -> int:
     """No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
@@ -2030,17 +2044,18 @@ def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, erro
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
-    """Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+    """Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
     drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
     Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
     frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
     amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
     bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
     substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
-    the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
-    test_six_axis_scenes.
+    the load does in h / 2. Forces of drives are met to rounding. A speed limit holds to 1e-9 under the
+    direct solver, where one joint bears all to rounding under others. Oracle: tests/oracle/test_six_axis, test_six_axis_scenes, test_armature,
+    test_axis_limits.
     @param axis CAROM_AXIS_*
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no such axis of its own; a newer field);
             *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
     ...
 def carom_joint_get_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
@@ -2074,10 +2089,12 @@ def carom_world_read_joints(world: Any, field: Any, scalar: Any, joints: Any, n:
     OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY"""
     ...
 def carom_world_write_joints(world: Any, field: Any, scalar: Any, joints: Any, n: Any, src: Any, stride: Any, error: Any) -> int:
-    """Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+    """Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+    Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
     enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
     @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+    @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+    one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
     OUT_OF_RANGE; REENTRANT"""
     ...
 def carom_world_get_joints(world: Any, joints: Any, capacity: Any, count: Any, error: Any) -> int:

@@ -68,7 +68,9 @@ JointFieldsWord = Literal["length"]
 JointBulkWord = Literal["coordinates", "speeds", "axes", "axis_speeds", "force", "torque", "error", "broken",
     "position", "velocity", "effort", "target", "target_velocity", "target_effort", "motor", "spring", "limit",
     "axis_efforts", "axis_targets", "axis_target_velocities", "axis_target_efforts", "axis_max_forces", "axis_gains",
-    "axis_limits", "orientation_target", "orientation_velocity", "orientation_effort", "orientation_gains"]
+    "axis_limits", "orientation_target", "orientation_velocity", "orientation_effort", "orientation_gains",
+    "acceleration", "axis_accelerations", "axis_frictions", "axis_armatures", "axis_effort_limits",
+    "axis_speed_limits", "friction", "armature", "effort_limit", "speed_limit"]
 EffectWord = Literal["gyroscopic", "linear_damping", "angular_damping", "gravity", "user_force", "user_torque",
     "collision", "friction", "restitution", "rolling_resistance", "spinning_resistance", "sleep", "particles",
     "filter", "sensor", "joints", "scenery", "continuous", "surface_velocity", "axis_locks", "drag", "wind", "fields",
@@ -228,6 +230,8 @@ class JointAxisRecord(Record):
     spring_damping: float
     friction: float
     armature: float
+    effort_limit: float
+    speed_limit: float
 
 
 class JointOrientationDriveRecord(Record):
@@ -657,6 +661,7 @@ class JointKeywords(TypedDict, total=False):
     break_torque: float | None
     user: int | None
     collide: bool
+    accelerations: bool
 
 
 class JointTransmissionKeywords(TypedDict, total=False):
@@ -688,6 +693,8 @@ class JointAxisKeywords(TypedDict, total=False):
     spring_damping: float | None
     friction: float | None
     armature: float | None
+    effort_limit: float | None
+    speed_limit: float | None
 
 
 class JointOrientationDriveKeywords(TypedDict, total=False):

@@ -39,7 +39,10 @@
 //
 // Scenery is swept against, never swept: a mesh that a host drives fast is met where it stands.
 //
-// What this is not: two bodies that both are joined to something are not swept against each other; kinematic bodies that
+// A hit changes two bodies as if they were free. What hangs on them by joints follows them within the substep
+// (close_joints() in solver/direct.h), and has its share of their velocities in the next.
+//
+// What this is not: joints that the direct solver does not hold gape after a hit, until they are led back; kinematic bodies that
 // crush something between them are not stopped; a half-space that turns is swept as if it did not; a body that has but
 // sensors is not swept; obstacles that neither a participant's straight path of the step comes near nor a hit before are
 // taken to come from where their velocity tells. Where substeps go by island (dynamics/accuracy/), such an obstacle may
@@ -74,6 +77,8 @@ struct SweptBody {
   bool loose = false;                              // it is not in the tree of participants, or has left its box there
   bool changed = false;                            // something hit it in this substep
   bool is_hit = false;                             // likewise, in this step
+  bool is_hit_elsewhere = false;                   // not by one and the same pair
+  collision::Pair hit = {kInvalid, kInvalid};      // the first that it was hit by
   bool flies = false;                              // its path is a parabola's chord; else a solver's straight line
   static constexpr std::uint32_t kMostHits = 16;   // in a substep, before what impulses do not move holds it
   static constexpr std::uint32_t kMostShared = 4;  // before it joins what they do move
@@ -167,6 +172,9 @@ void save_accelerations(const World& world, const StepTime& time);
 /// The hits of a substep. Who sleeps and is hit wakes.
 using Sweeping = Writes<Poses, Velocities, SleepFlags, Sleep, BroadPhases, StepReport>;
 void sweep(const World& world, Sweeping to, const StepTime& time);
+/// Whether a hit has led a body off the way of this substep.
+bool is_led_by_sweep(const World& world, std::uint32_t body);
+bool any_led_by_sweep(const World& world);
 /// What the step's sweeps leave behind.
 void end_sweeps(const World& world, Revisions& scene, FaultViews& views, const StepTime& time);
 

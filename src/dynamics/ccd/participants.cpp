@@ -289,8 +289,7 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
       if (!table.movable[slot] || !can_sweep(world, body)) continue;
       SweptBody* known = c.find(body);
       if (!known) known = &know(world, body);
-      const bool is_loose = world.scene.type[body] == BodyType::dynamic && !world.wide_joints->is_linked(body);
-      known->swept |= is_driven && is_loose;  // it looks out for what comes
+      known->swept |= is_driven && world.scene.type[body] == BodyType::dynamic;  // it looks out for what comes
     }
   }
   const std::size_t most =

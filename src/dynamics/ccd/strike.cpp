@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include "collision/manifold/adopt.h"
 #include "collision/narrow/hybrid.h"
@@ -38,7 +39,12 @@ void Sweeper::strike(SweptBody& b) {
   b.when = kInfinity;
   for (SweptBody* const p : {&b, partner}) {
     if (!p || !moved_by_hits(p->body)) continue;
-    each_as_one(*p, [&](SweptBody& one) { sense(one, s.now), one.is_hit = true; });
+    const collision::Pair pair = {std::min(b.own, b.other), std::max(b.own, b.other)};
+    each_as_one(*p, [&](SweptBody& one) {
+      sense(one, s.now);
+      if (!std::exchange(one.is_hit, true)) one.hit = pair;
+      one.is_hit_elsewhere |= one.hit != pair;
+    });
     ++p->hits;
   }
   if (has_its_turn_later(other)) return wait_at(s);
@@ -134,18 +140,10 @@ int Sweeper::find_points(const Strike& s, Manifold& manifold) {
   settings.manifold.contact_distance = slack(s.a, s.b);
   const Shape &a = *s.a.part.shape, &b = *s.b.part.shape;
   QueryMemory memory;
-  Candidates found;
   SupportFault fault;
   if (is_scenery(b) && world_.plan->scenery) scenery_points({b, a, frame_b, frame_a}, settings, s.normal, manifold);
-  collide(a, frame_a, b, frame_b, settings, memory, nullptr, found, report_.narrow, fault);
-  const PatchPair pair{a, b, frame_a, frame_b, shells(settings.query) / 2};
-  PatchMemory patch;
-  if (fault.kind == SupportFault::none && found.count > 0) {
-    if (found.whole)
-      adopt_patch(pair, found, settings.manifold, manifold, patch);
-    else
-      update_patch(pair, found, settings.manifold, manifold, patch, report_.narrow.support_calls, fault);
-  }
+  find_manifold({a, b, frame_a, frame_b, shells(settings.query) / 2}, settings, memory, manifold, report_.narrow,
+                fault);
   if (fault.kind != SupportFault::none) manifold.count = 0;
   for (int k = 0; k < manifold.count; ++k)
     if (!(manifold.point[k].normal.dot(s.normal) > 0)) manifold.count = 0;  // the other side of what is thin

@@ -151,12 +151,6 @@ void Sweeper::look_ahead(SweptBody& b, Real now) {
   }
 }
 
-/// A hit changes two bodies as if they were free, and what joints hold is not: of two that both are joined it would tear
-/// joints, and those would bring the two together to be hit again. Contacts solve them, from where they are then.
-bool Sweeper::are_both_joined(std::uint32_t a, std::uint32_t b) const {
-  return moved_by_hits(a) && moved_by_hits(b) && world_.wide_joints->is_linked(a) && world_.wide_joints->is_linked(b);
-}
-
 void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t other) {
   const Colliders& table = world_.scene.colliders;
   const std::uint32_t body = table.body[other];
@@ -165,13 +159,10 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   const EffectModes& modes = world_.scene.modes;
   if (modes.forbids(+EffectId::response, b.body) || modes.forbids(+EffectId::response, body)) return;
   if (!moved_by_hits(b.body) && !moved_by_hits(body)) return;
-  if (are_both_joined(b.body, body)) return;
   const SweptBody* const known = c_.find(body);
   if (!may_meet(b, body)) return;
-  // Of hits by what a host moves, the other has to keep watch: its path is the one that changes. What joints hold is
-  // left to contacts likewise, unless its way is far.
-  if (!moved_by_hits(b.body) && ((known && known->swept) || (!b.outruns && world_.wide_joints->is_linked(body))))
-    return;
+  // Of hits by what a host moves, the other has to keep watch: its path is the one that changes.
+  if (!moved_by_hits(b.body) && known && known->swept) return;
   Side a{b.body, own, {}, b.path, &b}, o{body, other, {}, path_of(body), known};
   const Aabb box = a.path.swept(now, time_.h, b.radius);
   each_swept_part(world_, own, table.bounds[other], [&](const SweptPart& mine) {
@@ -240,6 +231,13 @@ void Sweeper::move_bodies() {
   }
   if (any) tell_contacts(world_);
 }
+
+bool is_led_by_sweep(const World& world, std::uint32_t body) {
+  const SweptBody* const known = world.continuous->find(body);
+  return known && known->changed;
+}
+
+bool any_led_by_sweep(const World& world) { return std::ranges::any_of(world.continuous->bodies, &SweptBody::changed); }
 
 void sweep(const World& world, Sweeping to, const StepTime& time) {
   if (!world.continuous->bodies.empty() && !world.continuous->waits) Sweeper(world, to, time).run();

@@ -50,7 +50,6 @@ class Sweeper {
   Aabb swept_box(const SweptBody& b, std::uint32_t collider, Real now);
   void gather(const SweptBody& b, const Aabb& box, Real now);
   bool goes_far(const SweptBody& b) const;
-  bool are_both_joined(std::uint32_t a, std::uint32_t b) const;
   void try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t other);
   SweptBody* next();
   void move_bodies();

@@ -70,7 +70,8 @@ struct RowGeometry {
   Vec3 place;                   // m, @see OldImpulse
   Real separation;              // m, as of the last refresh_separations()
   std::uint32_t pair;           // index in the pair table
-  std::uint32_t point;          // index in its manifold
+  std::uint16_t point;          // index in its manifold
+  bool is_asked_again;          // in each substep, @see asked_again.h
   std::uint32_t impact;         // in Contacts::impacts; rows that bounce only
   std::uint32_t turning_pairs;  // 1 + its place in Contacts::turning_pairs; 0: none
 };
@@ -258,6 +259,7 @@ struct Contacts {
 
   Array<std::uint32_t> first_row;    // [pairs + 1] by pair of the table
   Array<ContactPair> contact_pairs;  // of pairs that have rows, in their order
+  bool any_asked_again = false;      // of them
 
   Array<Link> links;                      // of active joints, in their order: @see WideJoints::active
   Array<std::uint32_t> link_label;        // by link: its group

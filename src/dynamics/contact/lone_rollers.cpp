@@ -20,7 +20,7 @@ const Shape& shape_of(const World& world, std::uint32_t collider) { return *worl
 bool is_flat(const World& world, std::uint32_t collider, const Vec3& n, const Vec3& at, Real far) {
   const Shape& shape = shape_of(world, collider);
   if (shape.form == Form::half_space) return true;
-  if (shape.form == Form::scenery || shape.core_radius > 0 || shape.host_thread) return false;
+  if (shape.form == Form::scenery || shape.core_radius > 0) return false;
   constexpr Real kTilt = 1e-4;  // rad: a face has its far corner there, a round surface the point itself
   const std::uint32_t body = world.scene.colliders.body[collider];
   const Frame frame = Frame(world.state.q[body].matrix(), world.state.x[body]) * world.plan->local[collider];
@@ -78,11 +78,12 @@ struct Asked {
   Real friction = 1;  // the least of what is held, 1 at most
   bool slides = false, surfaces_rest = true;
 };
-Asked asked_of(const TouchingBody& of, const TouchingMotion& motion) {
+Asked asked_of(const TouchingBody& of, const TouchingMotion& motion, const TouchingMotion::At& at) {
   Asked to;
+  const Vec3 accel = motion.accel(at);
   for (int k = 0; k < of.count; ++k) {
     const FlatTouch& touch = of.touches[k];
-    to.pull = std::max(to.pull, std::fabs(of.accel.dot(touch.n)));
+    to.pull = std::max(to.pull, std::fabs(accel.dot(touch.n)));
     to.surfaces_rest = to.surfaces_rest && touch.surface_spin.is_zero() && touch.surface_v.is_zero();
     if (motion.grip(k) == Grip::holds)
       to.friction = std::min(to.friction, touch.friction);
@@ -92,9 +93,8 @@ Asked asked_of(const TouchingBody& of, const TouchingMotion& motion) {
   return to;
 }
 
-bool gains_energy(const TouchingBody& of, const TouchingMotion& motion, const TouchingMotion::At& begun,
-                  const TouchingMotion::At& ended) {
-  const Real had = motion.energy(begun), work = motion.mass() * of.accel.dot(ended.x - begun.x);
+bool gains_energy(const TouchingMotion& motion, const TouchingMotion::At& begun, const TouchingMotion::At& ended) {
+  const Real had = motion.energy(begun), work = motion.work();
   return motion.energy(ended) - had - work > kRollGain * (had + std::fabs(work));
 }
 
@@ -129,7 +129,7 @@ bool find_gaps(const World& world, const TouchingBody& of, Real dt, const Touchi
 /// A body's step, as its touches grip. @return false: it is the solver's
 bool roll(const World& world, const TouchingBody& of, Real dt, TouchingMotion& motion, TouchingMotion::At& at) {
   at = {of.x, of.v, of.omega, of.q};
-  const Asked asked = asked_of(of, motion);
+  const Asked asked = asked_of(of, motion, at);
   const Real least_slip = kRollSettle * asked.pull * dt, settled = least_slip * motion.mass();
   if (asked.slides && !motion.note_slips(at, least_slip)) return false;
   if (of.count > 1) motion.open_what_parts(at);
@@ -137,13 +137,13 @@ bool roll(const World& world, const TouchingBody& of, Real dt, TouchingMotion& m
   if (!motion.settle(at, asked.friction * settled) || (asked.slides && !motion.note_slips(at, least_slip)))
     return false;
   Real pace = 0;
-  if (!motion.pace(at, pace)) return false;
+  if (!motion.pace(at, dt, pace)) return false;
   const Real wanted = std::ceil(dt / (kRollStep * pace));
   if (!(wanted <= kRollSteps)) return false;
   const TouchingMotion::At begun = at;
   Real gaps[TouchingMotion::kMostEnds] = {};
   return advance(motion, at, dt, std::max(1, static_cast<int>(wanted)), settled) &&
-         !(asked.surfaces_rest && gains_energy(of, motion, begun, at)) &&
+         !(asked.surfaces_rest && gains_energy(motion, begun, at)) &&
          find_gaps(world, of, dt, motion, begun, at, gaps) && motion.correct(at, dt, gaps);
 }
 
@@ -164,7 +164,7 @@ bool may_hold(const TouchingBody& of) {
 bool roll(const World& world, const TouchingBody& of, Real dt, TouchingMotion::At& at, Vec3 impulse[]) {
   for (const Grip grip : {Grip::holds, Grip::slides}) {
     if (grip == Grip::holds && !may_hold(of)) continue;
-    TouchingMotion motion(world, of);
+    TouchingMotion motion(world, of, world.lone_rollers->trial);
     for (int k = 0; k < of.count; ++k)
       motion.grip(k, of.touches[k].is_open || (of.count > 1 && !presses(world, of.touches[k])) ? Grip::opened : grip);
     if (!roll(world, of, dt, motion, at)) continue;
@@ -174,14 +174,18 @@ bool roll(const World& world, const TouchingBody& of, Real dt, TouchingMotion::A
   return false;
 }
 
+/// The collider of a body that impulses move, of a pair with one that they do not.
+std::uint32_t collider_of(const World& world, const ContactPair& m) {
+  const collision::Pair pair = world.pairs.place(world.contacts->geometry[m.row].pair).pair;
+  return m.moves_a ? pair.a : pair.b;
+}
+
 /// Whether a body in touch with one that impulses do not move is such that its motion may be done once more.
 bool may_roll_alone(const World& world, const ContactPair& m) {
   const Scene& scene = world.scene;
   const std::uint32_t body = m.moves_a ? m.a : m.b, other = m.moves_a ? m.b : m.a;
-  const std::uint32_t collider = scene.first_collider[body];
-  if (collider == kInvalid || scene.colliders.next[collider] != kInvalid || scene.type[other] == BodyType::dynamic)
-    return false;
-  if (scene.locks_of(body) || !rotates(scene, body) || shape_of(world, collider).host_thread) return false;
+  if (scene.type[other] == BodyType::dynamic) return false;
+  if (scene.locks_of(body) || !rotates(scene, body)) return false;
   const Vec3& spin = world.state.omega[other];  // about the normal, which then stays what it is
   return spin.is_zero() || spin.cross(world.contacts->rows[m.row].n).squared_norm() <= 1e-24 * spin.squared_norm();
 }
@@ -210,6 +214,8 @@ Stand stand_of(const Contacts& c, const ContactPair& m) {
     if (far > length) length = far, line = apart, to.other_end = i;
   }
   to.is_point = !(length > 0), to.is_line = length > 0;
+  // Of a line that lies level rounding says which end is deeper; friction along it counts from the same all the time.
+  if (to.other_end < to.deepest) std::swap(to.deepest, to.other_end);
   return to;
 }
 
@@ -222,7 +228,7 @@ FlatTouch as_begun(const World& world, const ContactPair& m, const Stand& stand)
   const std::uint32_t body = m.moves_a ? m.a : m.b, other = m.moves_a ? m.b : m.a;
   FlatTouch to;
   to.row = m.row, to.rows = m.count, to.deepest = stand.deepest, to.other_end = stand.other_end;
-  to.surface = m.moves_a ? pair.b : pair.a;
+  to.collider = m.moves_a ? pair.a : pair.b, to.surface = m.moves_a ? pair.b : pair.a;
   to.n = m.moves_a ? Vec3(-1 * row.n) : row.n;
   to.on_plane =
       s.x[other] + (m.moves_a ? s.q[other] * g.l_b - g.radius_b * row.n : s.q[other] * g.l_a + g.radius_a * row.n);
@@ -233,7 +239,7 @@ FlatTouch as_begun(const World& world, const ContactPair& m, const Stand& stand)
     to.along = level / level.norm();
   }
   to.friction = row.friction;
-  to.is_open = g.separation > kRollOpen * shape_of(world, world.scene.first_collider[body]).bounding_radius;
+  to.is_open = g.separation > kRollOpen * shape_of(world, to.collider).bounding_radius;
   to.surface_x = s.x[other], to.surface_v = s.v[other], to.surface_spin = s.omega[other];
   return to;
 }
@@ -241,7 +247,7 @@ FlatTouch as_begun(const World& world, const ContactPair& m, const Stand& stand)
 TouchingBody as_begun(const World& world, std::uint32_t body) {
   const State& s = world.state;
   TouchingBody of;
-  of.body = body, of.collider = world.scene.first_collider[body];
+  of.body = body;
   of.x = s.x[body], of.v = s.v[body], of.omega = s.omega[body], of.q = s.q[body];
   of.accel = pull_on(world, body), of.torque = Vec3::zero();
   if (!world.scene.modes.forbids(+EffectId::user_force, body)) of.accel += world.scene.inv_mass[body] * s.force[body];
@@ -268,9 +274,9 @@ bool may_be_a_touch(const World& world, const ContactPair& m) {
   if (m.moves_a == m.moves_b || !m.one_normal) return false;
   const Stand stand = stand_of(*world.contacts, m);
   if (!stand.is_point && !stand.is_line) return false;  // most lie on a face
-  const std::uint32_t body = m.moves_a ? m.a : m.b, other = m.moves_a ? m.b : m.a;
+  const std::uint32_t other = m.moves_a ? m.b : m.a;
   return may_roll_alone(world, m) &&
-         (world.scene.type[other] == BodyType::kinematic || !is_centred_ball(world, world.scene.first_collider[body]));
+         (world.scene.type[other] == BodyType::kinematic || !is_centred_ball(world, collider_of(world, m)));
 }
 
 /// Its bodies, each with all of its touches.
@@ -282,7 +288,7 @@ void gather(const World& world, LoneRollers& l) {
     const Stand stand = stand_of(*world.contacts, m);
     if (l.touches[body] > TouchingBody::kMost ||
         (l.touches[body] == 1 && stand.is_line && world.scene.type[other] != BodyType::kinematic &&
-         keeps_its_line(shape_of(world, world.scene.first_collider[body]))))
+         keeps_its_line(shape_of(world, collider_of(world, m)))))
       continue;
     if (l.place[body] == kInvalid) {
       l.place[body] = static_cast<std::uint32_t>(l.bodies.size());
@@ -291,6 +297,16 @@ void gather(const World& world, LoneRollers& l) {
     TouchingBody& of = l.bodies[l.place[body]];
     of.touches[of.count++] = as_begun(world, m, stand);
   }
+}
+
+/// Whether a sweep found anything in its way but what it touches anyway.
+bool is_hit_elsewhere(const World& world, const TouchingBody& of) {
+  const SweptBody* const swept = world.continuous->find(of.body);
+  if (!swept || !swept->is_hit) return false;
+  return swept->is_hit_elsewhere || std::none_of(of.touches, of.touches + of.count, [&](const FlatTouch& touch) {
+           return swept->hit ==
+                  collision::Pair{std::min(touch.collider, touch.surface), std::max(touch.collider, touch.surface)};
+         });
 }
 
 /// Of the whole step, where it touches.
@@ -311,7 +327,7 @@ void find_lone_rollers(const World& world, const StepTime& time) {
   if (!world.lone_rollers) return;
   LoneRollers& l = *world.lone_rollers;
   l.bodies.clear();
-  l.pairs.clear(), l.place.clear();
+  l.pairs.clear(), l.place.clear(), l.trial.springs.clear();
   const auto& pairs = world.contacts->contact_pairs;
   for (std::uint32_t i = 0; i < pairs.size(); ++i)
     if (may_be_a_touch(world, pairs[i])) l.pairs.push_back(i);
@@ -326,12 +342,13 @@ void find_lone_rollers(const World& world, const StepTime& time) {
       for (int k = 0; k < of.count; ++k)
         if (of.touches[k].row == r.row) of.touches[k].rolling = r.rolling, of.touches[k].spinning = r.spinning;
     }
+  for (TouchingBody& of : l.bodies)
+    if (l.touches[of.body] != of.count || !find_varying(world, of.body, l.trial, of.varying)) of.count = 0;
   std::erase_if(l.bodies, [&](const TouchingBody& of) {
-    if (l.touches[of.body] != of.count || !only_constant_forces_act(world, of.body)) return true;
-    const Real size = shape_of(world, of.collider).bounding_radius;
     bool touches = false;
     for (int k = 0; k < of.count; ++k) {
       const FlatTouch& touch = of.touches[k];
+      const Real size = shape_of(world, touch.collider).bounding_radius + world.plan->local[touch.collider].p.norm();
       touches = touches || !touch.is_open;
       const Vec3 past = of.v - touch.surface_v - touch.surface_spin.cross(of.x - touch.surface_x);
       if ((touch.is_line() && (touch.rolling > 0 || touch.spinning > 0)) ||
@@ -354,8 +371,7 @@ bool ends_alone(const World& world, std::uint32_t body, Real dt, TouchingMotion:
 void roll_alone(const World& world, Poses& poses, Velocities& motion, const StepTime& time) {
   if (!world.lone_rollers) return;
   for (const TouchingBody& of : world.lone_rollers->bodies) {
-    const SweptBody* const swept = world.continuous->find(of.body);
-    if (world.state.held_out[of.body] || (swept && swept->is_hit)) continue;
+    if (world.state.held_out[of.body] || is_hit_elsewhere(world, of)) continue;
     TouchingMotion::At at;
     Vec3 impulse[TouchingMotion::kMostEnds];
     if (!roll(world, of, time.dt, at, impulse)) continue;

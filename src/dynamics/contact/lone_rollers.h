@@ -4,7 +4,8 @@
 // Contacts are solved where a substep begins, which leaves a wheel in a leaning turn metres off. So the step of such
 // a body is done once more by its equation of motion (touching_motion.h), from where the step began, and takes the
 // solver's place. One surface holds by its friction, if that bears it all the way, or the body slides on it all the
-// way. On two surfaces it slides, and may come off one. What is stopped by friction, comes off its only surface, tips
+// way. On two surfaces it slides, and may come off one. Whatever else acts on it, drag, fields, springs, water, magnets, is
+// a force of that equation, and colliders of it that touch nothing are nothing. What is stopped by friction, comes off its only surface, tips
 // onto an edge or meets another is left to the solver. How deep it is stays, unless the solver has brought it nearer
 // to a touch.
 //
@@ -37,11 +38,12 @@ inline constexpr Constant<Real> kRollGain{
 inline constexpr ConstantRow kLoneRollerConstants[] = {kRollSteps, kRollApart, kRollOpen, kRollSettle, kRollGain};
 
 struct LoneRollers {
-  explicit LoneRollers(Memory* m) : bodies(m), pairs(m), touches(m), place(m) {}
+  explicit LoneRollers(Memory* m) : bodies(m), pairs(m), touches(m), place(m), trial(m) {}
   Array<TouchingBody> bodies;
   Array<std::uint32_t> pairs;   // scratch: pairs in contact that may be their touches
   Array<std::uint8_t> touches;  // by slot, scratch: how many pairs
   Array<std::uint32_t> place;   // by slot: in `bodies`, or kInvalid; empty where there are none
+  Trial trial;                  // of those on which varying forces act
 };
 
 /// Stage functions of the page. Who may, as a step begins; allocates.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dynamics/body_state.h"
+#include "dynamics/contact/asked_again.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/contact/rolling.h"
 #include "dynamics/contact/slide.h"
@@ -170,6 +171,7 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     row.restitution = material.restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     row.one_normal = one_normal, row.rolls = rolls;
+    g.is_asked_again = false;
     g.radius_a = radius_a, g.radius_b = radius_b;
     const ContactPoint& where = at_alone < 0 ? point : manifold.point[at_alone];
     g.l_a = fa.apply(where.on_a);
@@ -180,7 +182,7 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     g.place = place_of(point, on_b);
     g.separation = where.separation;
     g.pair = static_cast<std::uint32_t>(pair_index);
-    g.point = static_cast<std::uint32_t>(k);
+    g.point = static_cast<std::uint16_t>(k);
   }
   c.rows[at].loads_known = found == last - cursor;
   find_slide(world, at, static_cast<std::uint32_t>(manifold.count), nullptr);
@@ -324,6 +326,7 @@ void make_rows(const World& world, StepReport& report, const StepTime& time) {
   fill_all_rows(world, report, start_scale(world, time.h), time.dt);
   report.contact_points = c.rows.size();
   list_contact_pairs(world);
+  find_asked_again(world, time);
 }
 
 void list_moved_bodies(const World& world, Impulses& impulses, const StepTime&) {

@@ -46,14 +46,17 @@ TouchingMotion::At ahead(const TouchingMotion::At& at, const Vec3& x, const Vec3
 
 }  // namespace
 
-TouchingMotion::TouchingMotion(const World& world, const TouchingBody& of)
-    : of_(of),
-      shape_(*world.scene.colliders.shape[of.collider]),
-      local_(world.plan->local[of.collider]),
+TouchingMotion::TouchingMotion(const World& world, const TouchingBody& of, Trial& trial)
+    : world_(world),
+      of_(of),
+      trial_(trial),
       mass_(world.scene.mass[of.body]),
       inertia_(world.scene.inertia[of.body]),
-      inv_inertia_(world.scene.inv_inertia[of.body]),
-      size_(shape_.bounding_radius + local_.p.norm()) {
+      inv_inertia_(world.scene.inv_inertia[of.body]) {
+  for (int k = 0; k < of.count; ++k) {
+    const std::uint32_t collider = of.touches[k].collider;
+    size_[k] = world.scene.colliders.shape[collider]->bounding_radius + world.plan->local[collider].p.norm();
+  }
   for (int end = 0; end < kMostEnds; ++end) slips_[end] = impulse_[end] = Vec3::zero();
 }
 
@@ -62,17 +65,26 @@ Real TouchingMotion::energy(const At& at) const {
   return (mass_ * at.v.squared_norm() + spin.dot(inertia_ * spin)) / 2;
 }
 
+Vec3 TouchingMotion::accel(const At& at) const {
+  Vec3 accel = of_.accel, alpha = Vec3::zero();
+  of_.varying.add(world_, trial_, at.x, at.q, at.v, at.omega, accel, alpha);
+  return accel;
+}
+
 Mat3 TouchingMotion::inverse_inertia(const Quat& q) const {
   const Mat3 turn = q.matrix();
   return turn * inv_inertia_ * turn.transpose();
 }
 
 /// m, from the centre of mass to the farthest point in a direction of the world.
-bool TouchingMotion::support(const Mat3& turn, const Vec3& direction, Vec3& r) const {
+bool TouchingMotion::support(const Mat3& turn, const FlatTouch& touch, const Vec3& direction, Vec3& r) const {
+  const Frame& local = world_.plan->local[touch.collider];
   collision::SupportFault fault;
   Vec3 point;
-  if (!full_support(shape_, local_.r.transpose() * (turn.transpose() * direction), point, fault)) return false;
-  r = turn * local_.apply(point);
+  if (!full_support(*world_.scene.colliders.shape[touch.collider], local.r.transpose() * (turn.transpose() * direction),
+                    point, fault))
+    return false;
+  r = turn * local.apply(point);
   return true;
 }
 
@@ -83,12 +95,13 @@ bool TouchingMotion::line_ends(const Mat3& turn, const FlatTouch& touch, Vec3& n
   constexpr Real kSettled = 1e-9;    // rad
   Vec3 along = touch.along;
   for (int look = 0; look < kLooks; ++look) {
-    if (!support(turn, -1 * touch.n + kRollTilt * along, far) || !support(turn, -1 * touch.n - kRollTilt * along, near))
+    if (!support(turn, touch, -1 * touch.n + kRollTilt * along, far) ||
+        !support(turn, touch, -1 * touch.n - kRollTilt * along, near))
       return false;
     Vec3 line = far - near;
     line -= line.dot(touch.n) * touch.n;
     const Real length = line.norm();
-    if (!(length > kLeastLine * size_)) return false;
+    if (!(length > kLeastLine * size(static_cast<int>(&touch - of_.touches)))) return false;
     line = line / length;
     if ((line - along).squared_norm() <= kSettled * kSettled) return true;
     along = line;
@@ -101,7 +114,8 @@ bool TouchingMotion::ends(const Quat& q, Vec3 r[kMostEnds]) const {
   for (int k = 0; k < of_.count; ++k) {
     if (grip_[k] == Grip::opened) continue;
     const FlatTouch& touch = of_.touches[k];
-    if (touch.is_line() ? !line_ends(turn, touch, r[2 * k], r[2 * k + 1]) : !support(turn, -1 * touch.n, r[2 * k]))
+    if (touch.is_line() ? !line_ends(turn, touch, r[2 * k], r[2 * k + 1])
+                        : !support(turn, touch, -1 * touch.n, r[2 * k]))
       return false;
   }
   return true;
@@ -109,7 +123,7 @@ bool TouchingMotion::ends(const Quat& q, Vec3 r[kMostEnds]) const {
 
 bool TouchingMotion::clearance(const At& at, int touch, Real t, Real& to) const {
   Vec3 r;
-  if (!support(at.q.matrix(), -1 * of_.touches[touch].n, r)) return false;
+  if (!support(at.q.matrix(), of_.touches[touch], -1 * of_.touches[touch].n, r)) return false;
   to = gap(at.x, r, touch, t);
   return true;
 }
@@ -125,7 +139,8 @@ bool TouchingMotion::travelling(const At& at, Ends& e) const {
   for (int i = 0; i < kMostEnds; ++i) {
     if (!is_active(i)) continue;
     const Real far = (after[i] - before[i]).norm(), bend = ((after[i] - e.r[i]) - (e.r[i] - before[i])).norm();
-    if (!(far <= 2 * kRollTravel * kRollProbe * size_) || !(bend <= kRollBend * far + kRounding * size_)) return false;
+    if (!(far <= 2 * kRollTravel * kRollProbe * size(i / 2)) || !(bend <= kRollBend * far + kRounding * size(i / 2)))
+      return false;
     e.travel[i] = (spin / (2 * kRollProbe)) * (after[i] - before[i]);
   }
   return true;
@@ -228,10 +243,24 @@ bool TouchingMotion::settle(At& at, Real most) {
   return true;
 }
 
-bool TouchingMotion::pace(const At& at, Real& seconds) const {
+/// 1/s: how fast forces change along its way, w of a'' = -w^2 a.
+Real TouchingMotion::swing(const At& at, Real dt) const {
+  const Real size = std::max(size_[0], size_[1]), way = dt * (at.v.norm() + at.omega.norm() * size);
+  if (!of_.varying || !(way > 0)) return 0;
+  const At then = {at.x + dt * at.v, at.v, at.omega, normalized(exp_map(dt * at.omega) * at.q)};
+  Vec3 a[2], alpha[2];
+  for (int k = 0; k < 2; ++k) {
+    const At& of = k == 0 ? at : then;
+    a[k] = alpha[k] = Vec3::zero();
+    of_.varying.add(world_, trial_, of.x, of.q, of.v, of.omega, a[k], alpha[k]);
+  }
+  return std::sqrt(((a[1] - a[0]).norm() + (alpha[1] - alpha[0]).norm() * size) / way);
+}
+
+bool TouchingMotion::pace(const At& at, Real dt, Real& seconds) const {
   Ends e;
   if (!travelling(at, e)) return false;
-  Real rate = at.omega.norm();
+  Real rate = std::max({at.omega.norm(), of_.varying.rate, swing(at, dt)});
   for (int i = 0; i < kMostEnds; ++i) {
     const Real far = is_active(i) ? e.r[i].norm() : 0;
     if (far > 0) rate = std::max(rate, e.travel[i].norm() / far);
@@ -269,7 +298,10 @@ bool TouchingMotion::rate(const At& at, Rate& to) const {
 bool TouchingMotion::rate(const At& at, const Ends& e, Rate& to) const {
   const Mat3 turn = at.q.matrix(), inv = turn * inv_inertia_ * turn.transpose();
   const Vec3 spun = turn * (inertia_ * (turn.transpose() * at.omega));
-  const Vec3 free = inv * (of_.torque - at.omega.cross(spun));
+  Vec3 accel = of_.accel, free = inv * (of_.torque - at.omega.cross(spun)), alpha = Vec3::zero();
+  if (of_.varying) of_.varying.add(world_, trial_, at.x, at.q, at.v, at.omega, accel, alpha), free += alpha;
+  to.work = mass_ * accel.dot(at.v) + of_.torque.dot(at.omega);
+  if (of_.varying) to.work += (turn * (inertia_ * (turn.transpose() * alpha))).dot(at.omega);
   Rows rows;
   if (!add_rows(at, e.r, true, rows)) return false;
   Real force[6];
@@ -277,7 +309,7 @@ bool TouchingMotion::rate(const At& at, const Ends& e, Rate& to) const {
     const int end = rows.at[i].end;
     const FlatTouch& touch = of_.touches[end / 2];
     const Vec3 surface = touch.surface_spin.cross(at.v + e.travel[end] - touch.surface_v);
-    force[i] = rows.at[i].d.dot(surface - at.omega.cross(e.travel[end]) - of_.accel - free.cross(e.r[end]));
+    force[i] = rows.at[i].d.dot(surface - at.omega.cross(e.travel[end]) - accel - free.cross(e.r[end]));
   }
   if (!respond(rows, inv, e.r, force)) return false;
   Vec3 push = Vec3::zero(), moment = Vec3::zero();
@@ -290,7 +322,7 @@ bool TouchingMotion::rate(const At& at, const Ends& e, Rate& to) const {
     if (row.along == Along::normal) to.load[row.end / 2] = std::min(to.load[row.end / 2], force[i]);
   }
   if (pulled(to.load) < 0 && !friction_bears(rows, force)) return false;
-  to.x = at.v, to.v = of_.accel + push / mass_, to.omega = free + inv * moment;
+  to.x = at.v, to.v = accel + push / mass_, to.omega = free + inv * moment;
   to.q = 0.5 * (Quat(0, at.omega.x(), at.omega.y(), at.omega.z()) * at.q);
   return true;
 }
@@ -314,6 +346,7 @@ bool TouchingMotion::run(At& at, Real h, Rate& mean, Ends& begun) const {
   };
   mean.x = weigh(a.x, b.x, c.x, d.x), mean.v = weigh(a.v, b.v, c.v, d.v);
   mean.omega = weigh(a.omega, b.omega, c.omega, d.omega), mean.q = weigh(a.q, b.q, c.q, d.q);
+  mean.work = weigh(a.work, b.work, c.work, d.work);
   for (int i = 0; i < kMostEnds; ++i) mean.force[i] = weigh(a.force[i], b.force[i], c.force[i], d.force[i]);
   for (int k = 0; k < of_.count; ++k)
     mean.load[k] = std::min(std::min(a.load[k], b.load[k]), std::min(c.load[k], d.load[k]));
@@ -321,7 +354,8 @@ bool TouchingMotion::run(At& at, Real h, Rate& mean, Ends& begun) const {
   return at.x.all_finite() && at.omega.all_finite();
 }
 
-void TouchingMotion::note_impulses(const Rate& mean, Real h) {
+void TouchingMotion::note(const Rate& mean, Real h) {
+  work_ += h * mean.work;
   for (int i = 0; i < kMostEnds; ++i)
     if (is_active(i)) impulse_[i] += h * mean.force[i];
 }
@@ -337,9 +371,9 @@ TouchingMotion::Outcome TouchingMotion::advance(At& at, Real h, int& opened) {
   if (!ends(next.q, r)) return Outcome::fails;
   for (int i = 0; i < kMostEnds; ++i)
     if (is_active(i) && !((r[i] - (begun.r[i] + h * begun.travel[i])).norm() <=
-                          kRollJump * (h * begun.travel[i].norm() + kRollStep * size_)))
+                          kRollJump * (h * begun.travel[i].norm() + kRollStep * size(i / 2))))
       return Outcome::fails;
-  note_impulses(mean, h);
+  note(mean, h);
   at = next;
   return Outcome::moved;
 }
@@ -361,7 +395,7 @@ bool TouchingMotion::advance_to_opening(At& at, Real& h, int opened) {
   Rate mean;
   Ends begun;
   if (!run(at, h, mean, begun)) return false;
-  note_impulses(mean, h);
+  note(mean, h);
   return true;
 }
 

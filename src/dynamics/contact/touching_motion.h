@@ -6,7 +6,7 @@
 //
 //   m a = F + f,   I w' + w x I w = T + r x f,   d . (a + w' x r + w x r') = d . s'
 //
-// r: from the centre of mass to a place that touches; r': its change as the body turns; s: velocity of the surface
+// F, T: all forces of the table of effects, asked at each stage where the body then is (force/trial.h). r: from the centre of mass to a place that touches; r': its change as the body turns; s: velocity of the surface
 // there; d: the normal, and for what friction holds two tangents (at the far end of a line the one across it: along it
 // both ends go alike). What slides has no tangents: f is against its slip, friction times the load.
 #pragma once
@@ -14,14 +14,14 @@
 #include "collision/shape.h"
 #include "core/constant.h"
 #include "core/pose.h"
+#include "dynamics/force/trial.h"
 
 namespace carom::dynamics {
 
-class World;
-
 inline constexpr Constant<Real> kRollStep{
     "roll_step", 0.1, "rad",
-    "by which a lone roller turns, or its point travels around it, in a step of the fourth-order method",
+    "by which a lone roller turns, its point travels around it, or forces on it swing it, in a step of the "
+    "fourth-order method",
     "larger: spinning coins gain or lose energy; smaller: they cost more"};
 inline constexpr Constant<Real> kRollProbe{
     "roll_probe", 1e-4, "rad", "of the two turns by whose support points the path of the touching point is found",
@@ -50,7 +50,7 @@ inline constexpr ConstantRow kTouchingMotionConstants[] = {kRollStep,   kRollPro
 struct FlatTouch {
   std::uint32_t row, rows;           // of its pair: the first, how many
   std::uint32_t deepest, other_end;  // rows: where it stands; of a line the far end
-  std::uint32_t surface;             // collider
+  std::uint32_t collider, surface;   // of the body; below
   Vec3 n;                            // unit, world, from the surface into the body
   Vec3 on_plane;                     // m, a point of the surface
   Vec3 along;                        // unit, world: of the line that touches, from `deepest`; zero: a point touches
@@ -63,12 +63,13 @@ struct FlatTouch {
 /// A body that touches flat surfaces and nothing else, as its step begins.
 struct TouchingBody {
   static constexpr int kMost = 2;
-  std::uint32_t body, collider;
+  std::uint32_t body;
   int count = 0;
   FlatTouch touches[kMost];
   Vec3 x, v, omega;
   Quat q;
-  Vec3 accel, torque;  // m/s^2 of forces; N m, world
+  Vec3 accel, torque;   // m/s^2 of forces; N m, world: of those that are the same all step long
+  ForcesOnOne varying;  // the others
 };
 
 /// Its equation of motion.
@@ -84,7 +85,8 @@ class TouchingMotion {
   enum class Grip : std::uint8_t { holds, slides, opened };
   enum class Outcome : std::uint8_t { moved, fails, opens };
 
-  TouchingMotion(const World& world, const TouchingBody& of);
+  /// @param trial  where forces are asked
+  TouchingMotion(const World& world, const TouchingBody& of, Trial& trial);
 
   void grip(int touch, Grip grip) { grip_[touch] = grip; }
   Grip grip(int touch) const { return grip_[touch]; }
@@ -92,6 +94,10 @@ class TouchingMotion {
   bool touches_anything() const { return is_active(0) || is_active(2); }
   Real mass() const { return mass_; }
   Real energy(const At& at) const;
+  /// J, of forces, of all that was advanced.
+  Real work() const { return work_; }
+  /// m/s^2 of forces.
+  Vec3 accel(const At& at) const;
 
   /// m, from the centre of mass to what touches, of all that has not come off.
   bool ends(const Quat& q, Vec3 r[kMostEnds]) const;
@@ -111,8 +117,9 @@ class TouchingMotion {
   /// What slides is to go on the way that it does now.
   /// @param least  m/s, for each unit of friction. @return whether it slides faster
   bool note_slips(const At& at, Real least);
-  /// s: how long it takes to turn, or for its point to travel, by a radian; at rest infinite.
-  bool pace(const At& at, Real& seconds) const;
+  /// s: how long it takes to turn, for its point to travel, or for forces to swing it, by a radian; at rest infinite.
+  /// @param dt  s, over whose way forces are probed
+  bool pace(const At& at, Real dt, Real& seconds) const;
   /// By the classical fourth-order method. `opens`: a touch is pulled by then; nothing has moved.
   Outcome advance(At& at, Real h, int& opened);
   /// The touch is pulled at the end of h: up to where its load is 0, which is h then.
@@ -139,6 +146,7 @@ class TouchingMotion {
   struct Rate {
     Vec3 x, v, omega;
     Quat q;
+    Real work;  // W, of forces
     Vec3 force[kMostEnds];
     Real load[TouchingBody::kMost];  // N, the least of a touch's ends
   };
@@ -146,7 +154,9 @@ class TouchingMotion {
     const int touch = end / 2;
     return touch < of_.count && grip_[touch] != Grip::opened && (end % 2 == 0 || of_.touches[touch].is_line());
   }
-  bool support(const Mat3& turn, const Vec3& direction, Vec3& r) const;
+  /// m: how large the body is about its centre, by what touches.
+  Real size(int touch) const { return size_[touch]; }
+  bool support(const Mat3& turn, const FlatTouch& touch, const Vec3& direction, Vec3& r) const;
   bool line_ends(const Mat3& turn, const FlatTouch& touch, Vec3& near, Vec3& far) const;
   bool travelling(const At& at, Ends& ends) const;
   Mat3 inverse_inertia(const Quat& q) const;
@@ -154,6 +164,7 @@ class TouchingMotion {
     return touch.surface_v + touch.surface_spin.cross(p - touch.surface_x);
   }
   Vec3 slip(const At& at, const Vec3& r, int touch) const;
+  Real swing(const At& at, Real dt) const;
   Vec3 resistance(const FlatTouch& touch, const Vec3& omega) const;
   bool add_rows(const At& at, const Vec3 r[kMostEnds], bool with_friction, Rows& rows) const;
   bool respond(const Rows& rows, const Mat3& inv, const Vec3 r[kMostEnds], Real wanted[6]) const;
@@ -161,16 +172,16 @@ class TouchingMotion {
   bool rate(const At& at, const Ends& ends, Rate& to) const;
   bool friction_bears(const Rows& rows, const Real force[6]) const;
   bool run(At& at, Real h, Rate& mean, Ends& begun) const;
-  void note_impulses(const Rate& mean, Real h);
+  void note(const Rate& mean, Real h);
   int pulled(const Real load[TouchingBody::kMost]) const;
 
+  const World& world_;
   const TouchingBody& of_;
-  const collision::Shape& shape_;
-  const Frame& local_;
+  Trial& trial_;
   const Real mass_;
   const Mat3& inertia_;
   const Mat3& inv_inertia_;
-  const Real size_;
+  Real size_[TouchingBody::kMost] = {0, 0}, work_ = 0;
   Grip grip_[TouchingBody::kMost] = {Grip::holds, Grip::holds};
   Vec3 slips_[kMostEnds], impulse_[kMostEnds];
 };

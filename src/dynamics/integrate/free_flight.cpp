@@ -7,6 +7,7 @@
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/contact.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/ledger/accounts.h"
 #include "dynamics/ledger/ledger.h"
 
@@ -61,6 +62,7 @@ void find_bound(const World& world, FreeFlight& flight) {
   });
   flight.watched.clear();
   if (world.continuous->bodies.empty()) return;
+  if (world.rattle && world.rattle->is_hidden) tie(world.rattle->held);  // whom no list has, but `solid`
   find_watched(world, flight);
   tie(plan.solid);
 }

@@ -34,25 +34,29 @@ struct JointAxis {
   Real lower = 0, upper = 0;  // m or rad; locked at lower
   AxisPull stop;              // of a limit; off: it is hard
   AxisDrive drive = AxisDrive::none;
-  AxisPull gains;              // of a drive to a position
-  Real target = 0;             // m or rad
-  Real speed = 0;              // m/s or rad/s: of a drive to a velocity, and of a target that moves
-  Real effort = 0;             // N or N m
-  Real max_force = kInfinity;  // N or N m: of the drive
-  AxisPull spring;             // beside the drive
-  Real rest = 0;               // m or rad
-  Real friction = 0;           // N or N m, against any motion along the axis
-  Real armature = 0;           // kg or kg m^2, of a rotor that turns as the axis does
+  AxisPull gains;                 // of a drive to a position
+  Real target = 0;                // m or rad
+  Real speed = 0;                 // m/s or rad/s: of a drive to a velocity, and of a target that moves
+  Real effort = 0;                // N or N m
+  Real max_force = kInfinity;     // N or N m: of the drive
+  AxisPull spring;                // beside the drive
+  Real rest = 0;                  // m or rad
+  Real friction = 0;              // N or N m, against any motion along the axis
+  Real armature = 0;              // kg or kg m^2, of a rotor that turns as the axis does
+  Real effort_limit = kInfinity;  // N or N m: of all drives of the axis together
+  Real speed_limit = kInfinity;   // m/s or rad/s: of the axis itself, either way, whatever it takes
 
   bool is_locked() const {
     return mode == AxisMode::locked || (mode == AxisMode::limited && lower == upper && !stop.on());
   }
+  bool is_paced() const { return speed_limit < kInfinity && !is_locked(); }
   bool is_limited() const { return mode == AxisMode::limited && !is_locked(); }
   bool operator==(const JointAxis&) const = default;
 };
 
 /// What acts along an axis.
-enum AxisSource : std::uint8_t { kOfDrive, kOfSpring, kOfLimit, kOfFriction, kOfRotor, kAxisSources };
+enum AxisSource : std::uint8_t { kOfDrive, kOfSpring, kOfLimit, kOfFriction, kOfRotor, kOfSpeed, kAllAxisSources };
+inline constexpr int kAxisSources = kOfSpeed;  // whose impulses are kept
 
 struct JointAxes {
   std::array<JointAxis, kAxes> axis;

@@ -175,6 +175,7 @@ void place_axes(const JointRun& run, JointLanes& joint) {
     else if (c < kFirstTurn)
       placing.axis(c - kFirstAxis, drives[k].row);
     if (joint.layout.drive[k].kind == DriveKind::rotor) turn_rotor(drives[k]);
+    if (joint.layout.drive[k].kind == DriveKind::pace) drives[k].row.error = all(0);
     weigh<false>(joint, locks, nullptr, rows, drives[k]);
     if (acts_once(joint.layout.drive[k].kind) && c >= kFirstAxis) find_pull(axes.pull[k], drives[k]);
   }

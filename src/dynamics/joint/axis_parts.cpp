@@ -47,6 +47,7 @@ void each_row_of(const JointAxis& a, const Joint& joint, F&& f) {
   if (a.is_limited() && !joint.without_limits) f(kOfLimit, a.stop.on() ? DriveKind::stop : DriveKind::limit);
   if (a.friction > 0) f(kOfFriction, DriveKind::motor);
   if (a.armature > 0) f(kOfRotor, DriveKind::rotor);
+  if (a.is_paced() && !joint.without_limits) f(kOfSpeed, DriveKind::pace);
 }
 
 bool turns_as_one(const Joint& joint, const JointAxes& axes) {
@@ -80,11 +81,11 @@ AxisOffsets offsets_of(const JointAxes& axes) {
   return off;
 }
 
-static_assert(kMostDriveRows == kAxes * kAxisSources + 3, "all that acts along axes, and a drive to an orientation");
+static_assert(kMostDriveRows == kAxes * kAllAxisSources + 3, "all that acts along axes, and a drive to an orientation");
 
 void add_axis_drives(const Joints& joints, const Joint& joint, JointLayout& layout) {
   const JointAxes& axes = joints.axes_of(joint);
-  layout.axed = joint.def.kind == JointKind::six_axis;
+  layout.axed = joint.axes != 0;
   const auto add = [&](std::uint32_t coordinate, DriveKind kind, std::uint8_t source) {
     layout.drive[layout.drives++] = {static_cast<std::uint8_t>(coordinate), kind, source};
   };
@@ -103,7 +104,8 @@ std::uint64_t turn_key(const Joint& joint, const JointAxes& axes) {
 }
 
 std::uint64_t axes_key(const Joints& joints, const Joint& joint) {
-  constexpr std::uint32_t kBits = 9;  // of an axis: locked; drive, spring, limit of two kinds each; friction; rotor
+  constexpr std::uint32_t kBits =
+      9;  // of an axis: locked; drive of two kinds; spring; speed; limit of two kinds; friction; rotor
   const JointAxes& axes = joints.axes_of(joint);
   std::uint64_t key = std::uint64_t(1) << 63 | turn_key(joint, axes);
   for (std::uint32_t k = 0; k < kAxes; ++k) {
@@ -111,7 +113,10 @@ std::uint64_t axes_key(const Joints& joints, const Joint& joint) {
     if (a.is_locked()) key |= std::uint64_t(1) << (kBits * k);
     each_row_of(a, joint, [&](AxisSource source, DriveKind kind) {
       const bool is_other = kind == DriveKind::motor || kind == DriveKind::stop;
-      const std::uint32_t bit = source == kOfFriction ? 7 : source == kOfRotor ? 8 : 1 + 2 * source + is_other;
+      const std::uint32_t bit = source == kOfFriction ? 7
+                                : source == kOfRotor  ? 8
+                                : source == kOfSpeed  ? 4
+                                                      : 1 + 2 * source + is_other;
       key |= std::uint64_t(1) << (kBits * k + bit);
     });
   }
@@ -126,7 +131,7 @@ DrivenAxes driven_axes(const Joints& joints, const Joint& joint) {
   const JointAxes& axes = joints.axes_of(joint);
   DrivenAxes any = {false, turns_as_one(joint, axes)};
   for (const JointAxis& a : axes.axis) {
-    any.limited |= a.is_limited();
+    any.limited |= a.is_limited() || a.is_paced();
     any.driven |= !a.is_locked() && (a.drive != AxisDrive::none || a.friction > 0 || a.armature > 0);
   }
   return any;

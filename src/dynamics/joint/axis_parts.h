@@ -28,8 +28,17 @@ AxisOffsets offsets_of(const JointAxes& axes);
 /// Rows of what drives, springs and limits axes, and of a drive to an orientation.
 void add_axis_drives(const Joints& joints, const Joint& joint, JointLayout& layout);
 /// Parts of layout_key().
+inline constexpr std::uint64_t kOwnDrive = std::uint64_t(1)
+                                           << 54;  // and the next: motor, spring, limit of a hinge or slider
 std::uint64_t axes_key(const Joints& joints, const Joint& joint);
 std::uint64_t turn_key(const Joint& joint, const JointAxes& axes);
+
+/// Where the impulse of a drive's row is kept between steps.   @param k  the row, of its layout
+Real& impulse_of(JointAxes* axes, Joint& joint, const DriveRow& row, std::uint32_t k);
+Real kept_impulse(const JointAxes& axes, const Joint& joint, const DriveRow& row, std::uint32_t k);
+
+/// N or N m, the most that a drive may give for the limit of its axis: an even share of it.
+Real share_of_limit(const JointAxes& axes, const Joint& joint, const DriveRow& row);
 
 struct DrivenAxes {
   bool limited, driven;

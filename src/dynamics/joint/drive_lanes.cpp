@@ -14,9 +14,18 @@ namespace {
 
 constexpr Real kPushesOn = 1e30;  // m/s or rad/s: never reached, so that a motor is a force
 
+/// N or N m: what each drive of an axis may do, of what they may do together. Where several act they share it, for their
+/// bounds are known before what they do.
+Real share_of_limit(const JointAxis& a, const JointDrive& own) {
+  const int drives =
+      (a.drive != AxisDrive::none && (a.drive != AxisDrive::position || a.gains.on())) + own.motor.on + own.spring.on;
+  return a.effort_limit / std::max(1, drives);
+}
+
 /// Of a coordinate of a kind.
-void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, bool again, JointDriveLanes& drive,
-                int lane) {
+/// @param most  N or N m, of each of its drives
+void fill_drive(const Joint& joint, const DriveRow& row, Real most, Real start_p, Real h, bool again,
+                JointDriveLanes& drive, int lane) {
   const JointDrive& d = joint.drive[row.coordinate];
   drive.row.p[lane] = start_p;
   drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
@@ -24,18 +33,19 @@ void fill_drive(const Joint& joint, const DriveRow& row, Real start_p, Real h, b
   switch (row.kind) {
     case DriveKind::motor:
       drive.speed[lane] = d.motor.speed;
-      drive.max_impulse[lane] = d.motor.max_force * (again ? h / 2 : h);
+      drive.max_impulse[lane] = std::min(d.motor.max_force, most) * (again ? h / 2 : h);
       break;
     case DriveKind::spring: {
       const Spring spring = spring_of(d.spring.frequency, d.spring.damping, h);
       drive.lower[lane] = drive.upper[lane] = d.spring.target;
       drive.pull[lane] = spring.pull, drive.drag[lane] = spring.drag;
-      drive.max_impulse[lane] = d.spring.max_force * h;
+      drive.max_impulse[lane] = std::min(d.spring.max_force, most) * h;
       break;
     }
     case DriveKind::limit:
     case DriveKind::stop:
-    case DriveKind::rotor:  // both of axes alone
+    case DriveKind::rotor:
+    case DriveKind::pace:  // all three of axes alone
       drive.lower[lane] = d.limit.lower, drive.upper[lane] = d.limit.upper;
       break;
   }
@@ -73,15 +83,17 @@ struct RowFill {
   AxesLanes::Pull& pull;
   int lane;
   Real rotor;  // m/s or rad/s
+  Real most;   // N or N m, of each drive
 };
 
-void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
+void fill_axis(const JointAxis& a, const Joint& joint, const DriveRow& row, RowFill to) {
+  to.most = share_of_limit(a, own_drive(joint));
   const int springs = std::max(1, (a.drive == AxisDrive::position) + a.spring.on() + (a.is_limited() && a.stop.on()));
   switch (row.source) {
     case kOfDrive:
       if (row.kind == DriveKind::motor)
-        return fill_motor(a.drive, a.speed, a.effort, a.max_force, to.half, to.drive, to.lane);
-      fill_spring(a.target, a.speed, a.max_force, to.h, to.drive, to.lane);
+        return fill_motor(a.drive, a.speed, a.effort, std::min(a.max_force, to.most), to.half, to.drive, to.lane);
+      fill_spring(a.target, a.speed, std::min(a.max_force, to.most), to.h, to.drive, to.lane);
       return fill_pull(a.gains, to.h, springs, to.pull, to.lane);
     case kOfSpring:
       fill_spring(a.rest, 0, kInfinity, to.h, to.drive, to.lane);
@@ -92,6 +104,9 @@ void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
       to.drive.speed[to.lane] = to.rotor;
       to.pull.per_mass[to.lane] = to.pull.stiffness[to.lane] = to.pull.stiffest[to.lane] = 0;
       to.pull.damping[to.lane] = a.armature;
+      return;
+    case kOfSpeed:
+      to.drive.lower[to.lane] = -a.speed_limit * to.h, to.drive.upper[to.lane] = a.speed_limit * to.h;
       return;
     default:
       to.drive.lower[to.lane] = a.lower, to.drive.upper[to.lane] = a.upper;
@@ -107,18 +122,6 @@ void fill_turn(const TurnDrive& d, const DriveRow& row, const RowFill& to) {
   fill_pull(d.gains, to.h, 1, to.pull, to.lane);
 }
 
-/// Where the impulse of a row is kept between steps.
-Real& impulse_of(JointAxes* axes, Joint& joint, const DriveRow& row, std::uint32_t k) {
-  if (row.coordinate >= kFirstTurn) return joint.turn.p[row.coordinate - kFirstTurn];
-  if (row.coordinate >= kFirstAxis) return axes->p[row.coordinate - kFirstAxis][row.source];
-  return joint.drive_p[k];
-}
-Real kept_impulse(const JointAxes& axes, const Joint& joint, const DriveRow& row, std::uint32_t k) {
-  if (row.coordinate >= kFirstTurn) return joint.turn.p[row.coordinate - kFirstTurn];
-  if (row.coordinate >= kFirstAxis) return axes.p[row.coordinate - kFirstAxis][row.source];
-  return joint.drive_p[k];
-}
-
 /// m/s or rad/s: what a host does to the bodies' velocities it does to the rotor's.
 Real speed_of_rotor(const World& world, const Joint& joint, const DriveRow& row) {
   const std::uint32_t axis = row.coordinate - kFirstAxis;
@@ -126,6 +129,24 @@ Real speed_of_rotor(const World& world, const Joint& joint, const DriveRow& row)
 }
 
 }  // namespace
+
+Real share_of_limit(const JointAxes& axes, const Joint& joint, const DriveRow& row) {
+  if (!joint.axes || row.coordinate >= kFirstTurn) return kInfinity;
+  if (row.coordinate >= kFirstAxis) return share_of_limit(axes.axis[row.coordinate - kFirstAxis], own_drive(joint));
+  return share_of_limit(axes.axis[own_axis(joint.def.kind)], joint.drive[row.coordinate]);
+}
+
+Real& impulse_of(JointAxes* axes, Joint& joint, const DriveRow& row, std::uint32_t k) {
+  if (row.coordinate >= kFirstTurn) return joint.turn.p[row.coordinate - kFirstTurn];
+  if (row.coordinate >= kFirstAxis) return axes->p[row.coordinate - kFirstAxis][row.source];
+  return joint.drive_p[k];
+}
+Real kept_impulse(const JointAxes& axes, const Joint& joint, const DriveRow& row, std::uint32_t k) {
+  if (row.kind == DriveKind::pace) return 0;
+  if (row.coordinate >= kFirstTurn) return joint.turn.p[row.coordinate - kFirstTurn];
+  if (row.coordinate >= kFirstAxis) return axes.p[row.coordinate - kFirstAxis][row.source];
+  return joint.drive_p[k];
+}
 
 void fill_drives(const World& world, const Joint& joint, const DriveStart& start, WideJoints& w, JointLanes& lanes,
                  int lane) {
@@ -136,17 +157,18 @@ void fill_drives(const World& world, const Joint& joint, const DriveStart& start
     JointDriveLanes& drive = w.drives[lanes.first_drive + k];
     const Real p = start.scale * kept_impulse(axes, joint, row, k);
     if (row.coordinate < kFirstAxis) {
-      fill_drive(joint, row, p, start.h, start.again, drive, lane);
+      fill_drive(joint, row, share_of_limit(axes, joint, row), p, start.h, start.again, drive, lane);
       continue;
     }
     drive.row.p[lane] = row.kind == DriveKind::rotor ? 0 : p;
     drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
     drive.max_impulse[lane] = kInfinity;
-    const RowFill to = {start.h, start.again ? start.h / 2 : start.h,
-                        drive,   lanes.axed ? w.axes[lanes.axed - 1].pull[k] : none,
-                        lane,    row.kind == DriveKind::rotor ? speed_of_rotor(world, joint, row) : 0};
+    const RowFill to = {start.h,  start.again ? start.h / 2 : start.h,
+                        drive,    lanes.axed ? w.axes[lanes.axed - 1].pull[k] : none,
+                        lane,     row.kind == DriveKind::rotor ? speed_of_rotor(world, joint, row) : 0,
+                        kInfinity};
     if (row.coordinate < kFirstTurn)
-      fill_axis(axes.axis[row.coordinate - kFirstAxis], row, to);
+      fill_axis(axes.axis[row.coordinate - kFirstAxis], joint, row, to);
     else
       fill_turn(joint.turn, row, to);
   }
@@ -158,6 +180,7 @@ void keep_drives(const World& world, Joints& joints, Joint& joint, const WideJoi
   for (std::uint32_t k = 0; k < lanes.layout.drives; ++k) {
     const DriveRow& row = lanes.layout.drive[k];
     const JointDriveLanes& drive = w.drives[lanes.first_drive + k];
+    if (row.kind == DriveKind::pace) continue;
     Real& kept = impulse_of(axes, joint, row, k);
     kept = drive.row.p[lane];
     if (row.kind != DriveKind::rotor) continue;

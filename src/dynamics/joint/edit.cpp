@@ -3,6 +3,7 @@
 
 #include "dynamics/events/events.h"
 #include "dynamics/joint/parts.h"
+#include "dynamics/joint/tree/joint_moves.h"
 #include "dynamics/joint/turns.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
@@ -29,6 +30,25 @@ std::uint32_t& link_of(Joints& joints, std::uint32_t body, std::uint32_t slot) {
     link = j.def.body_a == body ? &j.next_a : &j.next_b;
   }
   return *link;
+}
+
+/// What a host sets of a hinge or slider is an axis of it. Its others are locked, so its rows are those of its kind.
+void give_axes(Joints& joints, std::uint32_t slot) {
+  Joint& joint = joints.joint[slot];
+  JointAxes& axes = joints.axes.emplace_back();
+  axes.owner = slot;
+  if (joint.def.kind != JointKind::six_axis)
+    for (std::uint32_t k = 0; k < kAxes; ++k)
+      if (k != own_axis(joint.def.kind)) axes.axis[k].mode = AxisMode::locked;
+  joint.axes = static_cast<std::uint32_t>(joints.axes.size());
+}
+void take_axes(Joints& joints, Joint& joint) {
+  JointAxes* const axes = joints.axes_of(joint);
+  if (!axes) return;
+  *axes = joints.axes.back();  // the last takes its place
+  joints.joint[axes->owner].axes = joint.axes;
+  joints.axes.pop_back();
+  joint.axes = 0;
 }
 
 /// @param before  the key of its layout, as it was
@@ -63,12 +83,18 @@ void World::fill_joint(std::uint32_t slot, const JointDef& def) {
   Joint& joint = joints.joint[slot] = Joint{};
   joint.def = def;
   if (def.kind == JointKind::gear) joint.transmission.ratio = 1;
-  if (def.kind == JointKind::six_axis) {
-    joints.axes.emplace_back().owner = slot;
-    joint.axes = static_cast<std::uint32_t>(joints.axes.size());
-  }
+  joints.measured += def.measured;
+  if (def.kind == JointKind::six_axis) give_axes(joints, slot);
   joint.def.frame_a.q = normalized(def.frame_a.q), joint.def.frame_b.q = normalized(def.frame_b.q);
   if (parts(def)) scene.joined.add(def.body_a, def.body_b);
+}
+
+void World::move_joints(const JointMoves& moves) {
+  moves.each_body(*this, [&](std::uint32_t body, const Pose& pose, const Vec3& v, const Vec3& omega, bool turns) {
+    if (turns) set_pose(body, pose);
+    set_velocity(body, v, omega);
+  });
+  moves.each_count([&](std::uint32_t j, const Vec3& turned) { joints.joint[j].turned = turned; });
 }
 
 void World::remove_joint(std::uint32_t slot) {
@@ -77,12 +103,8 @@ void World::remove_joint(std::uint32_t slot) {
   if (joint.def.body_a != kInvalid) link_of(joints, joint.def.body_a, slot) = joint.next_a;
   if (joint.def.body_b != kInvalid) link_of(joints, joint.def.body_b, slot) = joint.next_b;
   if (!joint.broken) unpart(scene.joined, joint.def);
-  if (JointAxes* const axes = joints.axes_of(joint)) {
-    *axes = joints.axes.back();  // the last takes its place
-    joints.joint[axes->owner].axes = joint.axes;
-    joints.axes.pop_back();
-    joint.axes = 0;
-  }
+  joints.measured -= joint.def.measured;
+  take_axes(joints, joint);
   joints.slots.release(slot);
   ++scene.revision;
 }
@@ -99,10 +121,19 @@ void World::set_joint_drive(std::uint32_t slot, Coordinate c, const JointDrive& 
 void World::set_joint_axis(std::uint32_t slot, std::uint32_t axis, const JointAxis& to) {
   Joint& joint = joints.joint[slot];
   const std::uint64_t before = layout_key(joints, joint);
+  const bool has_own = joint.def.kind == JointKind::six_axis || !(to == JointAxis());
+  if (has_own && !joint.axes) reserve_slot(joints.axes.size(), joints.axes);
   wake_both(*this, joint.def);
-  joints.axes_of(joint)->axis[axis] = to;
+  keep_axes(slot, has_own);
+  if (has_own) joints.axes_of(joint)->axis[axis] = to;
   recount(*this, joint);
   mark_layout(*this, joint, before);
+}
+
+void World::keep_axes(std::uint32_t slot, bool any) {
+  Joint& joint = joints.joint[slot];
+  if (any && !joint.axes) give_axes(joints, slot);
+  if (!any) take_axes(joints, joint);
 }
 
 void World::set_joint_turn(std::uint32_t slot, const TurnDrive& to) {

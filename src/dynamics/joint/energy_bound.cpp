@@ -62,7 +62,8 @@ void find_drives(const World& world, WideJoints& w) {
     if (!link.moves_a) meet(group, link.a, get(joint.start_a, w.place[i].lane).norm());
     if (!link.moves_b) meet(group, link.b, get(joint.start_b, w.place[i].lane).norm());
     for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
-      group.is_driven |= joint.layout.drive[k].kind != DriveKind::limit;
+      group.is_driven |=
+          joint.layout.drive[k].kind != DriveKind::limit && joint.layout.drive[k].kind != DriveKind::pace;
   }
   for (const ContactPair& m : c.contact_pairs) {
     GroupBound& group = w.bounds[c.label[m.row]];

@@ -74,6 +74,7 @@ struct JointDef {
   Pose frame_a, frame_b;                                   // joint -> body frame (origin as the host gave it)
   Real length = 0;                                         // m, of a distance joint
   bool collide = false;                                    // its bodies may touch each other
+  bool measured = false;                                   // each step notes its accelerations
   Real break_force = kInfinity, break_torque = kInfinity;  // N, N m, mean over a step
   std::uint64_t user = 0;
 };
@@ -87,6 +88,8 @@ struct Transmission {
   // the gear was set. No pose says how often a body has turned: this is kept along.
   Real phase = 0;  // rad
 };
+
+using AxisRates = std::array<Real, kAxes>;  // m/s and rad/s, by axis, or how fast those change
 
 inline constexpr int kMostEqualities = 6;
 inline constexpr int kMostDrives = 4;  // rows that limit, drive or spring, of one joint
@@ -105,10 +108,21 @@ struct Joint {
   Vec3 force = Vec3::zero();                           // N, world, on B, mean over the last step
   Vec3 torque = Vec3::zero();                          // N m, world, on B about its point, likewise
   std::uint32_t next_a = kInvalid, next_b = kInvalid;  // the next joint of each body
-  std::uint32_t axes = 0;                              // in Joints::axes, from 1; 0: it is no six-axis joint
+  std::uint32_t axes = 0;                              // in Joints::axes, from 1; 0: no axis has properties of its own
   TurnDrive turn;                                      // of a ball, or of a six-axis joint that may turn any way
   Vec3 turned = Vec3::zero();  // rad: twist, and swing about y and z of six axes, as counted last, @see turns.h
+  AxisRates acceleration{};  // m/s^2 and rad/s^2, if it is measured: what the last step did to its rates, over its time
 };
+
+/// The axis along or about which a hinge or slider moves, and what acts there apart from it; of other kinds X, and nothing.
+inline std::uint32_t own_axis(JointKind kind) { return kind == JointKind::hinge ? kPlaces : 0; }
+inline const JointDrive& own_drive(const Joint& joint) {
+  static constexpr JointDrive kNone{};
+  const bool turns = joint.def.kind == JointKind::hinge;
+  return turns || joint.def.kind == JointKind::slider
+             ? joint.drive[static_cast<std::size_t>(turns ? Coordinate::twist : Coordinate::slide)]
+             : kNone;
+}
 
 /// Of a joint that has none: all are free.
 inline constexpr JointAxes kFreeAxes{};
@@ -118,8 +132,9 @@ struct Joints {
 
   SlotPool slots;
   Array<Joint> joint;          // by slot
-  Array<JointAxes> axes;       // of six-axis joints, in no order
+  Array<JointAxes> axes;       // of six-axis joints, and of hinges and sliders whose axis a host has set; in no order
   Array<std::uint32_t> first;  // by body slot: its first joint, or kInvalid; empty until there is a joint
+  std::uint32_t measured = 0;  // joints whose accelerations steps note
 
   bool alive(std::uint32_t slot) const { return slots.alive(slot); }
   const JointAxes& axes_of(const Joint& j) const { return j.axes ? axes[j.axes - 1] : kFreeAxes; }

@@ -29,7 +29,18 @@ enum class JointPart : std::uint8_t {
   across_y,     // 1: B's x axis stays at right angles to A's y axis: no swing about z
   across_z      // 1: to A's z axis: no swing about y
 };
-enum class DriveKind : std::uint8_t { motor, spring, limit, stop, rotor };  // in the order in which they are visited
+enum class DriveKind : std::uint8_t {
+  motor,
+  spring,
+  limit,
+  stop,
+  rotor,
+  pace
+};  // in the order in which they are visited
+/// Whether a row is of a place; others are of a speed alone.
+CAROM_LANES_INLINE bool has_place(DriveKind kind) {
+  return kind == DriveKind::spring || kind == DriveKind::limit || kind == DriveKind::stop;
+}
 /// Whether all of what a row does in a substep is done at once, by a law of where that began.
 CAROM_LANES_INLINE bool acts_once(DriveKind kind) {
   return kind == DriveKind::spring || kind == DriveKind::stop || kind == DriveKind::rotor;
@@ -42,7 +53,7 @@ struct DriveRow {
 inline constexpr int kFirstAxis = 4;   // coordinates of rows: six axes, then
 inline constexpr int kFirstTurn = 10;  // the three components of what is left of a turn to an orientation
 
-inline constexpr int kMostParts = 6, kMostRows = 6, kMostDriveRows = 33;
+inline constexpr int kMostParts = 6, kMostRows = 6, kMostDriveRows = 39;
 
 /// The rows of a joint: those of its parts, then its drives. Joints that share lanes have the same.
 struct JointLayout {

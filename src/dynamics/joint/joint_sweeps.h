@@ -138,7 +138,8 @@ CAROM_LANES_INLINE void turn(Sides& sides, JointDriveLanes& drive) {
 template <bool kPush, bool kAxed, class Sides>
 CAROM_SHARED_PART void act(Sides& sides, const JointLanes& joint, JointDriveLanes& drive, DriveKind kind,
                            double inv_h) {
-  if (kind == DriveKind::limit) return limit<kPush>(sides, joint, drive, inv_h);
+  // A pace is a limit of how far an axis goes in a substep.
+  if (kind == DriveKind::limit || (kAxed && kind == DriveKind::pace)) return limit<kPush>(sides, joint, drive, inv_h);
   if constexpr (kAxed)
     if (kind == DriveKind::stop) return stop<kPush>(sides, drive);
   const Lanes u = sides.along(drive.row), p = drive.row.p;
@@ -200,7 +201,7 @@ CAROM_SHARED_PART void push_both(const JointRun& run, const JointLanes& joint, c
     push(JointSides<false>(joint, run));
 }
 
-/// What acts again: not what springs and stops do, which is all of a substep's.
+/// What acts again: not what springs and stops do, which is all of a substep's, nor what holds an axis to a speed.
 void act_again(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     JointLanes& joint = run.joints[i];
@@ -208,7 +209,7 @@ void act_again(const JointRun& run) {
     for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
       pushes.add(run.rows[joint.first + k], joint.again * run.rows[joint.first + k].p);
     for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
-      if (!acts_once(joint.layout.drive[k].kind))
+      if (!acts_once(joint.layout.drive[k].kind) && joint.layout.drive[k].kind != DriveKind::pace)
         pushes.add(run.drives[joint.first_drive + k].row, joint.again * run.drives[joint.first_drive + k].row.p);
     joint.force = joint.force + pushes.p;
     joint.torque = joint.torque + (pushes.turn_b - cross(joint.r_b, pushes.p));
@@ -222,9 +223,16 @@ CAROM_LANES_INLINE void accumulate_one(const JointRun& run, JointLanes& joint) {
   joint.torque = joint.torque + (pushes.turn_b - cross(joint.r_b, pushes.p));
 }
 
+/// What holds an axis to a speed starts from nothing: a rotor would take what it did before for a push, and be slowed by it.
+CAROM_SHARED_PART void forget_paces(const JointRun& run, const JointLanes& joint) {
+  for (std::uint32_t k = 0; k < joint.layout.drives; ++k)
+    if (joint.layout.drive[k].kind == DriveKind::pace) run.drives[joint.first_drive + k].row.p = all(0);
+}
+
 void warm_start(const JointRun& run) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const JointLanes& joint = run.joints[i];
+    if (joint.axed) forget_paces(run, joint);
     push_both(run, joint, all_of(run, joint));
   }
 }

@@ -53,8 +53,9 @@ constexpr std::uint32_t rows_of(JointPart part) {
 /// Whether a drive is told by an angle that counts turns. A motor knows of no angle.
 bool counts_turns(const DriveRow& row) {
   const std::uint32_t first = kFirstAxis + kPlaces;
-  return row.kind != DriveKind::motor && (row.coordinate == static_cast<std::uint32_t>(Coordinate::twist) ||
-                                          (row.coordinate >= first && row.coordinate < kFirstTurn));
+  return row.kind != DriveKind::motor && row.kind != DriveKind::pace &&
+         (row.coordinate == static_cast<std::uint32_t>(Coordinate::twist) ||
+          (row.coordinate >= first && row.coordinate < kFirstTurn));
 }
 
 constexpr Real kNoLength = 1e-9;  // m: a rod that has none has no direction; its points just stay together
@@ -90,13 +91,13 @@ JointLayout layout_of(const Joints& joints, const Joint& joint) {
   const KindRow& row = row_of(joint.def.kind);
   layout.two_ways = joint.def.kind == JointKind::pulley;
   if (is_unstrung(joint)) return layout;
-  for (std::uint32_t k = 0; k < row.part_count; ++k) {
+  for (std::uint32_t k = 0; k < row.part_count && !joint.axes; ++k) {
     if ((row.part[k] == JointPart::rod || row.part[k] == JointPart::ropes) && !is_rod(joint)) continue;
     const JointPart part = is_point(joint) ? JointPart::point : row.part[k];
     layout.part[layout.parts++] = part;
     layout.equalities += rows_of(part);
   }
-  if (joint.def.kind == JointKind::six_axis)
+  if (joint.axes)
     for (const JointPart part : locked_parts(joints.axes_of(joint)))
       layout.part[layout.parts++] = part, layout.equalities += rows_of(part);
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) {
@@ -108,7 +109,11 @@ JointLayout layout_of(const Joints& joints, const Joint& joint) {
 }
 
 std::uint64_t layout_key(const Joints& joints, const Joint& joint) {
-  if (joint.def.kind == JointKind::six_axis) return axes_key(joints, joint);
+  if (joint.axes) {
+    std::uint64_t key = axes_key(joints, joint);
+    each_drive(joint, [&](std::uint32_t, DriveKind kind) { key |= kOwnDrive << static_cast<std::uint32_t>(kind); });
+    return key;
+  }
   std::uint32_t key = static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u) |
                       (is_unstrung(joint) ? 1u << 30 : 0u);
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) { key |= 8u << (3 * c + static_cast<std::uint32_t>(kind)); });
@@ -166,8 +171,8 @@ JointPlace place_of(const World& world, const Joint& joint) {
     const Ropes ropes = ropes_of(world, joint, place);
     place.at[3] = ropes.a.norm() + joint.transmission.ratio * ropes.b.norm();
   }
-  if (joint.def.kind == JointKind::six_axis) return judge_axes(world.joints.axes_of(joint), place);
-  const JointLayout layout = layout_of(world.joints, joint);
+  if (joint.axes) place = judge_axes(world.joints.axes_of(joint), place);
+  const JointLayout layout = joint.axes ? JointLayout() : layout_of(world.joints, joint);
   for (std::uint32_t k = 0; k < layout.parts; ++k) switch (layout.part[k]) {
       case JointPart::point:
         place.gap = place.apart.norm();

@@ -254,7 +254,7 @@ struct JointPlacing {
 CAROM_LANES_INLINE Lanes near_turn(const JointLayout& layout, const JointDriveLanes* drives, int coordinate, Lanes near,
                                    LaneMask any) {
   for (std::uint32_t k = 0; k < layout.drives; ++k)
-    if (layout.drive[k].coordinate == coordinate && layout.drive[k].kind != DriveKind::motor)
+    if (layout.drive[k].coordinate == coordinate && has_place(layout.drive[k].kind))
       near = any ? larger(smaller(near, drives[k].upper), drives[k].lower) : near;
   return near;
 }

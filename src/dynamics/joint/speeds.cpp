@@ -38,8 +38,7 @@ JointSpeeds speeds_of(const World& world, const Joint& joint) {
   const Real sine = std::sqrt(n.y() * n.y() + n.z() * n.z());
   Real swing = n_rate.norm();
   if (sine > kAgree) swing = n.x() * ((n.y() * n_rate.y() + n.z() * n_rate.z()) / sine) - sine * n_rate.x();
-  const SwingPlane plane =
-      def.kind == JointKind::six_axis ? swing_plane(world.joints.axes_of(joint)) : SwingPlane::none;
+  const SwingPlane plane = joint.axes ? swing_plane(world.joints.axes_of(joint)) : SwingPlane::none;
   const Vec3 turning = rates_of_angles(t, plane, counted_angles(world, joint, ends), w);
   JointSpeeds speeds;
   speeds.coordinate = {turning.x(), swing, place.x(), lengthening(ends.apart, parting)};
@@ -49,6 +48,33 @@ JointSpeeds speeds_of(const World& world, const Joint& joint) {
   }
   speeds.axis = {place.x(), place.y(), place.z(), turning.x(), turning.y(), turning.z()};
   return speeds;
+}
+
+namespace {
+
+/// f(slot)
+template <class F>
+void each_measured(const Joints& joints, F&& f) {
+  for (std::uint32_t j = 0; j < joints.slots.slots(); ++j)
+    if (joints.alive(j) && joints.joint[j].def.measured) f(j);
+}
+
+}  // namespace
+
+void measure_rates(const World& world, Array<AxisRates>& rates) {
+  rates.reserve(world.joints.measured);
+  each_measured(world.joints, [&](std::uint32_t j) { rates.push_back(speeds_of(world, world.joints.joint[j]).axis); });
+}
+
+void note_accelerations(const World& world, const Array<AxisRates>& begun, Real dt, Joints& joints) {
+  std::size_t i = 0;
+  each_measured(joints, [&](std::uint32_t j) {
+    const AxisRates now = speeds_of(world, joints.joint[j]).axis, &was = begun[i++];
+    for (std::size_t k = 0; k < kAxes; ++k) {
+      const Real rate = (now[k] - was[k]) / dt;
+      joints.joint[j].acceleration[k] = finite(rate) ? rate : 0;
+    }
+  });
 }
 
 }  // namespace carom::dynamics

@@ -21,4 +21,9 @@ struct JointSpeeds {
 /// @oracle    tests/abi/test_joint_bulk: central differences of the coordinates
 JointSpeeds speeds_of(const World& world, const Joint& joint);
 
+/// Rates of measured joints, in the order of their slots.
+void measure_rates(const World& world, Array<AxisRates>& rates);
+/// By how much a step has changed them. Finite, whatever they are.   @param begun  as the step began
+void note_accelerations(const World& world, const Array<AxisRates>& begun, Real dt, Joints& joints);
+
 }  // namespace carom::dynamics

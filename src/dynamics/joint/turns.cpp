@@ -34,22 +34,19 @@ struct Bounds {
 /// Between what the angles of a joint are held.
 Bounds bounds_of(const World& world, const Joint& joint) {
   Bounds b;
-  if (joint.def.kind != JointKind::six_axis) {
-    const JointLimit& limit = joint.drive[static_cast<std::size_t>(Coordinate::twist)].limit;
-    if (limit.on) b.lower.x() = limit.lower, b.upper.x() = limit.upper;
-    return b;
-  }
+  const JointLimit& limit = joint.drive[static_cast<std::size_t>(Coordinate::twist)].limit;
+  if (limit.on) b.lower.x() = limit.lower, b.upper.x() = limit.upper;
   const JointAxes& axes = world.joints.axes_of(joint);
   for (int k = 0; k < 3; ++k) {
     const JointAxis& a = axes.axis[kPlaces + static_cast<std::uint32_t>(k)];
     if (a.mode == AxisMode::free) continue;
-    b.lower[k] = a.lower, b.upper[k] = a.is_locked() ? a.lower : a.upper;
+    b.lower[k] = std::max(b.lower[k], a.lower), b.upper[k] = std::min(b.upper[k], a.is_locked() ? a.lower : a.upper);
   }
   return b;
 }
 
 SwingPlane plane_of(const World& world, const Joint& joint) {
-  return joint.def.kind == JointKind::six_axis ? swing_plane(world.joints.axes_of(joint)) : SwingPlane::none;
+  return joint.axes ? swing_plane(world.joints.axes_of(joint)) : SwingPlane::none;
 }
 
 Quat apart(const JointEnds& ends) { return ends.a.q.conjugate() * ends.b.q; }

@@ -38,7 +38,6 @@ struct WideJoints {
 
   Array<std::uint32_t> active;  // slots of joints that hold somebody who is awake, ascending
   Array<std::uint8_t> linked;   // by body slot: some active joint has it; empty if there are none
-  bool is_linked(std::uint32_t body) const { return !linked.empty() && linked[body]; }
 
   struct Place {
     std::uint32_t lanes, lane;

@@ -29,21 +29,28 @@ AxisPull pull_of_axis(Io& io, const AxisPull& now) {
   return p;
 }
 
+/// An axis that has limits of effort or speed says so in a bit of its mode; others take no bytes for them.
+constexpr std::uint8_t kHasPace = 128;
+
 template <class Io>
 JointAxis one_axis(Io& io, const JointAxis& now) {
   JointAxis a;
-  a.mode = named(io, now.mode), a.drive = named(io, now.drive);
+  const bool has = now.effort_limit < kInfinity || now.speed_limit < kInfinity;
+  const auto mode = io.value(static_cast<std::uint8_t>(static_cast<unsigned>(now.mode) | (has ? kHasPace : 0u)));
+  io.demand((mode & ~kHasPace) < static_cast<int>(AxisMode::count));
+  a.mode = static_cast<AxisMode>(mode & ~kHasPace), a.drive = named(io, now.drive);
   a.lower = io.real(now.lower), a.upper = io.real(now.upper);
   a.stop = pull_of_axis(io, now.stop), a.gains = pull_of_axis(io, now.gains), a.spring = pull_of_axis(io, now.spring);
   a.target = io.real(now.target), a.speed = io.real(now.speed), a.effort = io.real(now.effort);
   a.max_force = bound_of(io, now.max_force), a.rest = io.real(now.rest);
   a.friction = bound_of(io, now.friction), a.armature = io.real(now.armature);
+  if (mode & kHasPace) a.effort_limit = bound_of(io, now.effort_limit), a.speed_limit = bound_of(io, now.speed_limit);
   io.demand(a.armature >= 0);
   io.demand(a.mode != AxisMode::limited || a.lower <= a.upper);
   return a;
 }
 
-/// @param axes  of the joint, which is a six-axis joint
+/// @param axes  of the joint, which has some of its own
 template <class Io, class A>
 void all_axes(Io& io, A& axes) {
   for (std::uint32_t k = 0; k < kAxes; ++k) {

@@ -132,10 +132,13 @@ enum JointBits : std::uint8_t {
   kWithoutMotors = 4,
   kActed = 8,        // it has impulses
   kFirstDrive = 16,  // a bit for each coordinate whose drive is not as it was made
+  kOwnAxis = 32,     // of hinges and sliders, which have no swing: their axis has properties
   kTurnDrive = 128   // of kinds that turn any way, which have no distance: so is their drive to an orientation
 };
+static_assert(kOwnAxis == kFirstDrive << static_cast<unsigned>(Coordinate::swing));
 static_assert(kCoordinates <= 4 && kTurnDrive == kFirstDrive << static_cast<unsigned>(Coordinate::distance));
 
+bool may_have_axis(JointKind kind) { return kind == JointKind::hinge || kind == JointKind::slider; }
 bool turns_any_way(JointKind kind) { return kind == JointKind::ball || kind == JointKind::six_axis; }
 
 bool same_drive(const JointDrive& a, const JointDrive& b) {
@@ -156,6 +159,7 @@ std::uint8_t bits_of(const Joint& j) {
                   bit(j.without_motors, kWithoutMotors) | bit(acted, kActed);
   for (std::size_t k = 0; k < kCoordinates; ++k)
     if (!same_drive(j.drive[k], JointDrive{})) bits |= unsigned(kFirstDrive) << k;
+  if (may_have_axis(j.def.kind) && j.axes) bits |= kOwnAxis;
   if (turns_any_way(j.def.kind) && !same_turn_drive(j.turn, TurnDrive{})) bits |= kTurnDrive;
   return static_cast<std::uint8_t>(bits);
 }
@@ -213,13 +217,30 @@ struct AllJoints {
       io.demand(h >= 0);
       keep(io, j.p_h, h), keep(io, j.force, force), keep(io, j.torque, torque);
     }
+    if (j.def.measured)
+      for (auto& rate : j.acceleration) {
+        const Real v = io.real(rate);
+        keep(io, rate, v);
+      }
     if (has_transmission(j.def.kind)) transmission(io, j.transmission);
-    if (j.axes) all_axes(io, world.joints.axes[j.axes - 1]);
+    const bool own_axis = may_have_axis(j.def.kind) && bits & kOwnAxis;
+    if constexpr (Io::checks) io.needs.axes += own_axis && !j.axes;
+    if constexpr (Io::loads)
+      if (may_have_axis(j.def.kind))
+        world.keep_axes(static_cast<std::uint32_t>(&j - world.joints.joint.data()), own_axis);
+    if (own_axis || j.def.kind == JointKind::six_axis) {
+      if (j.axes) {
+        all_axes(io, world.joints.axes[j.axes - 1]);
+      } else if constexpr (!Io::saves) {
+        JointAxes none;
+        all_axes(io, none);
+      }
+    }
     const bool turns = turns_any_way(j.def.kind);
     if constexpr (Io::loads) j.turn = TurnDrive{};
     if (turns && bits & kTurnDrive) turn_drive(io, j.turn);
     for (std::size_t k = 0; k < (turns ? kCoordinates - 1 : kCoordinates); ++k) {
-      const bool given = bits & unsigned(kFirstDrive) << k;
+      const bool given = (own_axis ? bits & ~unsigned(kOwnAxis) : bits) & unsigned(kFirstDrive) << k;
       const JointDrive d = given ? drive(io, j.drive[k]) : JointDrive{};
       keep(io, j.drive[k], d);
     }

@@ -62,6 +62,7 @@ void reserve_for(World& world, const Needs& n) {
   e.touching.reserve(n.touching), e.within.reserve(n.within), e.slept.reserve(std::max(e.slept.size(), n.slept));
   world.plan->faulty.reserve(n.faulty);
   s.apart.reserve(n.apart), s.joined.reserve(n.unbroken);
+  world.joints.axes.reserve(world.joints.axes.size() + n.axes);
   for (const Needs::Set& need : n.sets) {
     ParticleSet& p = world.particles.set[need.slot];
     world.particles.reserve(need.slot, need.particles);

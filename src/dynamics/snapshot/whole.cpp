@@ -242,10 +242,13 @@ struct WholeJoints {
  private:
   template <class Io>
   static void describe(Io& io, const Scene& scene, JointDef& d) {
-    const unsigned bits = io.value(static_cast<std::uint8_t>((static_cast<unsigned>(d.kind) << 1) | d.collide));
+    constexpr unsigned kMeasured = 128;
+    const unsigned given = io.value(static_cast<std::uint8_t>((static_cast<unsigned>(d.kind) << 1) | d.collide |
+                                                              (d.measured ? kMeasured : 0u))),
+                   bits = given & ~kMeasured;
     io.demand(bits >> 1 < static_cast<unsigned>(JointKind::count));
     if (io.bad()) return;
-    d.kind = static_cast<JointKind>(bits >> 1), d.collide = bits & 1;
+    d.kind = static_cast<JointKind>(bits >> 1), d.collide = bits & 1, d.measured = given & kMeasured;
     ends(io, scene, d);
     d.frame_a = pose(io, d.frame_a), d.frame_b = pose(io, d.frame_b);
     d.length = io.real(d.length);

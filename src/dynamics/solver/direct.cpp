@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dynamics/ccd/continuous.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
@@ -109,23 +110,56 @@ void part_groups(const World& world, Poses& to, StepReport& report, Real h) {
   for (const ConeSolution& solution : d.solution) report.position_moves += solution.factorisations;
 }
 
+/// Groups that part, pass by pass: parting follows tangents, so that a second pass begins where the first has led.
+/// @param group  (index) -> ConeGroup   @param part  (group): a pass
+template <class Group, class Part>
+static void part_again(const World& world, const Group& group, const Part& part) {
+  constexpr int kPasses = 8;
+  DirectGroups& d = *world.direct;
+  for (int k = 0; k < kPasses; ++k) {
+    place_joints(world);
+    bool any = false;
+    for (std::size_t g = 0; g < d.groups(); ++g) any |= d.rest[g].parts = d.rest[g].parts && group(g).is_nearer();
+    if (!any) return;
+    in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
+      if (d.rest[g].parts) part(group(g));
+    });
+  }
+  place_joints(world);
+}
+
+/// Joints of some groups closed, heeding contacts; then what these hinder by joints alone.
+/// @param which  (group): whether it is to be
+template <class Which, class Part>
+static void close(const World& world, const Which& which, const Part& part) {
+  DirectGroups& d = *world.direct;
+  const auto whole = [&](std::size_t g) { return ConeGroup(world, g); };
+  const auto alone = [&](std::size_t g) { return ConeGroup::joints_of(world, g); };
+  for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].parts = d.is_joined(g) && which(whole(g));
+  part_again(world, whole, part);
+  for (std::size_t g = 0; g < d.groups(); ++g) {
+    d.rest[g].parts = d.is_joined(g) && which(whole(g)) && whole(g).gapes();
+    if (d.rest[g].parts) d.rest[g].gap = kInfinity;
+  }
+  if (std::ranges::any_of(d.rest, &GroupRest::parts)) part_again(world, alone, part);
+}
+
 void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h) {
   DirectGroups& d = *world.direct;
   if (d.links.empty()) return;
-  // Parting follows tangents: a second time, from where the first has led, where that is not close enough.
-  constexpr int kTimes = 8;
-  for (int k = 0; k < kTimes; ++k) {
-    place_joints(world);
-    bool any = false;
-    for (std::size_t g = 0; g < d.groups(); ++g) any |= d.rest[g].parts = ConeGroup(world, g).is_nearer();
-    if (!any) break;
-    in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
-      if (d.rest[g].parts) ConeGroup(world, g).part(poses, h);
-    });
-    if (k + 1 == kTimes) place_joints(world);
-  }
+  close(
+      world, [](const ConeGroup&) { return true; }, [&](ConeGroup group) { group.part(poses, h); });
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart,
               [&](std::uint32_t g) { ConeGroup(world, g).settle(motion, h); });
+}
+
+void close_joints(const World& world, Poses& poses, const StepTime& time) {
+  DirectGroups& d = *world.direct;
+  if (d.links.empty() || !any_led_by_sweep(world)) return;
+  for (GroupRest& rest : d.rest) rest.gap = kInfinity;
+  close(
+      world, [](const ConeGroup& group) { return group.is_swept(); },
+      [&](ConeGroup group) { group.follow_swept(poses, time.h); });
 }
 
 void end_groups(const World& world) {

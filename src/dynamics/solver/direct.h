@@ -18,9 +18,9 @@ inline constexpr Real kDirectShare = 0.01;
 /// Steps of as many substeps as the dial says that a step has, 16 at most: bounds of work are for one of these. An accuracy
 /// that is asked for may take more substeps, and has its own bound.
 inline std::uint64_t steps_worth(const World& world) {
-  constexpr int kMost = 16;
+  constexpr int kMostWorth = 16;
   const int usual = std::max(1, world.scene.dials.whole(Dial::substeps));
-  return static_cast<std::uint64_t>(std::clamp(world.plan->substeps / usual, 1, kMost));
+  return static_cast<std::uint64_t>(std::clamp(world.plan->substeps / usual, 1, kMostWorth));
 }
 
 /// Whether a step of Newton's method over a group costs little, whatever its bodies do.
@@ -71,6 +71,9 @@ void part_groups(const World& world, Poses& to, StepReport& report, Real h);
 /// Velocities after the move, of groups that hang together by joints alone; places of all that have joints come first.
 /// Rows are those of where the bodies are. Nothing to do where no group has joints.
 void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h);
+/// Stage function of the page: what a sweep has led elsewhere stays there, and what hangs on it by joints of the direct solver
+/// is led back onto them. Velocities are left to the next substep.
+void close_joints(const World& world, Poses& poses, const StepTime& time);
 /// Impulses of the step, and separations, from plan.rotation.
 void end_groups(const World& world);
 

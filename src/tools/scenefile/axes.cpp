@@ -9,7 +9,8 @@
 namespace carom::tools::scenefile {
 namespace {
 
-constexpr double kZeroWidth = 1e-9, kFar = 1e9, kAnyForce = 1e30;  // m or rad; m; N or N m
+constexpr double kZeroWidth = 1e-9, kFar = 1e9, kAnyForce = 1e30;        // m or rad; m; N or N m
+constexpr std::uint32_t kOwnAxes[] = {CAROM_AXIS_TURN_X, CAROM_AXIS_X};  // of a hinge, of a slider
 constexpr const char* kModes[] = {"free", "locked", "limited"};
 constexpr const char* kDrives[] = {"none", "position", "velocity", "effort"};
 constexpr const char* kGains[] = {"frequency", "force", "acceleration"};
@@ -47,7 +48,9 @@ constexpr NumberField kAxisNumbers[] = {{"lower", &carom_joint_axis::lower},
                                         {"springStiffness", &carom_joint_axis::spring_stiffness},
                                         {"springDamping", &carom_joint_axis::spring_damping},
                                         {"friction", &carom_joint_axis::friction},
-                                        {"armature", &carom_joint_axis::armature}};
+                                        {"armature", &carom_joint_axis::armature},
+                                        {"effortLimit", &carom_joint_axis::effort_limit},
+                                        {"speedLimit", &carom_joint_axis::speed_limit}};
 
 template <class Desc, std::size_t n>
 void put_words(const Desc& d, const WordField<Desc> (&fields)[n], json& to) {
@@ -188,6 +191,12 @@ void write_axes(carom_world* world, carom_joint joint, bool has_axes, json& own,
     own["axes"].push_back(axis_json(d));
     show_axis(d, k, entry);
   }
+  for (const std::uint32_t k : kOwnAxes) {  // of a hinge, of a slider
+    carom_joint_axis d;
+    carom_joint_axis_init(&d, sizeof d);
+    if (has_axes || carom_joint_get_axis(world, joint, k, &d, nullptr) != CAROM_OK) continue;
+    if (json own_axis = axis_json(d); !own_axis.empty()) own["axis"] = std::move(own_axis);
+  }
   carom_joint_orientation_drive d;
   carom_joint_orientation_drive_init(&d, sizeof d);
   if (carom_joint_get_orientation_drive(world, joint, &d, nullptr) == CAROM_OK && d.drive != CAROM_DRIVE_NONE)
@@ -200,6 +209,11 @@ void read_own_axes(carom_world* world, carom_joint joint, const Value& own) {
   for (std::uint32_t k = 0; axes && k < axes->size(); ++k) {
     const carom_joint_axis d = axis_of(axes->at(k));
     call.done(carom_joint_set_axis(world, joint, k, &d, call), axes->at(k).place());
+  }
+  if (const auto axis = own.get("axis")) {
+    const carom_joint_axis d = axis_of(*axis);
+    const std::uint32_t k = kOwnAxes[own["kind"].text() == carom_joint_kind_name(CAROM_JOINT_SLIDER)];
+    call.done(carom_joint_set_axis(world, joint, k, &d, call), axis->place());
   }
   if (const auto drive = own.get("orientationDrive")) {
     const carom_joint_orientation_drive d = turn_of(*drive);

@@ -185,6 +185,7 @@ bool Reader::read_own_joint(const Value& mine, carom_joint_desc& d) const {
   d.kind = which_of(CAROM_JOINT_COUNT, carom_joint_kind_name, *kind, kind->text());
   if (mine.has("length") && d.kind == CAROM_JOINT_DISTANCE)
     d.length = mine["length"].number(), d.fields |= CAROM_JOINT_FIELD_LENGTH;
+  if (mine.has("accelerations") && mine["accelerations"].boolean()) d.fields |= CAROM_JOINT_ACCELERATIONS;
   d.break_force = mine.number_or("breakForce", 0), d.break_torque = mine.number_or("breakTorque", 0);
   return true;
 }

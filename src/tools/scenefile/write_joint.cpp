@@ -28,6 +28,7 @@ json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d
     limits.push_back({{axes, which}, {"min", 0}, {"max", 0}});
   };
   if (d.kind == CAROM_JOINT_DISTANCE) own["length"] = d.length;
+  if (d.fields & CAROM_JOINT_ACCELERATIONS) own["accelerations"] = true;
   if (d.break_force > 0) own["breakForce"] = d.break_force;
   if (d.break_torque > 0) own["breakTorque"] = d.break_torque;
   if (d.kind == CAROM_JOINT_SLIDER)

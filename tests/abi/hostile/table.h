@@ -120,7 +120,7 @@ inline Argument joint_desc(Context& c) {
   std::vector<Wrong> more;
   Argument a = in_struct(
       c, d,
-      {HOSTILE_CHOICE(carom_joint_desc, kind, uint32_t(CAROM_JOINT_COUNT)), HOSTILE_BITS(carom_joint_desc, fields, 7u),
+      {HOSTILE_CHOICE(carom_joint_desc, kind, uint32_t(CAROM_JOINT_COUNT)), HOSTILE_BITS(carom_joint_desc, fields, 15u),
        HOSTILE_RESERVED(carom_joint_desc, reserved), HOSTILE_HANDLE(carom_joint_desc, body_a, kBody, true),
        HOSTILE_HANDLE(carom_joint_desc, body_b, kBody, true), HOSTILE_NUMBERS(carom_joint_desc, position_a, 3, any()),
        HOSTILE_UNIT(carom_joint_desc, orientation_a, 4), HOSTILE_NUMBERS(carom_joint_desc, break_force, 1, {0, kMost}),
@@ -172,6 +172,7 @@ inline Argument joint_axis(Context& c) {
   d.stop_damping = c.between(0, 1), d.drive_damping = c.between(0, 1), d.spring_damping = c.between(0, 1);
   d.target = c.between(-1, 1), d.speed = c.between(-2, 2), d.effort = c.between(-9, 9), d.max_force = c.between(0, 50),
   d.rest = c.between(-1, 1), d.friction = c.between(0, 3), d.armature = c.between(0, 2);
+  d.effort_limit = c.between(1, 9), d.speed_limit = c.between(1, 9);
   return in_struct(c, d,
                    {HOSTILE_CHOICE(carom_joint_axis, mode, uint32_t(CAROM_AXIS_MODE_COUNT)),
                     HOSTILE_CHOICE(carom_joint_axis, drive, uint32_t(CAROM_DRIVE_COUNT)),
@@ -192,7 +193,9 @@ inline Argument joint_axis(Context& c) {
                     HOSTILE_NUMBERS(carom_joint_axis, spring_stiffness, 1, {0, 1e30}),
                     HOSTILE_NUMBERS(carom_joint_axis, spring_damping, 1, {0, 1e30}),
                     HOSTILE_NUMBERS(carom_joint_axis, friction, 1, {0, 1e30}),
-                    HOSTILE_NUMBERS(carom_joint_axis, armature, 1, {0, 1e30})});
+                    HOSTILE_NUMBERS(carom_joint_axis, armature, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, effort_limit, 1, {0, 1e30}),
+                    HOSTILE_NUMBERS(carom_joint_axis, speed_limit, 1, {0, 1e30})});
 }
 inline Argument joint_orientation_drive(Context& c) {
   auto d = fresh<carom_joint_orientation_drive>(carom_joint_orientation_drive_init);
@@ -1249,7 +1252,7 @@ inline const Row kRows[] = {
        for (const Owned& o : c.own.live[kJoint])
          if (kind_of_joint(c, o.handle) != kind) others.push_back(o.handle);
          else if (some.size() < 2) some.push_back(o.handle);
-       Bulk b = axes ? bulk(c, some, {{CAROM_JOINT_BULK_AXIS_TARGETS, 6}, {CAROM_JOINT_BULK_AXIS_MAX_FORCES, 6}, {CAROM_JOINT_BULK_AXIS_GAINS, 12}, {CAROM_JOINT_BULK_ORIENTATION_GAINS, 2}}, CAROM_JOINT_BULK_COUNT, true)
+       Bulk b = axes ? bulk(c, some, {{CAROM_JOINT_BULK_AXIS_TARGETS, 6}, {CAROM_JOINT_BULK_AXIS_MAX_FORCES, 6}, {CAROM_JOINT_BULK_AXIS_GAINS, 12}, {CAROM_JOINT_BULK_AXIS_FRICTIONS, 6}, {CAROM_JOINT_BULK_ORIENTATION_GAINS, 2}}, CAROM_JOINT_BULK_COUNT, true)
                      : bulk(c, some, {{CAROM_JOINT_BULK_TARGET, 1}, {CAROM_JOINT_BULK_TARGET_VELOCITY, 1}, {CAROM_JOINT_BULK_TARGET_EFFORT, 1}}, CAROM_JOINT_BULK_COUNT, true);
        wrong_last(c, b.list, some, kJoint);
        if (c.own.live[kJoint].size() > some.size())
@@ -1260,7 +1263,7 @@ inline const Row kRows[] = {
          list[some.size() - 1] = others[0];
          b.list.wrong.push_back({"last: a weld", of(list), kUnsupported});
        }
-       for (const uint32_t f : {CAROM_JOINT_BULK_SPEEDS, CAROM_JOINT_BULK_EFFORT, CAROM_JOINT_BULK_AXIS_EFFORTS}) b.field.wrong.push_back({"read only", of(uint64_t(f)), kUnsupported});
+       for (const uint32_t f : {CAROM_JOINT_BULK_SPEEDS, CAROM_JOINT_BULK_EFFORT, CAROM_JOINT_BULK_AXIS_EFFORTS, CAROM_JOINT_BULK_AXIS_ACCELERATIONS}) b.field.wrong.push_back({"read only", of(uint64_t(f)), kUnsupported});
        return call("carom_world_write_joints", carom_world_write_joints, {world(c), b.field, b.scalar, b.list, b.n, b.array, b.stride, error(c)});
      }},
     // forces

@@ -520,13 +520,15 @@ pub const CAROM_JOINT_WORLD_FRAME: u32 = 1;
 pub const CAROM_JOINT_COLLIDE: u32 = 2;
 /// length is given; else it is the distance of the points as they stand now
 pub const CAROM_JOINT_FIELD_LENGTH: u32 = 4;
+/// each step measures the joint's accelerations, @see CAROM_JOINT_BULK_ACCELERATION
+pub const CAROM_JOINT_ACCELERATIONS: u32 = 8;
 /// 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only
 pub const CAROM_JOINT_BULK_COORDINATES: u32 = 0;
 /// 4: m/s or rad/s, their rates, from the present velocities; read only
 pub const CAROM_JOINT_BULK_SPEEDS: u32 = 1;
-/// 6: m and rad, by CAROM_AXIS_*; read only
+/// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
 pub const CAROM_JOINT_BULK_AXES: u32 = 2;
-/// 6: m/s and rad/s, their rates; read only
+/// 6: m/s and rad/s, their rates; written likewise
 pub const CAROM_JOINT_BULK_AXIS_SPEEDS: u32 = 3;
 /// 3: N, world, as carom_joint_state.force; read only
 pub const CAROM_JOINT_BULK_FORCE: u32 = 4;
@@ -536,9 +538,9 @@ pub const CAROM_JOINT_BULK_TORQUE: u32 = 5;
 pub const CAROM_JOINT_BULK_ERROR: u32 = 6;
 /// 1: 1 or 0; read only
 pub const CAROM_JOINT_BULK_BROKEN: u32 = 7;
-/// 1: m or rad, of one motion, whole turns counted; read only
+/// 1: m or rad, of one motion, whole turns counted; written: hinge, slider
 pub const CAROM_JOINT_BULK_POSITION: u32 = 8;
-/// 1: m/s or rad/s, of one motion; read only
+/// 1: m/s or rad/s, of one motion; written likewise
 pub const CAROM_JOINT_BULK_VELOCITY: u32 = 9;
 /// 1: N or N m, borne along one motion, mean over the last step; read only
 pub const CAROM_JOINT_BULK_EFFORT: u32 = 10;
@@ -576,7 +578,27 @@ pub const CAROM_JOINT_BULK_ORIENTATION_VELOCITY: u32 = 25;
 pub const CAROM_JOINT_BULK_ORIENTATION_EFFORT: u32 = 26;
 /// 2: stiffness, damping, likewise
 pub const CAROM_JOINT_BULK_ORIENTATION_GAINS: u32 = 27;
-pub const CAROM_JOINT_BULK_COUNT: u32 = 28;
+/// 1: m/s^2 or rad/s^2, of a hinge or slider; read only
+pub const CAROM_JOINT_BULK_ACCELERATION: u32 = 28;
+/// 6: by CAROM_AXIS_*, of any kind; read only. Both of joints with CAROM_JOINT_ACCELERATIONS
+pub const CAROM_JOINT_BULK_AXIS_ACCELERATIONS: u32 = 29;
+/// 6: friction of each axis of a six-axis joint, as carom_joint_axis
+pub const CAROM_JOINT_BULK_AXIS_FRICTIONS: u32 = 30;
+/// 6: armature, likewise
+pub const CAROM_JOINT_BULK_AXIS_ARMATURES: u32 = 31;
+/// 6: effort_limit, likewise
+pub const CAROM_JOINT_BULK_AXIS_EFFORT_LIMITS: u32 = 32;
+/// 6: speed_limit, likewise
+pub const CAROM_JOINT_BULK_AXIS_SPEED_LIMITS: u32 = 33;
+/// 1: friction of the axis of a hinge or slider, as carom_joint_axis
+pub const CAROM_JOINT_BULK_FRICTION: u32 = 34;
+/// 1: armature, likewise
+pub const CAROM_JOINT_BULK_ARMATURE: u32 = 35;
+/// 1: effort_limit, likewise
+pub const CAROM_JOINT_BULK_EFFORT_LIMIT: u32 = 36;
+/// 1: speed_limit, likewise
+pub const CAROM_JOINT_BULK_SPEED_LIMIT: u32 = 37;
+pub const CAROM_JOINT_BULK_COUNT: u32 = 38;
 /// gyroscopic term of bodies with unlike moments of inertia
 pub const CAROM_EFFECT_GYROSCOPIC: u32 = 0;
 /// damping of velocity
@@ -1945,7 +1967,8 @@ impl Default for carom_joint_transmission {
         }
     }
 }
-/// What one axis of a six-axis joint does. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
+/// What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
+/// has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
 /// each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -1991,6 +2014,10 @@ pub struct carom_joint_axis {
     pub friction: f64,
     /// kg or kg m^2, [0, 1e30]: inertia of a rotor that turns as the axis does, such as a motor's times the square of its gear. It adds armature speed^2 / 2 to the kinetic energy, and gives the bodies no spin of its own. A host that sets velocities sets the rotor's.
     pub armature: f64,
+    /// N or N m, [0, 1e30]: how hard the drives of the axis push at most, however large their max_force is; of a hinge or slider its motor and spring, too. Several that act have even shares. Springs of axes, stops, friction and locks have no part in it. 1e30: none
+    pub effort_limit: f64,
+    /// m/s or rad/s, [0, 1e30]: the axis goes no faster, either way, whatever that takes. Of effect joint_limits. 1e30: none
+    pub speed_limit: f64,
 }
 impl Default for carom_joint_axis {
     fn default() -> Self {
@@ -3302,7 +3329,7 @@ extern "C" {
     /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT
     pub fn carom_body_add_impulse(world: *mut carom_world, body: carom_body, impulse: *const f64, point: *const f64, error: *mut carom_error) -> i32;
     /// How much of the world's gravity acts on a body: its weight is mass * factor * gravity. With 0 it floats, below 0 it
-    /// rises. Wakes the body and its island.
+    /// rises. 1 - c compensates a share c of its gravity, as a counterweight does; inverse dynamics counts it (tree.h). Wakes the body and its island.
     /// @param factor any finite number; 1 when a body is created
     /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; BUSY; REENTRANT; OUT_OF_MEMORY
     pub fn carom_body_set_gravity_factor(world: *mut carom_world, body: carom_body, factor: f64, error: *mut carom_error) -> i32;
@@ -3700,7 +3727,7 @@ extern "C" {
     pub fn carom_joint_spring_init(spring: *mut carom_joint_spring, struct_size: u32) -> i32;
     /// Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_transmission_init(transmission: *mut carom_joint_transmission, struct_size: u32) -> i32;
-    /// Free, without drive and spring, `max_force` as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
+    /// Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_axis_init(axis: *mut carom_joint_axis, struct_size: u32) -> i32;
     /// No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_orientation_drive_init(drive: *mut carom_joint_orientation_drive, struct_size: u32) -> i32;
@@ -3752,17 +3779,18 @@ extern "C" {
     /// @param transmission out: as it was set, with its length; ratio 0: not yet
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
     pub fn carom_joint_get_transmission(world: *mut carom_world, joint: carom_joint, transmission: *mut carom_joint_transmission, error: *mut carom_error) -> i32;
-    /// Say what one axis of a six-axis joint does; the bodies wake. Effect joint_limits has its limits, joint_motors its
+    /// Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
     /// drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
     /// Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
     /// frequency and b half the damping per mass: springs, stops and drives to a position swing late by w h / 2 of their
     /// amplitude and fade slower by b h of their rate; at rest they sag by load / stiffness, to rounding where one joint
     /// bears all, in first order where soft_step sweeps over several. A drive to a velocity holds that of the middle of a
     /// substep under the direct solver, and one with a damping alone does under any: what a step ends with differs by what
-    /// the load does in h / 2. Forces of drives are met to rounding. Oracle: tests/oracle/test_six_axis,
-    /// test_six_axis_scenes.
+    /// the load does in h / 2. Forces of drives are met to rounding. A speed limit holds to 1e-9 under the
+    /// direct solver, where one joint bears all to rounding under others. Oracle: tests/oracle/test_six_axis, test_six_axis_scenes, test_armature,
+    /// test_axis_limits.
     /// @param axis CAROM_AXIS_*
-    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no axes of its own; a newer field);
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; UNSUPPORTED (the joint has no such axis of its own; a newer field);
     ///         *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT
     pub fn carom_joint_set_axis(world: *mut carom_world, joint: carom_joint, axis: u32, desc: *const carom_joint_axis, error: *mut carom_error) -> i32;
     /// @param axis CAROM_AXIS_*   @param desc out: as it was set
@@ -3790,10 +3818,12 @@ extern "C" {
     /// @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); UNSUPPORTED (a kind without the field);
     /// OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride); BUSY
     pub fn carom_world_read_joints(world: *mut carom_world, field: u32, scalar: u32, joints: *const carom_joint, n: u64, dst: *mut c_void, stride: u64, error: *mut carom_error) -> i32;
-    /// Write one field of n joints; all values are validated before the first is written. Modes, units of gains and what is
+    /// Write one field of n joints; all values are validated before the first is written, joints of a tree are moved as one.
+    /// Accuracy of places: rounding of poses, to 1e-15 of a chain's length a joint. Oracle: tests/oracle/test_joint_moves. Modes, units of gains and what is
     /// enabled stay as they are, where the record does not have them. Bodies of joints that this changes wake. Arguments as carom_world_read_joints().
     /// @param src n records of the field's scalars, `stride` bytes apart; stride 0: tightly packed
-    /// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only); NOT_FINITE; NOT_UNIT;
+    /// @status as carom_world_read_joints(); UNSUPPORTED (also: a field that is read only; a joint of a loop, a broken one,
+    /// one between bodies that forces do not move); NOT_FINITE; NOT_UNIT;
     /// OUT_OF_RANGE; REENTRANT
     pub fn carom_world_write_joints(world: *mut carom_world, field: u32, scalar: u32, joints: *const carom_joint, n: u64, src: *const c_void, stride: u64, error: *mut carom_error) -> i32;
     /// Number of joints, and their handles in creation order of the slots.
@@ -4556,6 +4586,8 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_joint_axis.spring_damping", offset_of!(carom_joint_axis, spring_damping), size_of::<f64>(), "f64"),
     ("carom_joint_axis.friction", offset_of!(carom_joint_axis, friction), size_of::<f64>(), "f64"),
     ("carom_joint_axis.armature", offset_of!(carom_joint_axis, armature), size_of::<f64>(), "f64"),
+    ("carom_joint_axis.effort_limit", offset_of!(carom_joint_axis, effort_limit), size_of::<f64>(), "f64"),
+    ("carom_joint_axis.speed_limit", offset_of!(carom_joint_axis, speed_limit), size_of::<f64>(), "f64"),
     ("carom_joint_orientation_drive", 0, size_of::<carom_joint_orientation_drive>(), "struct"),
     ("carom_joint_orientation_drive.struct_size", offset_of!(carom_joint_orientation_drive, struct_size), size_of::<u32>(), "u32"),
     ("carom_joint_orientation_drive.drive", offset_of!(carom_joint_orientation_drive, drive), size_of::<u32>(), "u32"),

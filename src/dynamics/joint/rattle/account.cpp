@@ -5,7 +5,7 @@
 namespace carom::dynamics::rattle {
 
 /// Forces give what their kicks do at the mean of the velocities and poses of both ends of the step, gravity the work
-/// along the way; the rest of the change is the joints': what they do to a body, and by how much a step errs.
+/// along the way, drives likewise; the rest of the change is the joints': what they do to a body, and by how much a step errs.
 void account(const World& world, const Rattle& r) {
   Ledger& l = ledger_of(world);
   const State& s = world.state;
@@ -32,6 +32,11 @@ void account(const World& world, const Rattle& r) {
       }
       const Real work = m * pull_on(world, slot).dot(s.x[slot] - b.x);
       give(l.gravity, {work, -work, Vec3::zero(), Vec3::zero()});
+      const Vec3 &p = r.bodies[i].driven_p, &spun = r.bodies[i].driven_l;
+      if (!p.is_zero() || !spun.is_zero()) {
+        const Amount driven = {p.dot(v) + spun.dot(omega), 0, p, x.cross(p) + spun};
+        l.account(Cause::drives, driven), rest = rest - driven;
+      }
       l.account(Cause::joints, rest);
       may_round(world, slot, speed, spin);
       clear_kicks(l, slot);

@@ -50,7 +50,7 @@ struct Blocks {
   static void invert(Real* a, Real* own, bool find_implied) {
     for (int k = 0; k < n; ++k) {
       const Real pivot = a[n * k + k];
-      const bool is_implied = find_implied ? !(pivot > kRattleRest * own[k]) : own[k] == 0;
+      const bool is_implied = find_implied ? !(std::fabs(pivot) > kRattleRest * std::fabs(own[k])) : own[k] == 0;
       if (is_implied) own[k] = 0;
       if (is_implied || pivot == 0) {
         for (int j = 0; j < n; ++j) a[n * k + j] = a[n * j + k] = 0;

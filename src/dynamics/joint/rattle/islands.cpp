@@ -30,16 +30,13 @@ bool is_moved(const World& world, std::uint32_t body) {
 /// it would turn as no top does.
 bool locks_are_holdable(Locks locks) { return std::popcount(static_cast<unsigned>(locks & kAngularLocks)) != 1; }
 
-/// Whether a joint's rows are locks that can be held exactly, and what else it does is limits, and springs along one
-/// coordinate.
+/// Whether a joint can be held exactly, with all that it does.
 bool is_holdable(const World& world, const Joint& joint, const JointLayout& layout) {
-  if (has_transmission(joint.def.kind)) return false;
   for (std::uint32_t k = 0; k < layout.drives; ++k)
-    if (layout.drive[k].kind != DriveKind::limit &&
-        !(layout.drive[k].kind == DriveKind::spring && layout.drive[k].coordinate < kFirstAxis))
-      return false;
+    if (layout.drive[k].kind == DriveKind::rotor || layout.drive[k].kind == DriveKind::pace) return false;
   for (std::uint32_t k = 0; k < layout.parts; ++k)
-    if (layout.part[k] >= JointPart::turn_x || layout.part[k] == JointPart::ropes || layout.part[k] == JointPart::gears)
+    if (layout.part[k] == JointPart::turn_y || layout.part[k] == JointPart::turn_z ||
+        (layout.part[k] == JointPart::turn_x && swing_plane(world.joints.axes_of(joint)) == SwingPlane::none))
       return false;
   for (const std::uint32_t body : {joint.def.body_a, joint.def.body_b}) {
     if (body == kInvalid) continue;
@@ -137,39 +134,49 @@ RattleBody body_at(const World& world, std::uint32_t slot) {
 /// Where a joint sits on its bodies: of what is locked, where the host has it locked now.
 void place_frames(const World& world, RattleJoint& j) {
   const Joint& joint = world.joints.joint[j.slot];
+  j.over = joint.transmission;
   const auto arm = [&](std::uint32_t body, const Pose& frame) {
     return body == kInvalid ? frame.p : frame.p - world.scene.center[body];
   };
   j.arm_a = arm(joint.def.body_a, joint.def.frame_a), j.arm_b = arm(joint.def.body_b, joint.def.frame_b);
   j.frame_a = joint.def.frame_a.q, j.frame_b = joint.def.frame_b.q;
-  if (joint.def.kind == JointKind::six_axis) {
+  if (joint.axes) {
     const AxisOffsets off = offsets_of(world.joints.axes_of(joint));
     j.arm_a += j.frame_a * off.place;
     if (off.all_turns) j.frame_b = j.frame_b * off.orientation.conjugate();
+    j.twist = off.turn.x();
   }
   j.axes_a = j.frame_a.matrix(), j.axes_b = j.frame_b.matrix();
 }
 
-RattleJoint joint_at(const World& world, std::uint32_t slot) {
+/// A joint, its drives behind those of others.
+RattleJoint joint_at(const World& world, std::uint32_t slot, Array<RattleDrive>& drives) {
   const Joint& joint = world.joints.joint[slot];
   const JointLayout layout = layout_of(world.joints, joint);
   RattleJoint j{};
   j.slot = slot;
-  j.rows = layout.equalities, j.parts = layout.parts;
+  j.locks = j.rows = j.most_rows = layout.equalities, j.parts = layout.parts;
   std::copy_n(layout.part, layout.parts, j.part);
-  for (std::uint32_t k = 0; k < layout.drives; ++k)
-    if (layout.drive[k].kind == DriveKind::spring)
-      j.springs |= 1u << layout.drive[k].coordinate;
-    else
-      j.is_limited = true;
+  j.drive = static_cast<std::uint32_t>(drives.size()), j.drives = layout.drives;
+  std::uint32_t held = 0;
+  for (std::uint32_t k = 0; k < layout.drives; ++k) {
+    RattleDrive drive{};
+    drive.row = layout.drive[k];
+    held |= 1u << drive.row.coordinate;
+    drives.push_back(drive);
+  }
+  j.most_rows = std::min<std::uint32_t>(kMostRows, j.most_rows + static_cast<std::uint32_t>(std::popcount(held)));
+  j.plane = joint.def.kind == JointKind::six_axis ? swing_plane(world.joints.axes_of(joint)) : SwingPlane::none;
+  j.is_counted = layout.drives > 0 || j.plane != SwingPlane::none;
   j.length = joint.def.length;
+  j.two_ways = layout.two_ways, j.is_gear = joint.def.kind == JointKind::gear;
   place_frames(world, j);
   return j;
 }
 
 /// Bodies and joints of the islands, side by side; who does not move stands behind those who do, once for each joint.
 void lay_out(const World& world, Rattle& r) {
-  r.bodies.clear(), r.joints.clear(), r.rows.clear(), r.by_slot.clear();
+  r.bodies.clear(), r.joints.clear(), r.rows.clear(), r.drives.clear(), r.by_slot.clear();
   r.bodies.push_back(body_at(world, kInvalid));
   std::uint32_t body = 1, joint = 0;
   for (RattleIsland& island : r.islands) {
@@ -191,7 +198,8 @@ void lay_out(const World& world, Rattle& r) {
     const JointDef& def = world.joints.joint[slot].def;
     RattleIsland& island = r.islands[r.island_of[is_moved(world, def.body_a) ? def.body_a : def.body_b]];
     if (!island.is_held) continue;
-    RattleJoint& j = r.joints[island.joint + island.joints++] = joint_at(world, slot);
+    RattleJoint& j = r.joints[island.joint + island.joints++] = joint_at(world, slot, r.drives);
+    island.has_drives |= j.drives > 0;
     const auto end = [&](std::uint32_t at) {
       if (at == kInvalid) return std::uint32_t(0);
       if (is_moved(world, at)) return r.body_of[at];
@@ -200,11 +208,13 @@ void lay_out(const World& world, Rattle& r) {
     };
     j.a = end(def.body_a), j.b = end(def.body_b);
     island.reach = std::max({island.reach, j.arm_a.norm(), j.arm_b.norm()});
-    island.block = std::max({island.block, 1, static_cast<int>(j.rows)});  // a spring alone holds nothing: 1
+    island.least_block =
+        std::max({island.least_block, 1, static_cast<int>(j.rows)});  // a spring alone holds nothing: 1
+    island.block = std::max({island.block, 1, static_cast<int>(j.most_rows)});
   }
   for (RattleJoint& j : r.joints) {
     j.row = static_cast<std::uint32_t>(r.rows.size());
-    r.rows.resize(r.rows.size() + j.rows);
+    r.rows.resize(r.rows.size() + j.most_rows);
   }
 }
 
@@ -293,7 +303,7 @@ void make_islands(const World& world, Rattle& r, int order) {
   const Array<std::uint32_t>& active = world.wide_joints->active;
   if (r.revision == world.plan->revision && r.order == order && std::ranges::equal(r.all_active, active)) {
     for (RattleJoint& j : r.joints)  // a host moves locks without a change of the scene
-      if (world.joints.joint[j.slot].def.kind == JointKind::six_axis) place_frames(world, j);
+      if (world.joints.joint[j.slot].axes || j.two_ways || j.is_gear) place_frames(world, j);
     return;
   }
   r.revision = 0, r.order = order;
@@ -303,8 +313,8 @@ void make_islands(const World& world, Rattle& r, int order) {
   lay_out(world, r);
   couple(r);
   const std::uint32_t slots = world.scene.bodies.slots();
-  for (auto* a : {&r.x, &r.v, &r.omega, &r.read_v, &r.read_omega, &r.accel, &r.alpha}) a->resize(slots, Vec3::zero());
-  r.q.resize(slots, Quat::identity());
+  r.trial.resize(slots);
+  r.middle_v.resize(r.bodies.size()), r.middle_l.resize(r.bodies.size());
   r.revision = world.plan->revision;
 }
 
@@ -324,13 +334,6 @@ void find_met(const World& world, Rattle& r, const StepTime& time) {
       row.participants.each([&](std::uint32_t i) {
         if (i < r.island_of.size() && row.effect->rate(world.scene, world.state, i) * h > 1) meet(i);
       });
-  for (const RattleJoint& j : r.joints)
-    for (std::uint32_t c = 0; c < kCoordinates; ++c) {
-      if (!(j.springs >> c & 1)) continue;
-      const JointSpring& spring = world.joints.joint[j.slot].drive[c].spring;
-      if (!(4 * std::numbers::pi * spring.damping * spring.frequency * h > 1)) continue;
-      meet(r.bodies[r.bodies[j.b].inv_mass > 0 ? j.b : j.a].slot);
-    }
   // What is swept may be anywhere on its way.
   const Colliders& c = world.scene.colliders;
   for (const SweptBody& swept : world.continuous->bodies) {

@@ -4,20 +4,17 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <span>
+#include <utility>
 
 #include "dynamics/joint/rattle/blocks.h"
-#include "dynamics/joint/rattle/motion.h"
-#include "dynamics/joint/rattle/rows.h"
+#include "dynamics/joint/rattle/driving.h"
 
 namespace carom::dynamics::rattle {
 
 /// Its angles as counted, where bodies stand at a stage's end.
 /// @param h  s, of the stage; 0: as the step begins
 void count_turns(const World& world, RattleJoint& j, const RattleBody& a, const RattleBody& b, Real h);
-/// Whether all that a joint limits is between its limits.
-bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody& a, const RattleBody& b);
 
 /// One island in one step.
 template <int n>
@@ -27,6 +24,7 @@ class Mover {
       : world_(world),
         r_(r),
         island_(island),
+        driving_(world, r, island),
         blocks_{&r.elimination,
                 island.joint,
                 island.joint + island.joints,
@@ -34,13 +32,19 @@ class Mover {
                 r.below.data() + island.beside,
                 r.above.data() + island.beside} {}
 
-  /// From the state: joints are shut, velocities are along them. @return whether the step can be tried
+  /// From the state: joints are shut, and it is known which drives are rows. @return whether the step can be tried
   /// @param h  s, the longest stage
   bool begin(Real h) const {
     const State& s = world_.state;
     Real far = 0;
     for (RattleBody& b : bodies()) {
       if (b.slot == kInvalid) continue;
+      if (island_.goes_on) {
+        b.x1 = b.x, b.q1 = b.q, b.r1 = b.r;
+        far = std::max(far, b.x.norm());
+        continue;
+      }
+      b.driven_p = b.driven_l = Vec3::zero();
       b.x = b.x1 = s.x[b.slot], b.q = b.q1 = s.q[b.slot], b.v = s.v[b.slot], b.omega = s.omega[b.slot];
       b.r = b.r1 = b.q.matrix();
       far = std::max(far, b.x.norm());
@@ -53,19 +57,40 @@ class Mover {
         b.l = turned(b.inertia, b.r) * b.omega;
       b.inv_world = response_at(b, b.r);
     }
-    for (RattleJoint& j : joints()) j.force = j.torque = Vec3::zero();
-    for (const RattleJoint& j : joints()) {
-      const Joint& joint = world_.joints.joint[j.slot];
-      for (std::uint32_t k = 0; k < j.rows; ++k)
-        r_.rows[j.row + k].load = joint.p_h > 0 ? joint.p[k] / (joint.p_h / 2) : 0;
-    }
+    for (RattleJoint& j : joints()) j.rows = j.locks, j.soft_rows = 0;
+    island_.has_soft_rows = false;
+    if (!island_.goes_on) begin_joints();
     island_.rounding = 16 * kEpsilon * std::max(Real(1), far + island_.reach);
-    island_.gain = 0;
+    island_.gain = island_.stage = 0;
+    if (!shut()) return bar();
+    if (!has_drives()) return true;
+    lay_rows();
+    const bool goes_on = driving_.decide(h);
+    island_.is_decided |= goes_on;
+    return goes_on;
+  }
+  void begin_joints() const {
+    for (RattleJoint& j : joints()) {
+      j.force = j.torque = Vec3::zero();
+      const Joint& joint = world_.joints.joint[j.slot];
+      for (std::uint32_t k = 0; k < j.locks; ++k)
+        r_.rows[j.row + k].load = joint.p_h > 0 ? joint.p[k] / (joint.p_h / 2) : 0;
+      if (j.is_gear) j.over.phase = joint.transmission.phase;
+    }
     count(0);
-    if (!within_limits() || !shut()) return bar();
+  }
+
+  /// Velocities are along the rows.
+  bool ready(Real h) const {
+    if (has_drives() && !shut()) return bar();
     place();
     if (!is_resolved(h, kRattleSwing)) return false;
-    settle(nullptr);
+    settle();
+    if (!has_drives()) return true;
+    if (!driving_.reach(h)) return false;
+    if (island_.goes_on) tell(false);  // what met a limit is stopped by that
+    driving_.look();
+    island_.is_new = true;
     return true;
   }
 
@@ -78,18 +103,28 @@ class Mover {
       else if (b.travels)
         travel(world_, b, t);
     island_.energy = energy();
+    island_.stage = h;
     each_row([&](RattleRow& row) { row.p = row.load * (h / 2); });
-    Real before = kInfinity;
+    aim_drives(h);
+    Real before = kInfinity, first = 0;
     for (int round = 0; round < kRattleRounds; ++round) {
       push(h);
       const Real off = find_errors();
-      if (!finite(off)) return false;
+      if (!finite(off)) return driving_.give_way(), false;
+      if (round == 0) first = off;
+      if (off > kLost * first) break;
       if (off <= island_.rounding || (off > 0.5 * before && off <= 64 * island_.rounding)) {
-        tell();
+        tell(false);
+        if (has_drives() && std::exchange(island_.is_new, false)) driving_.look_at_loads(h / 2);
+        turn_gears();
+        const Real work = work_of_rows();
         for (RattleBody& b : bodies()) b.inv_mass > 0 ? arrive(b) : stay(b);
         count(h);
-        place();
-        island_.gain += energy() - island_.energy;
+        if (island_.has_soft_rows)
+          lay_rows();
+        else
+          place();
+        island_.gain += energy() - island_.energy - work;
         return true;
       }
       if (off > 0.3 * before && off > 64 * island_.rounding) aim();
@@ -97,17 +132,50 @@ class Mover {
       // errors are those of displacements h M^-1 J^T p
       solve([&](RattleRow& row, Real x) { row.p -= x / h; });
     }
-    ++island_.halvings;
+    if (!driving_.give_way()) ++island_.halvings;
     return false;
   }
 
-  /// Its end: the second kick, and velocities along the joints.
-  bool stop(Real h) const {
-    for (RattleBody& b : bodies())
-      if (b.inv_mass > 0) take_kick(b, h / 2);
-    const Real kicked = energy();
-    settle(&h);
-    island_.gain += energy() - kicked;
+  /// What its end is tried from, maybe more than once.
+  bool save_middle() const {
+    for (const RattleBody& b : movers()) r_.middle_v[place_of(b)] = b.v, r_.middle_l[place_of(b)] = b.l;
+    island_.is_first = true, island_.agrees = false;
+    return true;
+  }
+
+  /// Its end: the second kick, and velocities along the joints. Where forces read velocities, these are tried until they
+  /// are those that were read.
+  bool try_stop(Real h) const {
+    if (island_.agrees) return true;
+    if (!island_.is_first)
+      for (RattleBody& b : movers()) b.v = r_.middle_v[place_of(b)], b.l = r_.middle_l[place_of(b)];
+    for (RattleBody& b : movers()) take_kick(b, h / 2);
+    island_.kicked = energy();
+    if (island_.has_soft_rows && island_.is_first) couple_at_end(h / 2);
+    settle(island_.has_soft_rows);
+    island_.is_first = false;
+    island_.agrees = true;
+    if (!r_.reads_velocities) return true;
+    for (const RattleBody& b : movers()) {
+      Vec3 &v = r_.trial.v[b.slot], &omega = r_.trial.omega[b.slot];
+      island_.agrees &= std::fabs(h) * std::max((b.v - v).norm(), (b.omega - omega).norm()) <= island_.rounding;
+      v = b.v, omega = b.omega;
+    }
+    return true;
+  }
+
+  /// @param begun, whole  of the part of the step: where the substep began, and its length; 0: it is not at its end
+  bool stop(Real h, Real begun, Real whole) const {
+    if (!island_.agrees) return ++island_.halvings, false;
+    const Real kicked = island_.kicked;
+    tell(true);
+    each_row([&](RattleRow& row) { row.load = row.p / (h / 2); });
+    if (has_drives() && whole > 0) {
+      const bool bears = driving_.bears(begun, whole);
+      if (!driving_.soft_rows_bear(h / 2) || !bears) return false;
+    }
+    island_.gain += energy() - kicked - work_of_rows();
+    if (island_.has_soft_rows) place();
     if (island_.gain > kRattleGain * (island_.energy + kicked) &&
         std::ranges::none_of(bodies(), &RattleBody::travels)) {
       ++island_.halvings;
@@ -115,19 +183,24 @@ class Mover {
     }
     for (const RattleBody& b : movers())
       if (!(b.x.all_finite() && b.v.squared_norm() < 1e18 && b.omega.squared_norm() < 1e18)) return false;
-    if (!within_limits()) return bar();
+    if (has_drives() && whole > 0 && !driving_.look_back(begun, whole)) return false;
     return is_resolved(h, kHoldsTo);
   }
 
-  /// Springs of joints, where bodies are: what they accelerate, added to what forces do.
-  /// @param h  s, a substep: none is faster than a quarter of its rate   @param share  s, for which they will act
-  bool pull(Real h, Real share) const {
-    for (RattleJoint& j : joints())
-      if (j.springs) pull(j, h, share);
+  /// Drives of joints, where bodies are.   @see Driving
+  bool pull(bool ends) const {
+    if (has_drives() && !(island_.agrees && !island_.is_first)) driving_.pull(ends);
+    return true;
+  }
+  bool tell_drives(Real share) const {
+    if (has_drives()) driving_.tell(share);
     return true;
   }
 
  private:
+  static constexpr Real kLeast = 1e-300;  // N s/m: a damper that does not act bears nothing
+  static constexpr Real kLost =
+      100;  // of errors as Newton's method began: it leads nowhere, and turns grow without end
   static constexpr Real kHoldsTo = 1.8;  // rad a stage: short of 2, where what is explicit in directions holds no more
 
   /// J, of motion.
@@ -170,15 +243,17 @@ class Mover {
     const std::size_t at = r_.elimination.place[joint] - island_.joint;
     return by_joint.data() + kMostRows * island_.joint + n * at;
   }
+  std::size_t place_of(const RattleBody& b) const { return static_cast<std::size_t>(&b - r_.bodies.data()); }
+  bool has_drives() const { return island_.has_drives; }
   std::uint32_t index(const RattleJoint& j) const { return static_cast<std::uint32_t>(&j - r_.joints.data()); }
 
   static void stay(RattleBody& b) { b.x = b.x1, b.q = b.q1, b.r = b.r1; }
 
   /// What forces do at the state's place in h.
   void take_kick(RattleBody& b, Real h) const {
-    const Vec3& a = r_.accel[b.slot];
+    const Vec3& a = r_.trial.accel[b.slot];
     b.v += h * (b.locks ? Vec3(free_axes(b.locks).times(a)) : a);
-    const Vec3& alpha = r_.alpha[b.slot];
+    const Vec3& alpha = r_.trial.alpha[b.slot];
     if (b.turns && !alpha.is_zero()) b.l += turned(b.inertia, b.r) * (h * alpha);
     b.v1 = b.v, b.l1 = b.l;
   }
@@ -193,28 +268,55 @@ class Mover {
   void act(V&& v, L&& l) const {
     for (const RattleJoint& j : joints()) {
       Vec3 p = Vec3::zero(), on_a = Vec3::zero(), on_b = Vec3::zero();
+      Real sum = 0;
       for (std::uint32_t k = 0; k < j.rows; ++k) {
         const RattleRow& row = r_.rows[j.row + k];
-        p += row.p * row.d, on_a += row.p * row.w_a, on_b += row.p * row.w_b;
+        p += row.p * row.d, on_a += row.p * row.w_a, on_b += row.p * row.w_b, sum += row.p;
       }
       RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
-      if (a.inv_mass > 0) v(a) -= speed_of(a, p), l(a) -= on_a;
+      if (a.inv_mass > 0) v(a) -= speed_of(a, j.two_ways ? Vec3(sum * j.d_a) : p), l(a) -= on_a;
       if (b.inv_mass > 0) v(b) += speed_of(b, p), l(b) += on_b;
     }
+  }
+
+  /// A joint where the stage may lead; of a gear how far it has turned since it began.
+  Placed placed_next(const RattleJoint& j) const {
+    const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
+    Placed placed(j, next(a), next(b));
+    if (!j.is_gear) return placed;
+    const auto turned = [&](const RattleBody& of, const Quat& frame) {
+      const Vec3 x = (of.q * frame) * Vec3::unit_x();
+      const Quat turn = of.q1 * of.q.conjugate();
+      const Real sign = turn.w() < 0 ? -1 : 1;
+      const Real angle = 2 * angle_of<double>(sign * turn.vec().dot(x), sign * turn.w());
+      const Vec3 spin = of.turns ? Vec3(of.inv_world * of.l1) : of.omega;
+      return nearest_turn(angle, island_.stage * spin.dot(x));
+    };
+    placed.turned_a = turned(a, j.frame_a), placed.turned_b = turned(b, j.frame_b);
+    return placed;
+  }
+  /// Gears stand as they would there.
+  void turn_gears() const {
+    for (RattleJoint& j : joints())
+      if (j.is_gear) {
+        const Placed placed = placed_next(j);
+        j.over.phase += placed.turned_a + j.over.ratio * placed.turned_b;
+      }
   }
 
   /// Errors at x1, q1 into `right`. @return the largest
   Real find_errors() const {
     Real most = 0;
     for (const RattleJoint& j : joints()) {
-      const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
-      const Stand at_a = next(a), at_b = next(b);
       Real* to = of(r_.right, index(j));
       Real* const end = to + n;
-      Placed(j, at_a, at_b).each<false>([&](Real error, const Vec3&, const Vec3&, const Vec3&) {
+      const Placed placed = placed_next(j);
+      const auto add = [&](Real error, const Vec3&, const Vec3&, const Vec3&) {
         *to++ = error;
         most = std::max(most, finite(error) ? std::fabs(error) : kInfinity);
-      });
+      };
+      placed.each<false>(add);
+      driving_.each_row(j, [&](const RattleDrive& d) { add(driving_.error(j, d, placed), {}, {}, {}); });
       std::fill(to, end, 0);
     }
     return most;
@@ -229,64 +331,61 @@ class Mover {
     }
   }
 
-  void pull(RattleJoint& j, Real h, Real share) const {
-    const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
-    const Stand at_a = now(a), at_b = now(b);
-    const Placed placed(j, at_a, at_b);
-    // The mass that the locks leave a spring, were the two bodies alone.
-    Real locks[n * n], own[n];
-    for (std::uint32_t k = 0; k < n; ++k)
-      for (std::uint32_t l = 0; l < n; ++l)
-        locks[n * k + l] =
-            k < j.rows && l < j.rows ? response(r_.rows[j.row + k], r_.rows[j.row + l], a, b) : Real(k == l);
-    for (int k = 0; k < n; ++k) own[k] = locks[n * k + k];
-    Blocks<n>::invert(locks, own, true);
-    for (std::uint32_t c = 0; c < kCoordinates; ++c) {
-      if (!(j.springs >> c & 1)) continue;
-      const JointSpring& spring = world_.joints.joint[j.slot].drive[c].spring;
-      const Placed::Along along = placed.coordinate(static_cast<Coordinate>(c));
-      RattleRow row{along.d, along.w_a, along.w_b, a.inv_world * along.w_a, b.inv_world * along.w_b, 0, 0};
-      Real coupled[n] = {};
-      for (std::uint32_t k = 0; k < j.rows; ++k) coupled[k] = response(r_.rows[j.row + k], row, a, b);
-      const Real whole = response(row, row, a, b);
-      Real rest = whole;
-      for (int k = 0; k < n; ++k)
-        for (int l = 0; l < n; ++l) rest -= coupled[k] * locks[n * k + l] * coupled[l];
-      if (!(rest > kRattleRest * whole)) continue;
-      const auto v = [&](const RattleBody& of) { return of.inv_mass > 0 ? r_.read_v[of.slot] : of.v; };
-      const auto omega = [&](const RattleBody& of) { return of.inv_mass > 0 ? r_.read_omega[of.slot] : of.omega; };
-      const Real rate = row.d.dot(v(b) - v(a)) + (row.w_b.dot(omega(b)) - row.w_a.dot(omega(a)));
-      const Real w = 2 * std::numbers::pi * std::min(spring.frequency, 0.25 / h);
-      const Real most = spring.max_force,
-                 f = std::clamp(-w * (w * (along.at - spring.target) + 2 * spring.damping * rate) / rest, -most, most);
-      if (a.inv_mass > 0) r_.accel[a.slot] -= speed_of(a, row.d, f), r_.alpha[a.slot] -= f * row.i_a;
-      if (b.inv_mass > 0) r_.accel[b.slot] += speed_of(b, row.d, f), r_.alpha[b.slot] += f * row.i_b;
-      j.force += (share * f) * row.d;
-      j.torque += (share * f) * (row.w_b - placed.r_b.cross(row.d));
-    }
+  /// Where motors are to be as a stage ends.
+  void aim_drives(Real h) const {
+    if (has_drives())
+      for (RattleJoint& j : joints())
+        driving_.each_row(j, [&](RattleDrive& d) {
+          const Stand at_a = now(r_.bodies[j.a]), at_b = now(r_.bodies[j.b]);
+          d.goal = driving_.goal(j, d, Placed(j, at_a, at_b)) + h * d.speed;
+        });
   }
-  /// Velocity at one row per impulse at another of the same joint.
-  static Real response(const RattleRow& at, const RattleRow& by, const RattleBody& a, const RattleBody& b) {
-    const Real turned = at.w_a.dot(by.i_a) + at.w_b.dot(by.i_b);
-    if (a.locks | b.locks) return at.d.dot(speed_of(a, by.d) + speed_of(b, by.d)) + turned;
-    return (a.inv_mass + b.inv_mass) * at.d.dot(by.d) + turned;
+
+  /// J: what motors that are rows did just now.
+  Real work_of_rows() const {
+    Real work = 0;
+    for (const RattleJoint& j : joints()) {
+      std::uint32_t k = j.row + j.locks;
+      driving_.each_row(j, [&](const RattleDrive& d) { work += r_.rows[k++].p * d.speed; });
+    }
+    return work;
   }
 
   /// Rows where bodies are, and the matrix.
   void place() const {
+    lay_rows();
+    couple([&](const RattleJoint& j) { return std::span<const RattleRow>(r_.rows.data() + j.row, j.rows); }, true);
+  }
+  /// The matrix with soft rows beside.
+  void couple_at_end(Real half) const {
+    for (RattleJoint& j : joints()) j.rows += j.soft_rows;
+    couple([&](const RattleJoint& j) { return std::span<const RattleRow>(r_.rows.data() + j.row, j.rows); }, true,
+           half);
+    for (RattleJoint& j : joints()) j.rows -= j.soft_rows;
+  }
+  void lay_rows() const {
     for (RattleJoint& j : joints()) {
       const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
       const Stand at_a = now(a), at_b = now(b);
       const Placed placed(j, at_a, at_b);
       j.r_b = placed.r_b;
+      if (j.two_ways) j.d_a = placed.way_at_a();
       RattleRow* row = r_.rows.data() + j.row;
-      placed.each<true>([&](Real, const Vec3& d, const Vec3& w_a, const Vec3& w_b) {
+      const auto add = [&](Real, const Vec3& d, const Vec3& w_a, const Vec3& w_b) {
         row->d = d, row->w_a = w_a, row->w_b = w_b;
         row->i_a = a.inv_world * w_a, row->i_b = b.inv_world * w_b;
         ++row;
+      };
+      placed.each<true>(add);
+      driving_.each_row(j, [&](const RattleDrive& d) {
+        const Placed::Along along = driving_.along(placed, j, d);
+        add(0, along.d, along.w_a, along.w_b);
+      });
+      driving_.each_soft_row(j, [&](const RattleDrive& d) {
+        const Placed::Along along = driving_.along(placed, j, d);
+        add(0, along.d, along.w_a, along.w_b);
       });
     }
-    couple([&](const RattleJoint& j) { return std::span<const RattleRow>(r_.rows.data() + j.row, j.rows); }, true);
   }
 
   /// The matrix again, of the rates that rows have where the stage may lead: the slope of errors there.
@@ -296,9 +395,15 @@ class Mover {
       const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
       const Stand at_a = next(a), at_b = next(b);
       RattleRow* row = rows.data();
-      Placed(j, at_a, at_b).each<true>([&](Real, const Vec3& d, const Vec3& w_a, const Vec3& w_b) {
+      const Placed placed(j, at_a, at_b);
+      const auto add = [&](Real, const Vec3& d, const Vec3& w_a, const Vec3& w_b) {
         row->d = d, row->w_a = w_a, row->w_b = w_b;
         ++row;
+      };
+      placed.each<true>(add);
+      driving_.each_row(j, [&](const RattleDrive& d) {
+        const Placed::Along along = driving_.along(placed, j, d);
+        add(0, along.d, along.w_a, along.w_b);
       });
       return rows;
     };
@@ -306,8 +411,9 @@ class Mover {
   }
 
   /// J1 M^-1 J0^T and its factors.   @param rates  joint -> its rows of J1
+  /// @param half  s, of a stage, where soft rows are among these; else 0
   template <class Rates>
-  void couple(Rates&& rates, bool is_symmetric) const {
+  void couple(Rates&& rates, bool is_symmetric, Real half = 0) const {
     Real* const own = r_.left.data() + kMostRows * island_.joint;
     for (const RattleJoint& j : joints()) {
       Real* const block = blocks_.at_diagonal(r_.elimination.place[index(j)]);
@@ -320,8 +426,15 @@ class Mover {
             block[n * k + l] = k == l;
             continue;
           }
-          block[n * k + l] = response(rows[k], r_.rows[j.row + l], a, b);
+          block[n * k + l] = response(j, rows[k], r_.rows[j.row + l], a, b);
         }
+      if (half != 0) {
+        std::uint32_t k = j.rows - j.soft_rows;
+        driving_.each_soft_row(j, [&](const RattleDrive& d) {
+          block[(n + 1) * k] += 1 / (half * std::max(d.damping, kLeast));
+          ++k;
+        });
+      }
       if (is_symmetric)
         for (int k = 0; k < n; ++k) self[k] = block[n * k + k];
     }
@@ -339,7 +452,8 @@ class Mover {
         for (std::uint32_t k = 0; k < of.rows; ++k)
           for (std::uint32_t l = 0; l < by.rows; ++l) {
             const RattleRow& other = r_.rows[by.row + l];
-            block[n * k + l] += sign * (m * rows[k].d.dot(free.times(other.d)) +
+            const Vec3 &at = is_a ? way_at_a(of, rows[k].d) : rows[k].d, &push = by_a ? way_at_a(by, other.d) : other.d;
+            block[n * k + l] += sign * (m * at.dot(free.times(push)) +
                                         (is_a ? rows[k].w_a : rows[k].w_b).dot(by_a ? other.i_a : other.i_b));
           }
       };
@@ -349,8 +463,15 @@ class Mover {
     blocks_.factor(own, is_symmetric);
   }
 
-  /// Velocities along the joints, by impulses of half a stage; null: as a step begins, by none that is told.
-  void settle(const Real* h) const {
+  /// Velocities along the joints, by impulses.   @param softly  rows of dampers act, too
+  void settle(bool softly = false) const {
+    if (softly)
+      for (RattleJoint& j : joints()) j.rows += j.soft_rows;
+    settle_rows();
+    if (softly)
+      for (RattleJoint& j : joints()) j.rows -= j.soft_rows;
+  }
+  void settle_rows() const {
     find_spins();
     for (const RattleJoint& j : joints()) {
       const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
@@ -358,16 +479,16 @@ class Mover {
       Real* const end = to + n;
       for (std::uint32_t k = 0; k < j.rows; ++k) {
         const RattleRow& row = r_.rows[j.row + k];
-        *to++ = row.d.dot(b.v - a.v) + (row.w_b.dot(b.omega) - row.w_a.dot(a.omega));
+        *to++ = rate_of(j, row, a, b);
       }
+      Real* driven = end - n + j.locks;
+      driving_.each_row(j, [&](const RattleDrive& d) { *driven++ -= d.speed; });
+      if (driven < end) driving_.each_soft_row(j, [&](const RattleDrive& d) { *driven++ -= d.speed; });
       std::fill(to, end, 0);
     }
     solve([](RattleRow& row, Real x) { row.p = -x; });
     act([](RattleBody& b) -> Vec3& { return b.v; }, [](RattleBody& b) -> Vec3& { return b.l; });
     find_spins();
-    if (!h) return;
-    tell();
-    each_row([&](RattleRow& row) { row.load = row.p / (*h / 2); });
   }
   void find_spins() const {
     for (RattleBody& b : movers())
@@ -396,6 +517,7 @@ class Mover {
     return false;
   }
   bool stand_there() const {
+    turn_gears();
     for (RattleBody& b : movers()) {
       b.v1 = b.v, b.l1 = b.turns ? Vec3(turned(b.inertia, b.r1) * b.omega) : Vec3(Vec3::zero());
       arrive(b);
@@ -404,13 +526,14 @@ class Mover {
   }
 
   /// Impulses to what joints bear in this step.
-  void tell() const {
+  void tell(bool softly) const {
     for (RattleJoint& j : joints())
-      for (std::uint32_t k = 0; k < j.rows; ++k) {
+      for (std::uint32_t k = 0; k < j.locks; ++k) {
         const RattleRow& row = r_.rows[j.row + k];
         j.force += row.p * row.d;
         j.torque += row.p * (row.w_b - j.r_b.cross(row.d));
       }
+    if (has_drives()) driving_.tell_rows(softly);
   }
 
   /// The solver's in this step, however it moves.
@@ -421,19 +544,13 @@ class Mover {
 
   void count(Real h) const {
     for (RattleJoint& j : joints())
-      if (j.is_limited || j.springs) count_turns(world_, j, r_.bodies[j.a], r_.bodies[j.b], h);
-  }
-
-  /// No limit acts.
-  bool within_limits() const {
-    for (const RattleJoint& j : joints())
-      if (j.is_limited && !is_within_limits(world_, j, r_.bodies[j.a], r_.bodies[j.b])) return false;
-    return true;
+      if (j.is_counted) count_turns(world_, j, r_.bodies[j.a], r_.bodies[j.b], h);
   }
 
   const World& world_;
   Rattle& r_;
   RattleIsland& island_;
+  const Driving driving_;
   const Blocks<n> blocks_;
 };
 

@@ -8,7 +8,9 @@
 #include "core/constant.h"
 #include "dynamics/accuracy/measure.h"
 #include "dynamics/effects.h"
+#include "dynamics/force/trial.h"
 #include "dynamics/joint/joint_lanes.h"
+#include "dynamics/joint/turns.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/plan_lists.h"
 #include "dynamics/solver/direct/elimination.h"
@@ -96,6 +98,7 @@ struct RattleBody {
   Vec3 x = Vec3::zero(), v = Vec3::zero(), omega = Vec3::zero(), l = Vec3::zero();
   Quat q = Quat::identity();
   Mat3 r = Mat3::identity(), inv_world = Mat3::zero();
+  Vec3 driven_p = Vec3::zero(), driven_l = Vec3::zero();  // N s, N m s: of drives of joints, since the step began
   // where a stage may lead; kick and twist: what impulses do on the way
   Real swing = 0;  // 1/s^2: of what joints pull, scratch
   Vec3 x1 = Vec3::zero(), v1 = Vec3::zero(), l1 = Vec3::zero();
@@ -111,13 +114,45 @@ struct RattleRow {
   Real load;         // N or N m: the last such over its time
 };
 
+/// A motor, a spring, a limit or the friction of a joint, along one of its coordinates:
+///   f = effort - k (x - target) - c (u - speed), within bounds
+/// A motor and friction have no end of c, a limit none of k: while they bear what that asks of them they are rows.
+struct RattleDrive {
+  enum class Law : std::uint8_t { pull, motor, limit };
+  enum class By : std::uint8_t { nothing, force, soft_row, row };
+  DriveRow row;
+  Law law;
+  By by;              // in this step
+  bool per_mass;      // k and c are told for each kg, or kg m^2, that the coordinate has
+  Real k, c, effort;  // N/m, N s/m, N; likewise of turns
+  Real lower, upper;  // m or rad: between them k does nothing
+  Real speed;         // m/s or rad/s
+  Real most;          // N or N m
+  Real stiffest;      // 1/s^2, at most
+  Real goal;          // m or rad: of a row, where it is to be as a stage ends; of a spring how far it is off
+  Real damping;       // N s/m, as it acts
+  Real load;          // N or N m: what it did last
+  bool gave_way;      // it was a row of this part of the step, and can't be
+  int way;            // of a motor that is a force; of a limit that was just met: 1 the lower, -1 the upper end
+  Real before[2];     // how far it was from where that ends as a substep began; of a limit from both ends
+  Vec3 d, w_a, w_b;   // along which it does that, as of a row
+};
+
 struct RattleJoint {
-  std::uint32_t slot, a, b;  // a joint; bodies of this module
-  std::uint32_t row, rows;   // its rows: first, how many
+  std::uint32_t slot, a, b;        // a joint; bodies of this module
+  std::uint32_t row, rows;         // its rows: first, how many: of its locks, then of its drives in this step
+  std::uint32_t soft_rows;         // behind them: of dampers, of a stage's end alone
+  std::uint32_t locks, most_rows;  // rows of its locks; that there are at most
+  std::uint32_t drive, drives;     // in Rattle::drives
   std::uint32_t parts;
   JointPart part[kMostParts];
-  bool is_limited;
-  std::uint32_t springs;  // bits: coordinates that are sprung
+  SwingPlane plane;  // how its swing is told
+  bool is_counted;   // something looks at its angles
+  Real twist;        // rad: where it is locked, beside one swing
+  bool two_ways;     // a pulley: its rows act along d at B, along d_a at A
+  bool is_gear;
+  Transmission over;  // of both; the phase of a gear as a stage begins
+  Vec3 d_a;
   Real length;            // m, of a rod
   Real swing_a, swing_b;  // 1/(kg m): of a newton, how fast it swings the bodies, squared
   Vec3 arm_a, arm_b;      // m, body axes, from the centres of mass
@@ -132,18 +167,33 @@ struct RattleIsland {
   std::uint32_t body, bodies, movers;  // first, how many; the first so many are moved
   std::uint32_t joint, joints;
   std::uint32_t pair, pairs;
-  int block;                     // rows that a joint may have in the matrix
+  int block, least_block;        // rows that a joint has in the matrix in this step; of locks alone
   std::size_t diagonal, beside;  // of the matrix, where it begins
   Real reach;                    // m: the longest arm
   Real rounding;                 // m or rad, of errors, in this step
-  Real energy, gain;             // J, of motion as a stage began; what impulses added to it since the step began
-  bool is_held;                  // its joints can be held so at all
-  bool is_met;                   // something touches it in this step, or may
-  int halvings, most_halvings;   // of the substeps that it takes in this step; that it may
-  bool was_tried, is_moving;     // in this try
-  bool went_well;                // in this step
-  bool is_barred;                // a limit acts in this step, or a gap is too wide
-  bool gave_up;                  // nothing but its motion keeps it from being moved so in this step
+  Real energy, gain;  // J, of motion as a stage began; what impulses of locks added to it since the step began
+  Real stage;         // s, that goes on
+  Real kicked;        // J, at a stage's end before its last impulses
+  bool is_held;       // its joints can be held so at all
+  bool is_met;        // something touches it in this step, or may
+  int halvings, most_halvings;  // of the substeps that it takes in this step; that it may
+  bool was_tried, is_moving;    // in this try
+  bool was_well;                // scratch: it went well before others are tried again
+  bool went_well;               // in this step
+  bool is_barred;               // a limit is met in this step, or a gap is too wide
+  bool is_decided, is_changed;  // which drives are rows in this step; that is to be another
+  Real event;                   // of a part of the step: where a motor reaches its speed or a limit is met; 0: nowhere
+  std::uint32_t event_drive;    // whose: in Rattle::drives; twice that, of an upper limit and 1
+  Real late;                    // of a part that ends there: how much later it really is
+  bool goes_on, takes_events;   // it is a later part of a step; whether it is to be told of such
+  bool is_new;                  // no stage of the part has gone yet
+  bool has_drives;              // joints of it do more than lock
+  bool has_soft_rows;
+  bool is_stiff;          // its dampers ask for stages that go on alone
+  int finer;              // by how many times as many
+  int work;               // stages of this step that were done again for what drives do
+  bool is_first, agrees;  // try of a stage's end; velocities that forces read are those that they lead to
+  bool gave_up;           // nothing but its motion keeps it from being moved so in this step
 };
 
 struct Rattle {
@@ -160,6 +210,7 @@ struct Rattle {
   Array<RattleBody> bodies;   // by island; the first is the world
   Array<RattleJoint> joints;  // by island
   Array<RattleRow> rows;      // by joint
+  Array<RattleDrive> drives;  // by joint
   Array<RattlePair> pairs;
   Array<std::uint32_t> by_slot;  // islands' bodies that are moved, ascending by slot
   Elimination elimination;       // nodes are joints
@@ -174,16 +225,21 @@ struct Rattle {
   Array<Real> diagonal, below, above;
   Array<Real> left, right;  // by joint, kMostRows each: vectors
 
-  // of a step, by slot
-  Array<Vec3> x, v, omega, read_v, read_omega, accel, alpha;
-  Array<Quat> q;
+  Trial trial;  // of a step: velocities as what reads them is given them
   bool reads_velocities = false;
+  Array<Vec3> middle_v, middle_l;  // by body, of a stage: what its end is tried from again
+  Array<Vec3> kicks;               // likewise, of the ledger
+  // of an island, as a part of its step begins
+  Array<RattleBody> part_bodies;
+  Array<RattleJoint> part_joints;
+  Array<Vec3> part_kicks;
   // of trials, where a host asks for an accuracy, @see accurate.cpp
   Array<accuracy::Trial> trials;    // by island
   Array<accuracy::BodyEnd> coarse;  // by body: the end to compare with
 
   Participants held, others, scratch;  // bodies
   PlanLists of_held, of_all;           // between the two stages `of_all` are the plan's, which has those of the others
+  bool in_parts = false;               // somebody took this step in parts: lists were others since
   Array<std::uint32_t> active, left_active;
   bool is_hidden = false;  // between the two stages
 };
@@ -211,9 +267,22 @@ void find_met(const World& world, Rattle& r, const StepTime& time);
 void move_tried(const World& world, Rattle& r, Real dt, int substeps, int order);
 /// Likewise of all, each with the order and substeps that its error asks for; those that are accepted went well.
 void try_accurately(const World& world, Rattle& r, Real dt, int least_order);
+/// How many stages make a step of an order.
+int stages_of(int order);
 /// One step of all islands that are moving. Those that still are went well; of the others some want more halvings.
-/// @param substeps  of the step
-void move_islands(const World& world, Rattle& r, Real dt, int substeps, int order);
+/// @param from  s, since the step began, where their part of it does   @param dt, substeps  of that part
+void move_islands(const World& world, Rattle& r, Real from, Real dt, int substeps, int order);
+/// Their beginning: joints shut, velocities along them and along what drives hold.
+void begin_islands(const World& world, Rattle& r, Real dt, int substeps, int order);
+/// What the ledger has of who moves.
+void save_kicks(const World& world, const Rattle& r, Array<Vec3>& kicks);
+void restore_kicks(const World& world, const Rattle& r, const Array<Vec3>& kicks);
+/// s, of the impulse that is kept of a drive, as solvers keep it in substeps of h.
+inline Real kept_for(DriveKind kind, Real h) { return acts_once(kind) ? h : h / 2; }
+/// Whom a step may hold by a row.
+bool may_be_row(const RattleDrive& drive);
+/// What joints' drives are set to, in substeps of h.
+void read_drives(const World& world, Rattle& r, Real h);
 /// Lists of `held` bodies, and of the others.
 void list_held(const World& world, Rattle& r);
 /// What is hidden is there again. As a step begins: of one that was not completed.

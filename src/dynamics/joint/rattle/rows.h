@@ -18,11 +18,22 @@ struct Stand {
 inline Stand now(const RattleBody& b) { return {b.x, b.q, b.r}; }
 inline Stand next(const RattleBody& b) { return {b.x1, b.q1, b.r1}; }
 
+/// B's frame in A's.
+inline Quat apart_of(const RattleJoint& j, const Stand& a, const Stand& b) {
+  return (a.q * j.frame_a).conjugate() * (b.q * j.frame_b);
+}
+/// rad, of the shortest turn.
+inline Vec3 turn_of(const Quat& q) {
+  const Real sign = q.w() < 0 ? -1 : 1, sine = q.vec().norm();
+  return sign * (sine > 1e-12 ? 2 * angle_of<double>(sine, sign * q.w()) / sine : Real(2)) * q.vec();
+}
+
 /// A joint between two poses.
 struct Placed {
   const RattleJoint& joint;
   const Stand a, b;
-  Vec3 r_a, r_b, gap;  // m, world
+  Vec3 r_a, r_b, gap;               // m, world
+  Real turned_a = 0, turned_b = 0;  // rad: of a gear, about its axes, since the stage began
 
   Placed(const RattleJoint& j, const Stand& at_a, const Stand& at_b)
       : joint(j), a(at_a), b(at_b), r_a(a.r * j.arm_a), r_b(b.r * j.arm_b), gap((b.x - a.x) + (r_b - r_a)) {}
@@ -36,6 +47,7 @@ struct Placed {
     Vec3 d, w_a, w_b;
   };
   Along coordinate(Coordinate which) const {
+    if (joint.two_ways) return ropes();
     const Vec3 x_a = axis_a(0), x_b = axis_b(0);
     switch (which) {
       case Coordinate::twist: {  // as JointPlacing::coordinate() has it
@@ -58,6 +70,45 @@ struct Placed {
         return {far, d, (r_a + gap).cross(d), r_b.cross(d)};
       }
     }
+  }
+
+  /// Along both ropes of a pulley. One of no length pulls nowhere.
+  Along ropes() const {
+    const Vec3 over_b = rope_b();
+    const Real far_b = over_b.norm();
+    const Vec3 d = far_b > 1e-12 ? (joint.over.ratio / far_b) * over_b : Vec3(Vec3::zero()), d_a = way_at_a();
+    return {rope_a().norm() + joint.over.ratio * far_b, d, r_a.cross(d_a), r_b.cross(d)};
+  }
+  Vec3 rope_a() const { return (a.x - joint.over.anchor_a) + r_a; }
+  Vec3 rope_b() const { return (b.x - joint.over.anchor_b) + r_b; }
+  /// Where B is pulled along d, A is so along this.
+  Vec3 way_at_a() const {
+    const Vec3 over = rope_a();
+    const Real far = over.norm();
+    return far > 1e-12 ? Vec3((-1 / far) * over) : Vec3(Vec3::zero());
+  }
+
+  /// Of an axis of six, as JointPlacing::axis() has it.
+  Along axis(int k) const {
+    if (k < static_cast<int>(kPlaces)) {
+      const Vec3 d = axis_a(k);
+      return {d.dot(gap), d, (r_a + gap).cross(d), r_b.cross(d)};
+    }
+    k -= static_cast<int>(kPlaces);
+    const Quat q = apart_of(joint, a, b);
+    const Vec3 at = nearest_angles(told_angles(q, joint.plane), joint.turned, joint.plane);
+    Vec3 w;
+    for (int i = 0; i < 3; ++i) w[i] = rates_of_angles(q, joint.plane, at, Vec3::unit(i))[k];
+    w = a.r * (joint.axes_a * w);
+    return {at[k], Vec3::zero(), w, w};
+  }
+  /// Of what a drive acts along.   @param target  of a turn to an orientation
+  Along along(const DriveRow& row, const Quat& target) const {
+    if (row.coordinate < kFirstAxis) return coordinate(static_cast<Coordinate>(row.coordinate));
+    if (row.coordinate < kFirstTurn) return axis(row.coordinate - kFirstAxis);
+    const int k = row.coordinate - kFirstTurn;
+    const Vec3 x = axis_a(k);
+    return {turn_of(apart_of(joint, a, b) * target.conjugate())[k], Vec3::zero(), x, x};
   }
 
   /// f(error, d, w_a, w_b) for each row; the three are worked out where f wants them.
@@ -119,8 +170,28 @@ struct Placed {
           about(z.cross(y), y.dot(z));
           break;
         }
+        case JointPart::ropes: {
+          const Along over = ropes();
+          f(over.at - joint.over.length, over.d, over.w_a, over.w_b);
+          break;
+        }
+        case JointPart::gears:
+          f(joint.over.phase + turned_a + joint.over.ratio * turned_b, none, -1 * axis_a(0),
+            joint.over.ratio * axis_b(0));
+          break;
+        case JointPart::turn_x: {
+          const Along twist = axis(static_cast<int>(kPlaces));
+          about(twist.w_b, nearest_turn(twist.at - joint.twist, 0));
+          break;
+        }
+        case JointPart::across_y:
+        case JointPart::across_z: {
+          const Vec3 across = axis_a(joint.part[k] == JointPart::across_y ? 1 : 2), x = axis_b(0);
+          about(x.cross(across), across.dot(x));
+          break;
+        }
         default:
-          break;  // pulleys, gears and turns that are locked alone are not held here
+          break;  // swings that are locked one by one are not held here
       }
   }
 };

@@ -1,9 +1,11 @@
 // Stage functions: islands are tried to the side, hidden, and put in their places.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "dynamics/events/events.h"
 #include "dynamics/integrate/integrator.h"
+#include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/rattle/motion.h"
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/joint/turns.h"
@@ -35,11 +37,6 @@ void list_bodies(Rattle& r, bool RattleIsland::*flag) {
     if (r.islands[r.island_of[i]].*flag) r.held.add(i);
 }
 
-bool is_damped(const World& world, const RattleJoint& j) {
-  for (std::uint32_t c = 0; c < kCoordinates; ++c)
-    if ((j.springs >> c & 1) && world.joints.joint[j.slot].drive[c].spring.damping > 0) return true;
-  return false;
-}
 bool is_read(const World& world, const PlannedEffect& row) {
   if (row.participants.count == 0) return false;
   if (row.effect->id == EffectId::springs) {
@@ -88,14 +85,100 @@ bool try_all(const World& world, Rattle& r, Real dt, int halvings, int order) {
 
 }  // namespace
 
-void rattle::move_tried(const World& world, Rattle& r, Real dt, int substeps, int order) {
+namespace {
+
+void move_some(const World& world, Rattle& r, Real from, Real dt, int substeps, int order) {
+  using namespace rattle;
   list_bodies(r, &RattleIsland::is_moving);
   list_held(world, r);
   exchange_lists(*world.plan, r.of_held);
   r.reads_velocities = std::ranges::any_of(world.plan->effects, [&](const auto& row) { return is_read(world, row); }) ||
-                       std::ranges::any_of(r.joints, [&](const RattleJoint& j) { return is_damped(world, j); });
-  move_islands(world, r, dt, substeps, order);
+                       std::ranges::any_of(r.drives, [](const RattleDrive& d) { return d.c > 0; });
+  move_islands(world, r, from, dt, substeps, order);
   exchange_lists(*world.plan, r.of_held);
+}
+
+/// An island as a part of its step begins, so that it can be done again.
+void save_part(const World& world, Rattle& r, const RattleIsland& island) {
+  const auto bodies = r.bodies.begin() + island.body;
+  const auto joints = r.joints.begin() + island.joint;
+  r.part_bodies.assign(bodies, bodies + island.bodies), r.part_joints.assign(joints, joints + island.joints);
+  rattle::save_kicks(world, r, r.part_kicks);
+}
+void restore_part(const World& world, Rattle& r, const RattleIsland& island) {
+  std::ranges::copy(r.part_bodies, r.bodies.begin() + island.body);
+  std::ranges::copy(r.part_joints, r.joints.begin() + island.joint);
+  rattle::restore_kicks(world, r, r.part_kicks);
+}
+
+/// A step in which a motor is overcome or reaches its speed, or a limit is met or let go: again with what was found, in parts
+/// that end where that happens.   @return whether it went well
+bool move_in_parts(const World& world, Rattle& r, RattleIsland& island, Real dt, int substeps, int order) {
+  constexpr int kMostTries = 8, kLooks = 5;  // of the step as it was asked for, in all that is done again
+  const int most = kMostTries * (world.accuracy ? substeps : world.plan->substeps) * rattle::stages_of(order);
+  const Real there = order == 2 ? 1e-4 : order == 4 ? 1e-7 : 1e-10;  // of a part of a step, about where it ends
+  Real from = 0, until = 1;
+  int looks = 0;
+  while (island.work < most) {
+    if (island.event > 0)
+      until = from + island.event * (until - from), island.takes_events = false, looks = 0;
+    else if (until == 1)
+      island.takes_events = true;
+    island.is_changed = false, island.is_moving = true, island.event = island.late = 0;
+    if (from > 0)
+      restore_part(world, r, island);
+    else if (keeps_ledger(world))
+      for (std::uint32_t i = island.body; i < island.body + island.movers; ++i)
+        clear_kicks(ledger_of(world), r.bodies[i].slot);
+    const bool is_stiff = order > 2 && island.is_stiff;
+    const int stages = std::max(1, static_cast<int>(std::ceil(substeps * (until - from)))) *
+                       (is_stiff ? rattle::stages_of(order) : 1) *
+                       island.finer;  // none is longer than those of the step
+    island.work += stages * (is_stiff ? 1 : rattle::stages_of(order));
+    move_some(world, r, from * dt, (until - from) * dt, stages, is_stiff ? 2 : order);
+    if (!island.is_moving && !island.is_changed) return false;
+    if (!island.is_moving) continue;
+    if (until == 1) return true;
+    if (std::fabs(island.late) > there && ++looks <= kLooks) {  // nearer to where it happens
+      until = from + std::clamp(1 + island.late, Real(0.5), Real(2)) * (until - from);
+      if (until < 1) continue;
+      until = 1;
+      continue;
+    }
+    from = until, until = 1;
+    island.goes_on = true, island.is_decided = false;
+    for (int looked = 0; looked < kLooks; ++looked) {  // what meets a limit stops there, whatever becomes of it then
+      save_part(world, r, island);
+      island.is_changed = false, island.is_moving = true;
+      rattle::begin_islands(world, r, (1 - from) * dt, stages, is_stiff ? 2 : order);
+      if (island.is_moving || !island.is_changed) break;
+      restore_part(world, r, island);
+    }
+    if (!island.is_moving) return false;
+    save_part(world, r, island);
+  }
+  return island.is_barred = true, false;
+}
+
+}  // namespace
+
+void rattle::move_tried(const World& world, Rattle& r, Real dt, int substeps, int order) {
+  if (!r.drives.empty()) read_drives(world, r, dt / substeps);
+  for (RattleIsland& island : r.islands) {
+    island.is_decided = island.is_changed = island.goes_on = false, island.takes_events = true, island.event = 0;
+    island.is_stiff = order == 2, island.finer = 1;
+    if (world.accuracy) island.work = 0;
+  }
+  move_some(world, r, 0, dt, substeps, order);
+  if (std::ranges::none_of(r.islands, &RattleIsland::is_changed)) return;
+  r.in_parts = true;
+  for (RattleIsland& island : r.islands) island.was_well = std::exchange(island.is_moving, false);
+  for (RattleIsland& island : r.islands) {
+    if (!island.is_changed) continue;
+    island.was_well = move_in_parts(world, r, island, dt, substeps, order);
+    island.is_changed = island.is_moving = false;
+  }
+  for (RattleIsland& island : r.islands) island.is_moving = island.was_well;
 }
 
 bool rattle::moves_by_forces(const World& world) {
@@ -127,7 +210,7 @@ void rattle::come_back(const World& world) {
 void try_rattle(const World& world, const StepTime& time) {
   if (!world.rattle) return;
   Rattle& r = *world.rattle;
-  for (RattleIsland& island : r.islands) island.went_well = island.gave_up = island.is_barred = false;
+  for (RattleIsland& island : r.islands) island.went_well = island.gave_up = island.is_barred = false, island.work = 0;
   const int order = order_of(world);
   if (order == 0) return;
   constexpr int kWorkOfAccuracy = 4;  // an order whose bound of work holds for all that islands choose
@@ -135,9 +218,12 @@ void try_rattle(const World& world, const StepTime& time) {
   rattle::find_met(world, r, time);
   for (RattleIsland& island : r.islands) {
     island.halvings = island.is_held && !island.is_met ? 0 : kNoTry;
-    island.most_halvings = most_halvings(island.joints, static_cast<std::uint64_t>(world.plan->substeps));
+    const auto substeps = static_cast<std::uint64_t>(world.plan->substeps);
+    // Where drives act the solver that takes over from a whip is right, too.
+    island.most_halvings = island.has_drives ? kRattleHalvings.value : most_halvings(island.joints, substeps);
   }
   int tries = 0;
+  r.in_parts = false;
   if (world.accuracy)
     tries = 2, rattle::try_accurately(world, r, time.dt, order);
   else
@@ -152,7 +238,7 @@ void try_rattle(const World& world, const StepTime& time) {
     r.left_active = world.wide_joints->active;
     return;
   }
-  if (tries > 1 || r.held.count != tried) rattle::list_held(world, r);  // else they are listed
+  if (tries > 1 || r.in_parts || r.held.count != tried) rattle::list_held(world, r);  // else they are listed
   hide(world, r);
 }
 
@@ -174,10 +260,15 @@ void take_rattle(const World& world, Poses& poses, Velocities& motion, Breaking 
     for (std::uint32_t i = island.joint; i < island.joint + island.joints; ++i) {
       const RattleJoint& j = r.joints[i];
       Joint& joint = joints.joint[j.slot];
-      for (std::uint32_t k = 0; k < j.rows; ++k) joint.p[k] = r.rows[j.row + k].load * (time.h / 2);
+      for (std::uint32_t k = 0; k < j.locks; ++k) joint.p[k] = r.rows[j.row + k].load * (time.h / 2);
+      for (std::uint32_t k = 0; k < j.drives; ++k) {
+        const RattleDrive& drive = r.drives[j.drive + k];
+        impulse_of(joints.axes_of(joint), joint, drive.row, k) = drive.load * rattle::kept_for(drive.row.kind, time.h);
+      }
       joint.p_h = time.h;
+      if (j.is_gear) joint.transmission.phase = j.over.phase;
       joint.force = j.force / time.dt, joint.torque = j.torque / time.dt;
-      count_angles(world, joint, j.is_limited || j.springs ? &j.turned : nullptr, time.dt);
+      count_angles(world, joint, j.is_counted ? &j.turned : nullptr, time.dt);
     }
   });
   if (keeps_ledger(world)) rattle::account(world, r);

@@ -23,6 +23,12 @@ std::span<const Real> shares_of(int order) {
   return kOne;
 }
 
+}  // namespace
+
+int stages_of(int order) { return static_cast<int>(shares_of(order).size()); }
+
+namespace {
+
 /// f(mover) of an island: as many rows a joint as it needs.
 template <class F>
 bool with_mover(const World& world, Rattle& r, RattleIsland& island, F&& f) {
@@ -52,45 +58,39 @@ void over_islands(const World& world, Rattle& r, F&& f) {
 }
 
 template <class F>
-void each_mover(Rattle& r, F&& f) {
+void each_mover(const Rattle& r, F&& f) {
   for (const RattleIsland& island : r.islands)
     if (island.is_moving)
       for (std::uint32_t i = island.body; i < island.body + island.movers; ++i) f(r.bodies[i]);
 }
 
 void show(Rattle& r) {
-  each_mover(r, [&](const RattleBody& b) {
-    r.x[b.slot] = b.x, r.q[b.slot] = b.q, r.v[b.slot] = b.v, r.omega[b.slot] = b.omega;
-  });
+  each_mover(r, [&](const RattleBody& b) { r.trial.x[b.slot] = b.x, r.trial.q[b.slot] = b.q; });
 }
 
-bool is_force(const PlannedEffect& row) {
-  return row.effect->force && row.effect->stage == Stage::integrate && row.effect->id != EffectId::gyroscopic;
-}
-
-/// Accelerations where bodies are. What reads velocities is given read_v, read_omega.
-/// @param h  s, a substep   @param share  s, for which they will act
-void find_accelerations(const World& world, Rattle& r, Real h, Real share) {
-  each_mover(r, [&](const RattleBody& b) { r.accel[b.slot] = r.alpha[b.slot] = Vec3::zero(); });
-  const Motion at{r.x.data(), r.q.data(), r.read_v.data(), r.read_omega.data()};
-  const Accelerate to{1, r.accel.data(), r.alpha.data(), share};
+/// Accelerations where bodies are. What reads velocities is given those of the trial.
+/// @param share  s, for which they will act   @param ends  a stage does
+void find_accelerations(const World& world, Rattle& r, Real share, bool ends) {
+  each_mover(r, [&](const RattleBody& b) { r.trial.accel[b.slot] = r.trial.alpha[b.slot] = Vec3::zero(); });
+  const Motion at = r.trial.at();
+  const Accelerate to = r.trial.to(share);
   for (PlannedEffect& row : world.plan->effects) {
-    if (!is_force(row) || row.participants.count == 0) continue;
+    if (!is_asked_at_trials(*row.effect) || row.participants.count == 0) continue;
     const AccountForRow account(world, row, to.v, to.omega, share);
     row.effect->force(world.scene, world.state, row.participants, at, to);
     row.evaluations += row.participants.count;
   }
-  over_islands(world, r, [&](const auto& mover) { return mover.pull(h, share); });
+  over_islands(world, r, [&](const auto& mover) { return mover.pull(ends); });
 }
 
 /// Velocities that forces read: of now.
 void read_now(Rattle& r) {
-  each_mover(r, [&](const RattleBody& b) { r.read_v[b.slot] = b.v, r.read_omega[b.slot] = b.omega; });
+  each_mover(r, [&](const RattleBody& b) { r.trial.v[b.slot] = b.v, r.trial.omega[b.slot] = b.omega; });
 }
 /// Of a stage's end, from those of its beginning and its middle: to first order, without knowing its last impulses.
 void read_ahead(Rattle& r) {
   each_mover(r, [&](const RattleBody& b) {
-    r.read_v[b.slot] = 2 * b.v - r.read_v[b.slot], r.read_omega[b.slot] = 2 * b.omega - r.read_omega[b.slot];
+    r.trial.v[b.slot] = 2 * b.v - r.trial.v[b.slot], r.trial.omega[b.slot] = 2 * b.omega - r.trial.omega[b.slot];
   });
 }
 
@@ -117,52 +117,80 @@ void count_turns(const World& world, RattleJoint& j, const RattleBody& a, const 
   j.turned = h == 0 ? counted_angles(world, joint, ends) : led_angles(world, joint, ends, j.turned, w, h);
 }
 
-bool is_within_limits(const World& world, const RattleJoint& j, const RattleBody& a, const RattleBody& b) {
-  const Joint& joint = world.joints.joint[j.slot];
-  const JointEnds ends = ends_at(world, joint, a, b);
-  const auto within = [](Real x, Real lower, Real upper) { return x >= lower && x <= upper; };
-  if (joint.def.kind == JointKind::six_axis) {
-    const std::array<Real, kAxes> at = axes_at(ends, j.turned);
-    const JointAxes& axes = world.joints.axes_of(joint);
-    for (std::uint32_t k = 0; k < kAxes; ++k)
-      if (axes.axis[k].is_limited() && !within(at[k], axes.axis[k].lower, axes.axis[k].upper)) return false;
-    return true;
-  }
-  std::array<Real, kCoordinates> at = coordinates_of(ends);
-  at[0] = j.turned.x();
-  for (std::size_t c = 0; c < kCoordinates; ++c) {
-    const JointLimit& limit = joint.drive[c].limit;
-    if (!limit.on || !has(joint.def.kind, static_cast<Coordinate>(c))) continue;
-    if (!within(at[c], limit.lower, limit.upper)) return false;
-  }
-  return true;
+void save_kicks(const World& world, const Rattle& r, Array<Vec3>& kicks) {
+  kicks.clear();
+  if (!keeps_ledger(world)) return;
+  each_mover(r, [&](const RattleBody& b) {
+    for (const Ledger::Kick& kick : world.ledger->kicks_of(b.slot))
+      kicks.push_back(kick.v), kicks.push_back(kick.omega);
+  });
+}
+void restore_kicks(const World& world, const Rattle& r, const Array<Vec3>& kicks) {
+  if (!keeps_ledger(world)) return;
+  std::size_t k = 0;
+  each_mover(r, [&](const RattleBody& b) {
+    for (Ledger::Kick& kick : world.ledger->kicks_of(b.slot)) kick.v = kicks[k++], kick.omega = kicks[k++];
+  });
 }
 
-void move_islands(const World& world, Rattle& r, Real dt, int substeps, int order) {
+namespace {
+/// s, the longest stage.
+Real longest_of(std::span<const Real> shares, Real h) {
+  Real longest = 0;
+  for (const Real s : shares) longest = std::max(longest, std::fabs(s) * h);
+  return longest;
+}
+}  // namespace
+
+void begin_islands(const World& world, Rattle& r, Real dt, int substeps, int order) {
+  const Real longest = longest_of(shares_of(order), dt / substeps);
+  for (RattleIsland& island : r.islands)
+    if (island.is_moving) island.block = island.least_block, island.is_first = true, island.agrees = false;
+  over_islands(world, r, [&](const auto& mover) { return mover.begin(longest); });
+  over_islands(world, r, [&](const auto& mover) { return mover.ready(longest); });
+}
+
+void move_islands(const World& world, Rattle& r, Real from, Real dt, int substeps, int order) {
+  constexpr int kMostTries = 16;  // of a stage's end, until velocities agree
   const std::span<const Real> shares = shares_of(order);
   const int stages = substeps * static_cast<int>(shares.size());
   const Real h = dt / substeps;
-  Real longest = 0;
-  for (const Real s : shares) longest = std::max(longest, std::fabs(s) * h);
-  over_islands(world, r, [&](const auto& mover) { return mover.begin(longest); });
+  begin_islands(world, r, dt, substeps, order);
   show(r), read_now(r);
   const auto share = [&](int k) {
     return k < stages ? h * shares[static_cast<std::size_t>(k) % shares.size()] : Real(0);
   };
-  find_accelerations(world, r, h, share(0) / 2);
-  Real t = 0;
+  const auto tell = [&](Real kick) {
+    if (!r.drives.empty()) over_islands(world, r, [&](const auto& mover) { return mover.tell_drives(kick); });
+  };
+  find_accelerations(world, r, share(0) / 2, false);
+  tell(share(0) / 2);
+  Real t = from;
+  const int of_substep = static_cast<int>(shares.size());
   for (int k = 0; k < stages; ++k) {
     const Real step = share(k);
     t += step;
     if (k > 0 && r.reads_velocities) {
       read_now(r);
-      find_accelerations(world, r, h, step / 2);
+      over_islands(world, r, [&](const auto& mover) { return mover.save_middle(); });
+      find_accelerations(world, r, step / 2, false);
+      tell(step / 2);
     }
     over_islands(world, r, [&](const auto& mover) { return mover.go(step, step / 2, t); });
+    over_islands(world, r, [&](const auto& mover) { return mover.save_middle(); });
     show(r);
-    if (r.reads_velocities) read_ahead(r);
-    find_accelerations(world, r, h, r.reads_velocities ? step / 2 : (step + share(k + 1)) / 2);
-    over_islands(world, r, [&](const auto& mover) { return mover.stop(step); });
+    const Real kick = r.reads_velocities ? step / 2 : (step + share(k + 1)) / 2;
+    if (r.reads_velocities) read_ahead(r), save_kicks(world, r, r.kicks);
+    for (int tries = 0; tries < (r.reads_velocities ? kMostTries : 1); ++tries) {
+      if (tries > 0) restore_kicks(world, r, r.kicks);
+      find_accelerations(world, r, kick, true);
+      over_islands(world, r, [&](const auto& mover) { return mover.try_stop(step); });
+      if (std::ranges::none_of(r.islands, [](const RattleIsland& i) { return i.is_moving && !i.agrees; })) break;
+    }
+    tell(kick);
+    const bool ends = (k + 1) % of_substep == 0;  // a substep does; where stages go back limits may be passed
+    const Real begun = static_cast<Real>(k / of_substep) / substeps, whole = ends ? Real(1) / substeps : 0;
+    over_islands(world, r, [&](const auto& mover) { return mover.stop(step, begun, whole); });
     show(r);
   }
 }

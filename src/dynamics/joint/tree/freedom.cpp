@@ -45,6 +45,11 @@ Real along(const Vec3& way, const Vec3& v) {
 
 }  // namespace
 
+Vec3 omega_of_angles(const Vec3& swing, const Vec3& rates) {
+  const Vec3 swings = turn_of_swing(swing_terms(swing.squared_norm()), swing, {0, rates.y(), rates.z()});
+  return swings + rates.x() * (exp_map(swing) * Vec3::unit_x());
+}
+
 void Freedom::add_swings(const JointAxes& axes, const JointEnds& ends, const Vec3& turned) {
   swings_ = true, to_world_ = ends.a.q, swing_ = {0, turned.y(), turned.z()};
   const SwingTerms terms = swing_terms(swing_.squared_norm());
@@ -93,7 +98,7 @@ Freedom freedom_of(const World& world, const Joint& joint) {
     for (int k = 0; k < 3; ++k)
       if (is_free(k)) f.add(k, axis_of_a(k)), ++f.places;
   };
-  switch (joint.def.kind) {
+  switch (joint.axes ? JointKind::six_axis : joint.def.kind) {
     case JointKind::hinge:
       f.add(3, axis_of_a(3));
       break;

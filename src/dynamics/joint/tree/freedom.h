@@ -2,6 +2,7 @@
 // now, and how those ways change. Kinds that couple (pulley, gear) or lock a length alone (distance) have no such speeds.
 #pragma once
 
+#include "dynamics/body_state.h"
 #include "dynamics/world.h"
 
 namespace carom::dynamics {
@@ -54,11 +55,21 @@ struct Freedom {
   Vec3 swing_;                 // rad, A's frame: the rotation vector (0, y, z)
 };
 
+/// Whether forces do not move it: the world, or a static, kinematic, disabled body, or one in quarantine.
+inline bool is_held(const World& world, std::uint32_t body) {
+  return body == kInvalid || !responds(world.scene, world.state, body);
+}
+
 /// Whether a kind has speeds.
 inline bool has_freedom(JointKind kind) { return kind != JointKind::distance && !has_transmission(kind); }
 
 /// Of a joint that has speeds.
 /// @accuracy  rounding of poses; where all locks hold, what they are off by counts as a fixed place
 Freedom freedom_of(const World& world, const Joint& joint);
+
+/// The angular velocity of q = swing * twist. rad/s, as the axes of the outer frame
+/// @param swing  rad, (0, y, z)   @param rates  rad/s, of the twist, of y and z
+/// @accuracy  1e-15
+Vec3 omega_of_angles(const Vec3& swing, const Vec3& rates);
 
 }  // namespace carom::dynamics

@@ -28,10 +28,6 @@ struct Composite {
   }
 };
 
-bool is_held(const World& world, std::uint32_t body) {
-  return body == kInvalid || !responds(world.scene, world.state, body);
-}
-
 /// Whether a host moves it.
 bool is_driven(const World& world, std::uint32_t body) {
   return body != kInvalid && world.scene.type[body] == BodyType::kinematic && !world.state.held_out[body];

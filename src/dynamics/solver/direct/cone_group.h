@@ -8,6 +8,12 @@ namespace carom::dynamics {
 class ConeGroup {
  public:
   ConeGroup(const World& world, std::size_t group);
+  /// As if nothing touched.
+  static ConeGroup joints_of(const World& world, std::size_t group) {
+    ConeGroup of(world, group);
+    of.problem_.contacts = {}, of.joints_alone_ = true;
+    return of;
+  }
 
   /// Velocities with the impulses that the substep starts from; all there is to do where those are good enough.
   void begin(Velocities& to, Real h, std::uint64_t work);
@@ -15,6 +21,10 @@ class ConeGroup {
   void solve(Velocities& to, Real h, int substeps);
   /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.
   void part(Poses& to, Real h);
+  /// Whether a sweep has led one of its bodies elsewhere in this substep.
+  bool is_swept() const;
+  /// Displacements that lead it back onto its joints, as far as it moves in a substep: what was swept stays where it is.
+  void follow_swept(Poses& to, Real h);
   /// Velocities along what is locked, where the move has ended. Of groups that nothing touches: contacts, whose poses
   /// the solved velocities were to make good, are not asked twice.
   void settle(Velocities& to, Real h);
@@ -29,6 +39,8 @@ class ConeGroup {
   bool is_few() const { return rest_.is_few; }
   /// Whether joints gape still, by less than half of what they did before they were parted: once more is worth it.
   bool is_nearer() const;
+  /// Whether they gape by more than anybody is to see.
+  bool gapes() const;
 
  private:
   template <class F>
@@ -79,7 +91,8 @@ class ConeGroup {
   bool may_contradict() const;
   Real tolerable_gap() const;
   Real asked() const;
-  Real displacement_share(Real asked, Real h) const;
+  void part(Poses& to, Real h, Real most_closed);
+  Real displacement_share(Real asked, Real most_closed) const;
   void let_locks_yield();
   void turn_frames();
   Real measure();
@@ -97,7 +110,9 @@ class ConeGroup {
   std::uint64_t work_;
   bool was_held_ = false;  // all its bodies were at rest, to the bit, as the substep began
   bool is_led_ = false;    // by ground that turns
-  bool lasts_ = false;     // contacts start the next substep from impulses that balance its loads
+  bool follows_ = false;   // what a sweep has led elsewhere
+  bool joints_alone_ = false;
+  bool lasts_ = false;  // contacts start the next substep from impulses that balance its loads
 };
 
 }  // namespace carom::dynamics

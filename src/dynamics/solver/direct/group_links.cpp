@@ -42,10 +42,11 @@ Real give_of(const JointDriveLanes& drive, std::uint32_t lane) {
 }
 
 /// What is asked of a limit, a motor, a spring, a rotor.
+/// @param most    m or rad, of an error that is undone
 /// @param halved  half of the loads come after the move, so half of what motors do
 void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow& row, LinkPhase phase, Real h,
-         bool halved) {
-  const Real x = get(drive.row.error, row.lane), most = kJointPush * h;
+         Real most, bool halved) {
+  const Real x = get(drive.row.error, row.lane);
   switch (row.kind) {
     case DriveKind::limit: {
       const Real above = x - get(drive.lower, row.lane), below = get(drive.upper, row.lane) - x;
@@ -56,6 +57,11 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
         c.low = above > 0 ? -above / h : 0, c.high = below > 0 ? below / h : 0;
       return;
     }
+    case DriveKind::pace:
+      if (phase == LinkPhase::part) return leave(c);
+      c.low = get(drive.lower, row.lane) / h, c.high = get(drive.upper, row.lane) / h;
+      c.give = 0, c.most = kInfinity;
+      return;
     case DriveKind::motor:
       if (phase != LinkPhase::move && !halved) return leave(c);
       lock(c, get(drive.speed, row.lane));
@@ -193,7 +199,8 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
   }
 }
 
-void load_links(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, LinkPhase phase, Real h) {
+void load_links(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, LinkPhase phase, Real h,
+                Real most) {
   const WideJoints& w = *world.wide_joints;
   const BodyVelocity* const velocity = world.wide->velocity.data();
   // A lock asks for the bend of its arm where nothing else bears it. In contact that target gives energy: a taut chain
@@ -232,9 +239,9 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     c.bends = false;
     c.p = c.start_p = phase == LinkPhase::move ? get(row.p, lane) : 0;
     if (at_row.is_drive)
-      ask(c, w.drives[at_row.row], at_row, phase, h, halved);
+      ask(c, w.drives[at_row.row], at_row, phase, h, most, halved);
     else if (phase == LinkPhase::part)
-      lock(c, std::clamp(-get(row.error, lane), -kJointPush * h, kJointPush * h));
+      lock(c, std::clamp(-get(row.error, lane), -most, most));
     else
       lock(c, bends ? -get(row.curve, lane) : 0), c.bends = bends;
   }

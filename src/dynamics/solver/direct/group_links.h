@@ -17,7 +17,9 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group);
 
 /// Rows where bodies are now, and what is asked of them. Impulses are those kept, or none but in `move`.
 /// @param problem  bodies' velocities are those of the state
-void load_links(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, LinkPhase phase, Real h);
+/// @param most     m or rad, of an error that is undone, in `part`
+void load_links(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, LinkPhase phase, Real h,
+                Real most = 0);
 /// Make bodies turn slower that a joint's force would swing faster than substeps can follow. A force f at an arm r is a
 /// spring of f r against turns across it: a link of 1 kg and 0.5 m that 1e5 N pull swings at 800 rad/s, and a scheme
 /// that is explicit in directions throws it about beyond 2 / h. So its inertia becomes at least f r h^2 / 2 and its

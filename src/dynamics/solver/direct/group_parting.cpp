@@ -1,6 +1,7 @@
 // A group after the move: overlaps undone, joints settled, separations measured.
 #include <algorithm>
 
+#include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/depth.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/direct/cone_group.h"
@@ -29,6 +30,10 @@ bool ConeGroup::is_nearer() const {
   return gap > tolerable_gap() && (!is_hindered || gap < kNearer * rest_.gap);
 }
 
+bool ConeGroup::gapes() const {
+  return worst_error(world_, problem_, link_row_) > world_.scene.dials[Dial::position_tolerance];
+}
+
 /// To where the bodies are by now.
 void ConeGroup::turn_frames() {
   for (const ConeBody& b : bodies_of(problem_)) world_.plan->rotation[b.slot] = s_.q[b.slot].matrix();
@@ -54,11 +59,13 @@ Real ConeGroup::asked() const {
 }
 
 /// Of the displacements that were found, how much is taken. What is wedged between walls that nearly face each other,
-/// or is pushed at from all sides, would be moved by metres to be parted by millimetres.
-Real ConeGroup::displacement_share(Real asked, Real h) const {
+/// or is pushed at from all sides, would be moved by metres to be parted by millimetres. What follows a sweep is near already, and
+/// turns no farther either; what is torn may have to turn about.
+Real ConeGroup::displacement_share(Real asked, Real most_closed) const {
   Real moved2 = 0;
-  for (const ConeBody& b : bodies_of(problem_)) moved2 = std::max(moved2, b.v.linear().squared_norm());
-  const Real most = std::min(kLongestTurn * asked, std::max(asked, kJointPush * h));
+  for (const ConeBody& b : bodies_of(problem_))
+    moved2 = std::max(moved2, follows_ ? speed2(b, b.v) : b.v.linear().squared_norm());
+  const Real most = std::min(kLongestTurn * asked, std::max(asked, most_closed));
   return moved2 > most * most ? most / std::sqrt(moved2) : 1;
 }
 
@@ -69,7 +76,9 @@ void ConeGroup::let_locks_yield() {
     if (c.is_lock()) c.give = kGiveOfDisplacements * c.k;
 }
 
-void ConeGroup::part(Poses& to, Real h) {
+void ConeGroup::part(Poses& to, Real h) { part(to, h, kJointPush * h); }
+
+void ConeGroup::part(Poses& to, Real h, Real most_closed) {
   if (rest_.lasts || rest_.is_too_large) return;
   Real tolerance = world_.scene.dials[Dial::position_tolerance];
   const Real most = world_.scene.dials[Dial::push_speed] * h;
@@ -85,7 +94,7 @@ void ConeGroup::part(Poses& to, Real h) {
     contact.want = std::min(-(c_.geometry[row].separation + depth / 2), most);
   });
   for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
-  load_links(world_, problem_, link_row_, LinkPhase::part, h);
+  load_links(world_, problem_, link_row_, LinkPhase::part, h, most_closed);
   hold_forest();
   for (ConeContact& c : problem_.contacts) c.u = relative<&ConeBody::v>(problem_.bodies, c);
   measure_links(problem_);
@@ -95,7 +104,7 @@ void ConeGroup::part(Poses& to, Real h) {
   const auto most_steps = static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>(kLeastWork / work_, 2 * kAlways.value, kStepsOfYielding.value));
   solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
-  const Real share = displacement_share(most_asked, h);
+  const Real share = displacement_share(most_asked, most_closed);
   for (const ConeBody& b : bodies_of(problem_)) {
     Vec3 turn = share * b.v.angular();
     if (!is_joined() && may_turn_far(world_, b.slot) && turns_too_far(world_, b.slot, turn)) turn.set_zero();
@@ -105,6 +114,27 @@ void ConeGroup::part(Poses& to, Real h) {
   }
   for (ConeBody& b : bodies_of(problem_)) load(b);
   measure();
+}
+
+bool ConeGroup::is_swept() const {
+  return std::ranges::any_of(bodies_of(problem_), [&](const ConeBody& b) { return is_led_by_sweep(world_, b.slot); });
+}
+
+void ConeGroup::follow_swept(Poses& to, Real h) {
+  constexpr Real kHeavier = 1e6;
+  follows_ = true;
+  turn_frames();
+  Real fastest2 = kJointPush * kJointPush;
+  for (ConeBody& b : bodies_of(problem_)) {
+    load_mass(world_, b);
+    const Vec3 &v = s_.v[b.slot], &omega = s_.omega[b.slot];
+    fastest2 = std::max({fastest2, v.squared_norm(), omega.squared_norm()});
+    if (joints_alone_ || !is_led_by_sweep(world_, b.slot)) continue;
+    b.mass *= kHeavier, b.inertia = kHeavier * b.inertia;
+    b.inv_mass /= kHeavier, b.inv_inertia = b.inv_inertia / kHeavier;
+  }
+  part(to, h, std::sqrt(fastest2) * h);
+  for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b);
 }
 
 void ConeGroup::settle(Velocities& to, Real h) {

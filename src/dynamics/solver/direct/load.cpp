@@ -105,9 +105,9 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
     const ConeContact& contact = contacts[pair.at];
     if (what == LoadWhat::not_curved && contact.is_curved) return false;
     of = point_sources(world, pair);
-    const bool rolls = c.rows[pair.row].rolls;  // whose arms are those of the moment
+    const bool is_of_now = c.rows[pair.row].rolls || c.geometry[pair.row].is_asked_again;
     const auto put = [&](std::uint32_t body, const double*& held, const double*& inv_inertia, double& inv_mass) {
-      held = body != kInvalid && !rolls ? bodies[body].held_back.data() : kNoMatrix;
+      held = body != kInvalid && !is_of_now ? bodies[body].held_back.data() : kNoMatrix;
       inv_inertia = body != kInvalid ? bodies[body].inv_inertia.data() : kNoMatrix;
       inv_mass = body != kInvalid ? bodies[body].inv_mass : 0;
     };
@@ -120,7 +120,8 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
     const ConeContact& of = contacts[pair.at];
     const GivenMotion given_a(world, bodies, of.a, first.a), given_b(world, bodies, of.b, first.b);
     const bool is_given = given_a.any() || given_b.any();
-    const bool curved = what == LoadWhat::all && is_curved(world, c.geometry[pair.row]);
+    const bool curved =
+        what == LoadWhat::all && !c.geometry[pair.row].is_asked_again && is_curved(world, c.geometry[pair.row]);
     for (std::uint32_t k = 0; k < pair.count; ++k) {
       ConeContact& contact = contacts[pair.at + k];
       const Vec3 r_a(places.r_a.x[k], places.r_a.y[k], places.r_a.z[k]),
