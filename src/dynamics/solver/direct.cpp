@@ -128,7 +128,7 @@ static void part_again(const World& world, const Group& group, const Part& part)
   place_joints(world);
 }
 
-/// Joints of some groups closed, heeding contacts; then what these hinder by joints alone.
+/// Joints of some groups closed, heeding contacts; then what these hinder by joints alone, whatever that does to contacts.
 /// @param which  (group): whether it is to be
 template <class Which, class Part>
 static void close(const World& world, const Which& which, const Part& part) {
@@ -138,8 +138,9 @@ static void close(const World& world, const Which& which, const Part& part) {
   for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].parts = d.is_joined(g) && which(whole(g));
   part_again(world, whole, part);
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    d.rest[g].parts = d.is_joined(g) && which(whole(g)) && whole(g).gapes();
-    if (d.rest[g].parts) d.rest[g].gap = kInfinity;
+    GroupRest& rest = d.rest[g];
+    rest.parts = d.is_joined(g) && which(whole(g)) && whole(g).gapes();
+    if (rest.parts) rest.gap = kInfinity, rest.has_moved = true;
   }
   if (std::ranges::any_of(d.rest, &GroupRest::parts)) part_again(world, alone, part);
 }
