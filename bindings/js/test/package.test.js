@@ -234,5 +234,5 @@ test("the module's size", async (t) => {
   const bytes = await readFile(new URL("../dist/carom.wasm", import.meta.url));
   const gzip = gzipSync(bytes, { level: 9 }).length;
   t.diagnostic(`carom.wasm: ${bytes.length} bytes, ${gzip} by gzip -9`);
-  assert.ok(gzip < 0.84e6); // what it was when this was last looked at, and a little more
+  assert.ok(gzip < 0.86e6); // what it was when this was last looked at, and a little more
 });
