@@ -4,6 +4,7 @@
 #include "dynamics/body_state.h"
 #include "dynamics/joint/speeds.h"
 #include "dynamics/joint/tree/joint_moves.h"
+#include "joint_draws.h"
 #include "six_axes.h"
 
 using namespace carom;
@@ -13,22 +14,6 @@ namespace {
 
 constexpr std::uint32_t kWorld = kInvalid;
 using Six = std::array<Real, kAxes>;
-
-std::uint64_t g_seed = 0x9E3779B97F4A7C15;
-/// From -1 to 1.
-Real draw() {
-  g_seed ^= g_seed << 13, g_seed ^= g_seed >> 7, g_seed ^= g_seed << 17;
-  return static_cast<Real>(g_seed >> 11) * 0x1p-52 - 1;
-}
-int below(int n) { return static_cast<int>((draw() + 1) / 2 * n * (1 - 1e-12)); }
-Vec3 draw3(Real size) {
-  const Real x = draw(), y = draw(), z = draw();
-  return size * Vec3(x, y, z);
-}
-Quat draw_turn() {
-  const Vec3 v = draw3(1);
-  return normalized(Quat(draw(), v.x(), v.y(), v.z()));
-}
 
 Six axes_now(const World& w, std::uint32_t j) {
   const JointEnds ends = ends_of(w, w.joints.joint[j].def);

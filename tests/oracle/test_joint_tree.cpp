@@ -2,6 +2,7 @@
 // file, differentiated by differences; the mass matrix against energies; closed forms; what is no tree.
 #include "carom_test.h"
 #include "dynamics/joint/tree/joint_tree.h"
+#include "joint_draws.h"
 #include "six_axes.h"
 
 using namespace carom;
@@ -10,22 +11,6 @@ using namespace carom::test;
 namespace {
 
 constexpr std::uint32_t kWorld = kInvalid;
-
-std::uint64_t g_seed = 0x9E3779B97F4A7C15;
-/// From -1 to 1.
-Real draw() {
-  g_seed ^= g_seed << 13, g_seed ^= g_seed >> 7, g_seed ^= g_seed << 17;
-  return static_cast<Real>(g_seed >> 11) * 0x1p-52 - 1;
-}
-int below(int n) { return static_cast<int>((draw() + 1) / 2 * n * (1 - 1e-12)); }
-Vec3 draw3(Real size) {
-  const Real x = draw(), y = draw(), z = draw();
-  return size * Vec3(x, y, z);
-}
-Quat draw_turn() {
-  const Vec3 v = draw3(1);
-  return normalized(Quat(draw(), v.x(), v.y(), v.z()));
-}
 
 /// A body, the joint that holds it to those before it, and how that moves. The first may be a base.
 struct Segment {

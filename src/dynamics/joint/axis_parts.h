@@ -37,6 +37,15 @@ std::uint64_t turn_key(const Joint& joint, const JointAxes& axes);
 Real& impulse_of(JointAxes* axes, Joint& joint, const DriveRow& row, std::uint32_t k);
 Real kept_impulse(const JointAxes& axes, const Joint& joint, const DriveRow& row, std::uint32_t k);
 
+/// What pulls an axis, frequencies made into gains.
+struct PullGains {
+  Real k, c;     // as AxisPull says, per mass or not
+  Real fastest;  // rad/s, a quarter of the substep rate: no frequency is higher
+};
+PullGains gains_of(const AxisPull& pull, Real h);
+/// How many pull at an axis, at least 1: together they are no stiffer than a substep carries.
+int pulls_on(const JointAxis& axis);
+
 /// N or N m, the most that a drive may give for the limit of its axis: an even share of it.
 Real share_of_limit(const JointAxes& axes, const Joint& joint, const DriveRow& row);
 

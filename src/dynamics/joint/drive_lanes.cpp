@@ -63,18 +63,12 @@ void fill_spring(Real target, Real speed, Real max_force, Real h, JointDriveLane
   drive.max_impulse[lane] = max_force * h;
 }
 
-/// @param springs  how many act on the axis: together no stiffer than a substep carries
-void fill_pull(const AxisPull& pull, Real h, int springs, AxesLanes::Pull& to, int lane) {
-  constexpr Real kPi = std::numbers::pi;
-  const Real fastest = kPi / 2 / h;  // rad/s, a quarter of the substep rate
-  Real k = pull.stiffness, c = pull.damping;
-  if (pull.gains == Gains::frequency) {
-    const Real w = std::min(2 * kPi * k, fastest);
-    k = w * w, c = 2 * c * w;
-  }
+/// @param pulls  that act on the axis
+void fill_pull(const AxisPull& pull, Real h, int pulls, AxesLanes::Pull& to, int lane) {
+  const PullGains gains = gains_of(pull, h);
   to.per_mass[lane] = pull.gains == Gains::force ? 0 : 1;
-  to.stiffness[lane] = h * k, to.damping[lane] = h * c;
-  to.stiffest[lane] = h * fastest * fastest / springs;
+  to.stiffness[lane] = h * gains.k, to.damping[lane] = h * gains.c;
+  to.stiffest[lane] = h * gains.fastest * gains.fastest / pulls;
 }
 
 struct RowFill {
@@ -86,18 +80,17 @@ struct RowFill {
   Real most;   // N or N m, of each drive
 };
 
-void fill_axis(const JointAxis& a, const Joint& joint, const DriveRow& row, RowFill to) {
-  to.most = share_of_limit(a, own_drive(joint));
-  const int springs = std::max(1, (a.drive == AxisDrive::position) + a.spring.on() + (a.is_limited() && a.stop.on()));
+void fill_axis(const JointAxis& a, const DriveRow& row, const RowFill& to) {
+  const int pulls = pulls_on(a);
   switch (row.source) {
     case kOfDrive:
       if (row.kind == DriveKind::motor)
         return fill_motor(a.drive, a.speed, a.effort, std::min(a.max_force, to.most), to.half, to.drive, to.lane);
       fill_spring(a.target, a.speed, std::min(a.max_force, to.most), to.h, to.drive, to.lane);
-      return fill_pull(a.gains, to.h, springs, to.pull, to.lane);
+      return fill_pull(a.gains, to.h, pulls, to.pull, to.lane);
     case kOfSpring:
       fill_spring(a.rest, 0, kInfinity, to.h, to.drive, to.lane);
-      return fill_pull(a.spring, to.h, springs, to.pull, to.lane);
+      return fill_pull(a.spring, to.h, pulls, to.pull, to.lane);
     case kOfFriction:
       return fill_motor(AxisDrive::velocity, 0, 0, a.friction, to.half, to.drive, to.lane);
     case kOfRotor:
@@ -110,7 +103,7 @@ void fill_axis(const JointAxis& a, const Joint& joint, const DriveRow& row, RowF
       return;
     default:
       to.drive.lower[to.lane] = a.lower, to.drive.upper[to.lane] = a.upper;
-      if (row.kind == DriveKind::stop) fill_pull(a.stop, to.h, springs, to.pull, to.lane);
+      if (row.kind == DriveKind::stop) fill_pull(a.stop, to.h, pulls, to.pull, to.lane);
   }
 }
 
@@ -129,6 +122,21 @@ Real speed_of_rotor(const World& world, const Joint& joint, const DriveRow& row)
 }
 
 }  // namespace
+
+PullGains gains_of(const AxisPull& pull, Real h) {
+  constexpr Real kPi = std::numbers::pi;
+  PullGains to = {pull.stiffness, pull.damping, kPi / 2 / h};
+  if (pull.gains == Gains::frequency) {
+    const Real w = std::min(2 * kPi * pull.stiffness, to.fastest);
+    to.k = w * w, to.c = 2 * pull.damping * w;
+  }
+  return to;
+}
+
+int pulls_on(const JointAxis& axis) {
+  const bool stops = axis.is_limited() && axis.stop.on();
+  return std::max(1, (axis.drive == AxisDrive::position) + axis.spring.on() + stops);
+}
 
 Real share_of_limit(const JointAxes& axes, const Joint& joint, const DriveRow& row) {
   if (!joint.axes || row.coordinate >= kFirstTurn) return kInfinity;
@@ -163,12 +171,15 @@ void fill_drives(const World& world, const Joint& joint, const DriveStart& start
     drive.row.p[lane] = row.kind == DriveKind::rotor ? 0 : p;
     drive.lower[lane] = drive.upper[lane] = drive.speed[lane] = drive.pull[lane] = drive.drag[lane] = 0;
     drive.max_impulse[lane] = kInfinity;
-    const RowFill to = {start.h,  start.again ? start.h / 2 : start.h,
-                        drive,    lanes.axed ? w.axes[lanes.axed - 1].pull[k] : none,
-                        lane,     row.kind == DriveKind::rotor ? speed_of_rotor(world, joint, row) : 0,
-                        kInfinity};
+    const RowFill to = {start.h,
+                        start.again ? start.h / 2 : start.h,
+                        drive,
+                        lanes.axed ? w.axes[lanes.axed - 1].pull[k] : none,
+                        lane,
+                        row.kind == DriveKind::rotor ? speed_of_rotor(world, joint, row) : 0,
+                        share_of_limit(axes, joint, row)};
     if (row.coordinate < kFirstTurn)
-      fill_axis(axes.axis[row.coordinate - kFirstAxis], joint, row, to);
+      fill_axis(axes.axis[row.coordinate - kFirstAxis], row, to);
     else
       fill_turn(joint.turn, row, to);
   }

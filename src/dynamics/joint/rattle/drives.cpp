@@ -1,14 +1,11 @@
 // What motors, springs, limits and friction of joints are set to, as a step begins.
 #include <algorithm>
-#include <numbers>
 
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/rattle/rattle.h"
 
 namespace carom::dynamics::rattle {
 namespace {
-
-constexpr Real kPi = std::numbers::pi;
 
 void set_motor(RattleDrive& d, Real speed, Real most) {
   d.law = RattleDrive::Law::motor;
@@ -19,16 +16,12 @@ void set_limit(RattleDrive& d, Real lower, Real upper) {
   d.law = RattleDrive::Law::limit;
   d.lower = lower, d.upper = upper;
 }
-/// @param h  s, of a substep: no spring is faster than a quarter of its rate   @param springs  that share that
-void set_pull(RattleDrive& d, const AxisPull& pull, Real h, int springs) {
-  const Real fastest = kPi / 2 / h;
+/// @param h  s, of a substep   @param pulls  that act on the axis
+void set_pull(RattleDrive& d, const AxisPull& pull, Real h, int pulls) {
+  const PullGains gains = gains_of(pull, h);
   d.per_mass = pull.gains != Gains::force;
-  d.k = pull.stiffness, d.c = pull.damping;
-  if (pull.gains == Gains::frequency) {
-    const Real w = std::min(2 * kPi * pull.stiffness, fastest);
-    d.k = w * w, d.c = 2 * pull.damping * w;
-  }
-  d.stiffest = fastest * fastest / springs;
+  d.k = gains.k, d.c = gains.c;
+  d.stiffest = gains.fastest * gains.fastest / pulls;
 }
 
 void set_by_mode(RattleDrive& d, AxisDrive mode, Real speed, Real effort, Real most) {
@@ -52,21 +45,21 @@ void read_coordinate(const JointDrive& from, RattleDrive& d, Real h) {
 }
 
 void read_axis(const JointAxis& a, RattleDrive& d, Real h) {
-  const int springs = std::max(1, (a.drive == AxisDrive::position) + a.spring.on() + (a.is_limited() && a.stop.on()));
+  const int pulls = pulls_on(a);
   switch (d.row.source) {
     case kOfDrive:
       if (d.row.kind == DriveKind::motor) return set_by_mode(d, a.drive, a.speed, a.effort, a.max_force);
       d.lower = d.upper = a.target, d.speed = a.speed, d.most = a.max_force;
-      return set_pull(d, a.gains, h, springs);
+      return set_pull(d, a.gains, h, pulls);
     case kOfSpring:
       d.lower = d.upper = a.rest;
-      return set_pull(d, a.spring, h, springs);
+      return set_pull(d, a.spring, h, pulls);
     case kOfFriction:
       return set_motor(d, 0, a.friction);
     default:
       if (d.row.kind == DriveKind::limit) return set_limit(d, a.lower, a.upper);
       d.lower = a.lower, d.upper = a.upper;
-      return set_pull(d, a.stop, h, springs);
+      return set_pull(d, a.stop, h, pulls);
   }
 }
 
