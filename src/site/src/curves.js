@@ -20,7 +20,7 @@ export function plot(canvas, title, unit, series, at) {
   g.font = "11px system-ui, sans-serif";
   g.fillStyle = colours.text;
   g.fillText(`${title}, most ${most.toPrecision(3)} ${unit}`, 4, 12);
-  g.strokeStyle = colours.grid;
+  g.strokeStyle = colours.rule;
   g.strokeRect(4, 18, w - 8, h - 22);
   series.forEach((s, k) => {
     g.strokeStyle = k ? colours.b : colours.a;
@@ -66,7 +66,7 @@ export function plotCauses(canvas, table, causes, at) {
   ((canvas.width = w * ratio), (canvas.height = h * ratio), g.scale(ratio, ratio));
   const most = Math.max(...shown.map((c) => c.size), 1e-300),
     length = Math.max(2, ...shown.map((c) => c.sums.length));
-  g.strokeStyle = theme().grid;
+  g.strokeStyle = theme().rule;
   g.strokeRect(4, 4, w - 8, h - 8);
   (g.beginPath(), g.moveTo(4, h / 2), g.lineTo(w - 4, h / 2), g.stroke());
   shown.forEach(({ sums }, k) => {

@@ -40,7 +40,7 @@ export function readLink(query, presets, dials) {
   };
   const sides = [{ settings: settings(""), log: log("do") }];
   if (given.get("ab") === "1") sides.push({ settings: settings("_b"), log: log("do_b") });
-  return { scene: given.get("scene"), step, sides };
+  return { scene: given.get("scene"), step, plays: given.get("play") === "1", sides };
 }
 
 function settingsOf(settings, presets, suffix, out) {
@@ -53,10 +53,11 @@ function settingsOf(settings, presets, suffix, out) {
 }
 
 /** @param sides  [{settings, log}], one or two   @returns the query, or null if there is too much in it */
-export function writeLink({ scene, step, sides }, presets) {
+export function writeLink({ scene, step, plays, sides }, presets) {
   const out = new URLSearchParams();
   out.set("scene", scene);
   out.set("step", String(step));
+  if (plays) out.set("play", "1");
   sides.forEach(({ settings, log }, i) => {
     const suffix = i ? "_b" : "";
     if (i) out.set("ab", "1");

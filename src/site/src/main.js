@@ -15,7 +15,9 @@ import { Stage } from "./stage.js";
 import { offTruth, Truth } from "./truth.js";
 
 const $ = (id) => document.getElementById(id);
-const BUDGET = 20; // ms of a frame for steps
+const BUDGET = 12; // ms of a frame for steps
+const TELL = 200; // ms from one time that numbers and curves are brought up to date to the next, while it plays
+const REST = 1.5; // s that a scene which nobody touched is seen at its end, before it begins anew
 
 const state = {
   row: {},
@@ -30,6 +32,10 @@ const state = {
   difference: [],
   shapes: [], // that visitors brought: { id, plugin }
   last: 0,
+  told: 0, // when numbers were
+  stepping: 0, // ms of the last frame
+  inSight: true,
+  touched: false, // by a visitor: until then a scene begins anew when it has ended
 };
 const shown = { ...SHOWN };
 let carom, rows, stage, panel, pointer, plan, accuracy;
@@ -69,8 +75,9 @@ function begin(row, start, sides) {
     throw error;
   }
   clear();
+  const other = row !== state.row;
   Object.assign(state, { row, start, engine, sims: made, following: null, difference: [], owed: 0 });
-  show();
+  show(other);
 }
 
 function clear() {
@@ -80,7 +87,7 @@ function clear() {
   state.pictures = [];
 }
 
-function show() {
+function show(other) {
   state.pictures = state.sims.map((sim) => {
     const picture = new Picture(sim, state.row);
     picture.shown = shown;
@@ -95,6 +102,9 @@ function show() {
   $("error").hidden = !state.row.truth;
   $("label-a").textContent = two ? "A" : "";
   $("label-b").textContent = two ? "B" : "";
+  for (const picture of state.pictures) picture.update();
+  if (other) stage.look(state.row, state.pictures);
+  else stage.follow(state.pictures, Infinity);
   redraw();
 }
 
@@ -121,12 +131,20 @@ function act(action) {
   redraw();
 }
 
-function redraw() {
-  const [sim] = state.sims;
+/** @param seconds  that the camera has had to follow; Infinity: it is there at once */
+function redraw(seconds = Infinity) {
   for (const picture of state.pictures) picture.update();
-  if (state.following !== null && sim.bodies[state.following]) stage.follow(sim.bodies[state.following].position);
+  const followed = state.sims[0].bodies[state.following];
+  if (followed) stage.keep(followed.position);
+  else if (seconds < Infinity) stage.follow(state.pictures, seconds);
   stage.render(state.pictures);
-  const hash = sim.hash();
+  if (seconds === Infinity) tell();
+}
+
+/** Numbers and curves. */
+function tell() {
+  const [sim] = state.sims,
+    hash = sim.hash();
   $("hash").textContent = state.sims.map((s) => s.hash()).join("  ");
   const plain = !sim.settings.length && !(sim.lastAction >= 0 && Math.min(...sim.actions.keys()) <= sim.step);
   const native = plain ? state.row.hashes?.[sim.step] : undefined;
@@ -140,6 +158,7 @@ function redraw() {
   $("at").textContent = sim.step;
   $("scrub").max = Math.max(sim.newest, sim.step);
   $("scrub").value = sim.step;
+  $("fit").hidden = stage.auto;
   state.pictures.forEach(({ sim: s }, i) => (s.errors[s.step] = state.pictures[i].error()));
   $("off").textContent = state.row.truth ? state.sims.map((s) => offTruth(s.errors[s.step])).join("  ") : "";
   if ($("curves-box").open) plotAll(state, $);
@@ -157,32 +176,45 @@ function play(on) {
 
 function frame(now) {
   requestAnimationFrame(frame);
-  const passed = Math.min(0.1, (now - state.last) / 1000);
+  const ms = now - state.last,
+    passed = Math.min(0.1, ms / 1000);
   state.last = now;
+  if (!state.sims.length || !state.inSight) return;
   const moved = stage.controls.update();
-  if (!state.sims.length) return;
   if (!state.playing) {
     if (moved) stage.render(state.pictures);
     return;
   }
-  const dt = state.sims[0].dt,
-    end = performance.now() + BUDGET;
+  if (ms < 1000) stage.adapt(ms - state.stepping);
+  const { dt, step } = state.sims[0],
+    begun = performance.now();
+  if (!state.touched && state.row.seconds && step * dt > state.row.seconds + REST) seek(0);
   state.owed = Math.min(state.owed + passed * Number($("speed").value), 8 * dt);
   const went = attempt(() => {
-    while (state.owed >= dt && performance.now() < end) {
+    while (state.owed >= dt && performance.now() < begun + BUDGET) {
       advance();
       state.owed -= dt;
     }
     return true;
   });
   if (!went) play(false);
-  redraw();
+  state.stepping = performance.now() - begun;
+  redraw(passed);
+  if (now - state.told > TELL) ((state.told = now), tell());
 }
 
 async function truthOf(told) {
   const response = await fetch(`scenes/${told.file}`);
   if (!response.ok) throw new Error(`scenes/${told.file} is missing: build the page again`);
   return new Truth(told, await response.arrayBuffer());
+}
+
+/** For the eye; where `carom view` packed the scene, they stand in its row. */
+async function meshesOf(told) {
+  if (typeof told !== "string") return told;
+  const response = await fetch(`scenes/${told}`);
+  if (!response.ok) throw new Error(`scenes/${told} is missing: build the page again`);
+  return response.json();
 }
 
 async function open(name, sides = [{ settings: [], log: [] }]) {
@@ -192,18 +224,16 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
   if (!response.ok) throw new Error(`scenes/${row.world} is missing: build the page again`);
   const bytes = new Uint8Array(await response.arrayBuffer());
   const file = row.world.endsWith(".rec") ? await opened(carom, row.world, bytes) : { start: bytes };
-  const truth = row.truth ? { truth: await truthOf(row.truth) } : {};
-  begin({ ...row, ...file.row, ...truth }, file.start, sides);
+  const truth = row.truth ? { truth: await truthOf(row.truth) } : {},
+    meshes = row.meshes ? { meshes: await meshesOf(row.meshes) } : {};
+  begin({ ...row, ...file.row, ...truth, ...meshes }, file.start, sides);
   $("scene").value = name;
   $("about").textContent = `${row.summary} Look for: ${row.look_for}.`;
-  row.camera ? stage.look(row) : stage.paint();
 }
 
 async function make(name, values) {
   const { row, start } = await made(name, values);
   begin(row, start, [{ settings: [], log: [] }]);
-  stage.look(row);
-  redraw();
 }
 
 function compare(on) {
@@ -222,6 +252,7 @@ function link() {
     {
       scene: state.row.name,
       step: state.sims[0].step,
+      plays: state.playing,
       sides: state.sims.map((sim) => ({ settings: sim.settings, log: sim.log() })),
     },
     carom.presets(),
@@ -276,8 +307,6 @@ async function openFile(file) {
     } else {
       begin(row, start, [{ settings: [], log: [] }]);
       $("about").textContent = note ?? file.name;
-      row.camera ? stage.look(row) : stage.paint();
-      redraw();
     }
     if (note) say(note);
   } catch (error) {
@@ -323,7 +352,17 @@ function controls() {
     if (key) (e.preventDefault(), $(key).click());
   });
   for (const box of document.querySelectorAll("details[id]")) box.ontoggle = () => state.sims.length && redraw();
-  new ResizeObserver(() => state.sims.length && redraw()).observe($("stage"));
+  $("fit").onclick = () => ((state.following = null), (stage.auto = true), stage.follow(state.pictures, Infinity), redraw());
+  new ResizeObserver(() => {
+    if (!state.sims.length) return;
+    stage.render(state.pictures); // the picture has its new shape
+    stage.follow(state.pictures, Infinity);
+    redraw();
+  }).observe($("stage"));
+  // Out of sight nothing is computed, in frames of the documentation as well.
+  new IntersectionObserver(([entry]) => (state.inSight = entry.isIntersecting)).observe($("stage"));
+  for (const kind of ["pointerdown", "keydown", "input", "change"])
+    addEventListener(kind, () => (state.touched = true), { capture: true });
 }
 
 async function start() {
@@ -333,11 +372,12 @@ async function start() {
   rows = await (await index).json();
   listScenes($("scene"), rows);
   stage = new Stage($("view"));
+  stage.paint();
   plan = new PlanPanel($("stages"), $("plan"), (effect, mode) => act({ do: "effect", effect, mode }));
   accuracy = new AccuracyPanel($("accuracy-box"), {
     sims: () => state.sims,
     act: (which, action) => (attempt(() => state.sims[which].do(action)), panel.refresh()),
-    follow: (body) => ((state.following = body), redraw()),
+    follow: (body) => ((state.following = body), (stage.auto = false), redraw()),
   });
   panel = new Panel($("panel"), {
     carom,
@@ -356,22 +396,24 @@ async function start() {
     say,
     place: (u, v) => ((pointer.view = stage.place(u, v)), pointer.view),
     picture: () => state.pictures[pointer.view.view],
-    follow: (body) => (state.following = body),
+    follow: (body) => ((state.following = body), (stage.auto = false)),
   });
   controls();
   let wanted = { scene: null, step: 0, sides: undefined };
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
   const first = (rows.find((row) => row.first) ?? rows.find((row) => row.name === "wall") ?? rows[0]).name;
   await open(wanted.scene ?? first, wanted.sides).catch(async (e) => (say(e.message), await open(first)));
-  if ([...new URLSearchParams(location.search).keys()].some((key) => key !== "threads")) {
-    play(false);
-    if (wanted.step)
-      attempt(() => {
-        while (state.sims[0].step < wanted.step) advance();
-      });
-    $("accuracy-box").open = state.sims.some((sim) => sim.world.accuracy);
-    redraw();
-  }
+  // A link to a step shows that step. All else plays, but not for people who ask for less motion.
+  const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  play(!calm && (!wanted.step || wanted.plays));
+  if (wanted.step)
+    attempt(() => {
+      while (state.sims[0].step < wanted.step) advance();
+    });
+  for (const picture of state.pictures) picture.update();
+  stage.follow(state.pictures, Infinity);
+  $("accuracy-box").open = state.sims.some((sim) => sim.world.accuracy);
+  redraw();
   // For tests and the curious.
   globalThis.caromViewer = {
     get step() {
@@ -381,9 +423,14 @@ async function start() {
       return state.sims[0].hash();
     },
     state,
+    stage,
     threads: carom.threads,
     seek,
     probe: (u, v) => pointer.probe(u, v),
+    /** How well it is drawn: 0 is best. */
+    get quality() {
+      return stage.quality;
+    },
     /** Geometries and textures that the graphics card holds. */
     get held() {
       return { ...stage.renderer.info.memory };
