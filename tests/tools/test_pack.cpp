@@ -51,7 +51,7 @@ static void packed_scenes_go_on_as_told(void**) {
 /// What is drawn in place of the shape that collides stands in a file of its own: corners within the scene's size.
 static void meshes_are_packed(void**) {
   const fs::path folder = fs::temp_directory_path() / ("carom_meshes_" + std::to_string(getpid()));
-  assert_int_equal(run_carom("pack " + folder.string() + " seesaw wall:bunny_height=0.8 stacks --steps 1").code, 0);
+  assert_int_equal(run_carom("pack " + folder.string() + " seesaw wall:columns=4 stacks --steps 1").code, 0);
   const nlohmann::json index = nlohmann::json::parse(bytes_of(folder / "index.json"));
   const double heights[] = {0.5, 0.8};  // of the bunnies, m
   for (std::size_t i = 0; i < 2; ++i) {

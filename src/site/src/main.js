@@ -1,12 +1,12 @@
 // The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
 import { Recording } from "carom";
-import { AccuracyPanel } from "./accuracy.js";
+import { AccuracyPanel, number, TRIALS } from "./accuracy.js";
+import { Dials } from "./dials.js";
 import { plotAll, plotCauses } from "./curves.js";
 import { engine } from "./engine.js";
 import { readLink, writeLink } from "./link.js";
 import { listScenes, made } from "./made.js";
 import { opened } from "./opened.js";
-import { Panel } from "./panel.js";
 import { Picture, SHOWN } from "./picture.js";
 import { PlanPanel } from "./plan.js";
 import { Pointer } from "./pointer.js";
@@ -33,6 +33,7 @@ const state = {
   shapes: [], // that visitors brought: { id, plugin }
   last: 0,
   told: 0, // when numbers were
+  pace: 0, // ms from one picture to the next, of late
   stepping: 0, // ms of the last frame
   inSight: true,
   touched: false, // by a visitor: until then a scene begins anew when it has ended
@@ -95,13 +96,11 @@ function show(other) {
     return picture;
   });
   const two = state.sims.length === 2;
-  panel.compare.on = two;
+  $("compare").checked = two;
   if (panel.row !== state.row) ((panel.row = state.row), panel.show(state.row.knobs));
-  panel.refresh();
+  panel.refresh(two);
   $("difference").hidden = !two;
   $("error").hidden = !state.row.truth;
-  $("label-a").textContent = two ? "A" : "";
-  $("label-b").textContent = two ? "B" : "";
   for (const picture of state.pictures) picture.update();
   if (other) stage.look(state.row, state.pictures);
   else stage.follow(state.pictures, Infinity);
@@ -161,11 +160,18 @@ function tell() {
   $("fit").hidden = stage.auto;
   state.pictures.forEach(({ sim: s }, i) => (s.errors[s.step] = state.pictures[i].error()));
   $("off").textContent = state.row.truth ? state.sims.map((s) => offTruth(s.errors[s.step])).join("  ") : "";
+  const { report } = sim;
+  $("bodies").textContent = sim.bodies.length + (state.row.particles ?? 0);
+  $("contacts").textContent = report ? Number(report.contact_points) : "–";
+  $("milliseconds").textContent = report ? number(1e3 * report.total_seconds) : "–";
+  $("frames").textContent = state.playing && state.pace ? Math.round(1000 / state.pace) : "–";
   if ($("curves-box").open) plotAll(state, $);
   sim.account($("causes-box").open);
-  if ($("causes-box").open) plotCauses($("causes"), $("causes-table"), sim.causes, sim.step);
+  if ($("causes-box").open) plotCauses($("causes"), $("causes-table"), sim);
   if ($("plan-box").open) plan.update(sim.world.plan());
-  if ($("accuracy-box").open) accuracy.update();
+  accuracy.update();
+  const two = state.sims.length === 2;
+  for (const k of [0, 1]) $(`label-${"ab"[k]}`).textContent = two ? `${"AB"[k]}: ${accuracy.briefly(k)}` : "";
 }
 
 function play(on) {
@@ -185,6 +191,7 @@ function frame(now) {
     if (moved) stage.render(state.pictures);
     return;
   }
+  if (ms < 1000) state.pace += 0.1 * (ms - state.pace);
   if (ms < 1000) stage.adapt(ms - state.stepping);
   const { dt, step } = state.sims[0],
     begun = performance.now();
@@ -228,6 +235,8 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
     meshes = row.meshes ? { meshes: await meshesOf(row.meshes) } : {};
   begin({ ...row, ...file.row, ...truth, ...meshes }, file.start, sides);
   $("scene").value = name;
+  $("trials").value = TRIALS.some(([trial]) => trial === name) ? name : "";
+  $("whole").href = `?scene=${name}`;
   $("about").textContent = `${row.summary} Look for: ${row.look_for}.`;
 }
 
@@ -245,6 +254,15 @@ function compare(on) {
     for (let i = 0; i < at; ++i) advance();
   });
   redraw();
+}
+
+/** A, a rough step, beside B, what was set: from the start.   @param rough  actions that make a world rough */
+function duel(rough) {
+  const b = state.sims.at(-1).settings;
+  attempt(() => begin(state.row, state.start, [{ settings: rough, log: [] }, { settings: b, log: [] }]));
+  $("accuracy-side").value = "1";
+  play(true);
+  tell();
 }
 
 function link() {
@@ -327,6 +345,8 @@ function controls() {
       ),
     );
   $("scrub").oninput = () => (play(false), seek(Number($("scrub").value)));
+  $("compare").onchange = () => compare($("compare").checked);
+  $("trials").onchange = () => $("trials").value && open($("trials").value).then(() => play(true), (e) => say(e.message));
   $("scene").onchange = () => open($("scene").value).catch((e) => say(e.message));
   $("link").onclick = link;
   $("save").onclick = () => {
@@ -375,15 +395,20 @@ async function start() {
   stage.paint();
   plan = new PlanPanel($("stages"), $("plan"), (effect, mode) => act({ do: "effect", effect, mode }));
   accuracy = new AccuracyPanel($("accuracy-box"), {
+    dials: () => carom.dials(),
     sims: () => state.sims,
+    error: (which) => state.sims[which].errors[state.sims[which].step],
     act: (which, action) => (attempt(() => state.sims[which].do(action)), panel.refresh()),
     follow: (body) => ((state.following = body), (stage.auto = false), redraw()),
+    restart: () => state.row.truth && (seek(0), play(true)),
+    duel,
   });
-  panel = new Panel($("panel"), {
+  $("trials").append(new Option("a scene whose truth is known", ""));
+  for (const [name, title] of TRIALS) if (rows.some((row) => row.name === name)) $("trials").append(new Option(title, name));
+  panel = new Dials($("panel"), {
     carom,
     shown,
     onShown: () => redraw(),
-    onCompare: compare,
     onMake: (values) => make(state.row.name, values).catch((e) => say(e.message)),
     apply: (which, action) => attempt(() => state.sims[which]?.do(action)),
     dial: (which, name) => (state.sims[which] ?? state.sims[0])?.world.dial(name) ?? 0,
@@ -399,20 +424,19 @@ async function start() {
     follow: (body) => ((state.following = body), (stage.auto = false)),
   });
   controls();
-  let wanted = { scene: null, step: 0, sides: undefined };
+  let wanted = { scene: null, step: 0, plays: true, sides: undefined };
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
   const first = (rows.find((row) => row.first) ?? rows.find((row) => row.name === "wall") ?? rows[0]).name;
   await open(wanted.scene ?? first, wanted.sides).catch(async (e) => (say(e.message), await open(first)));
   // A link to a step shows that step. All else plays, but not for people who ask for less motion.
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  play(!calm && (!wanted.step || wanted.plays));
+  play(!calm && wanted.plays);
   if (wanted.step)
     attempt(() => {
       while (state.sims[0].step < wanted.step) advance();
     });
   for (const picture of state.pictures) picture.update();
   stage.follow(state.pictures, Infinity);
-  $("accuracy-box").open = state.sims.some((sim) => sim.world.accuracy);
   redraw();
   // For tests and the curious.
   globalThis.caromViewer = {

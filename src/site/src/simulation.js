@@ -57,18 +57,16 @@ export class Simulation {
 
   /** Do something now. What was to come after the present step is forgotten.   @throws then nothing has changed */
   do(action) {
-    if (
-      this.step === 0 &&
-      this.newest === 0 &&
-      !this.actions.size &&
-      (action.do === "dial" || action.do === "preset")
-    ) {
+    const isSetting = action.do === "dial" || action.do === "preset";
+    if (this.step < this.newest) this.#forgetFuture();
+    if (isSetting && this.step === 0 && !this.actions.size) {
       act(this, action);
+      const before = this.settings.findIndex((a) => a.do === "dial" && action.do === "dial" && a.name === action.name);
+      if (before >= 0) this.settings.splice(before, 1);
       this.settings.push(action); // the scene as it starts
       this.#keep();
       return;
     }
-    if (this.step < this.newest) this.#forgetFuture();
     act(this, action); // throws before it is written down
     const done = this.actions.get(this.step) ?? [];
     // Of a slider that is drawn along, the last value counts.

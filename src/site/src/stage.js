@@ -213,8 +213,8 @@ export class Stage {
     const wide = this.w / pictures.length;
     pictures.forEach((picture, i) => {
       for (const p of pictures) p.group.visible = p === picture;
-      this.renderer.setViewport(i * wide, 0, wide, this.h);
-      this.renderer.setScissor(i * wide, 0, wide, this.h);
+      this.renderer.setViewport(i * wide, 0, wide + (i === pictures.length - 1 ? 2 : 0), this.h);
+      this.renderer.setScissor(i * wide, 0, wide + 2, this.h); // to the last pixel, however widths are rounded
       this.renderer.render(this.scene, this.camera);
     });
   }

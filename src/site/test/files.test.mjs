@@ -201,8 +201,9 @@ test(
       // Scenes of other numbers are made by the command.
       await page.selectOption("#scene", "stacks");
       await page.waitForFunction(() => caromViewer.state.row.name === "stacks");
+      await title(page, "Settings").click();
       await title(page, "its own numbers").click();
-      await field(page, /^n$/).locator("input").first().fill("2");
+      await field(page, /^n\b/).locator('[type="number"]').fill("2");
       await page.keyboard.press("Enter");
       await page.locator("#panel button", { hasText: "Make the scene anew" }).click();
       await page.waitForFunction(() => caromViewer.state.row.made?.n === 2);
