@@ -49,10 +49,11 @@ export function geometryOf(shape, fine = true) {
   return geometry.attributes.rim ? geometry : creased(geometry);
 }
 
+const MANY = 400; // faces: of more it is taken for something round
 /** A mesh for the eye, as `carom pack` writes it.   @param mesh  { unit m, points [3n], faces [3m] } whole numbers */
 export function drawnMesh({ unit, points, faces }) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(Float32Array.from(points, (x) => unit * x), 3));
   geometry.setIndex(faces);
-  return plain(geometry);
+  return faces.length < 3 * MANY ? creased(geometry) : plain(geometry);
 }

@@ -41,8 +41,10 @@ const state = {
 const shown = { ...SHOWN };
 let carom, rows, stage, panel, pointer, plan, accuracy;
 
-function say(text) {
+/** @param isNote  it says what is, not what went wrong */
+function say(text, isNote = false) {
   $("message").textContent = text;
+  $("message").classList.toggle("note", isNote);
   $("message").hidden = false;
   clearTimeout(say.timer);
   say.timer = setTimeout(() => ($("message").hidden = true), 12000);
@@ -305,7 +307,7 @@ function bring(plugin, name) {
   button.onclick = () => choose(button);
   $("tools").append(button);
   choose(button);
-  say(`${name}: click where a body of the shape ${id} should fall`);
+  say(`${name}: click where a body of the shape ${id} should fall`, true);
 }
 
 /** A file that was opened or dropped. What is wrong with it is told, and the scene stays as it was. */
@@ -325,8 +327,9 @@ async function openFile(file) {
     } else {
       begin(row, start, [{ settings: [], log: [] }]);
       $("about").textContent = note ?? file.name;
+      $("scene").selectedIndex = -1;
     }
-    if (note) say(note);
+    if (note) say(note, true);
   } catch (error) {
     say(error.message);
   }

@@ -27,7 +27,12 @@ export class Simulation {
     this.#build(start);
     this.step = 0;
     this.settings = settings;
-    for (const action of settings) act(this, action);
+    try {
+      for (const action of settings) act(this, action);
+    } catch (error) {
+      this.free(); // or the engine could not be freed, and would say that instead
+      throw error;
+    }
     this.#keep();
   }
 

@@ -62,7 +62,7 @@ export class Stage {
     Object.assign(this, { slow: 0, fast: 0, wait: 0, best: 0, auto: true, drift: new THREE.Vector3() });
   }
 
-  /** Stand where the scene says, as far off as this picture asks.   @param row  camera, ground, water of the index
+  /** Stand where the scene says, as far off as this picture asks.   @param row  camera, ground, floor, water of the index
    *  @param pictures  of it */
   look(row, pictures) {
     const { from = [6, 5, 9], to = [0, 1, 0] } = row.camera ?? {};
@@ -71,7 +71,7 @@ export class Stage {
     this.water.visible = row.water !== undefined;
     this.water.scale.setScalar(2 * Math.max(row.ground ?? 10, 4));
     this.water.position.y = row.water ?? 0;
-    this.ground.position.y = this.floor ? -0.002 : (this.depth = undefined);
+    this.ground.position.y = (row.floor ?? 0) - 0.002;
     this.auto = true;
     this.size = undefined;
     this.best = 0; // what was too much for another scene may not be for this one

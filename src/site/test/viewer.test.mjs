@@ -308,17 +308,27 @@ test(
     await page.waitForFunction(() => caromViewer.step === 0);
     assert.equal((await now(page)).hash, hash);
     await page.close();
-    for (const query of [
-      "?scene=nowhere",
-      "?scene=wall&step=-1",
-      "?scene=wall&dials=nonsense:1",
-      "?scene=wall&do=%5B%5B",
-      "?scene=wall&preset=best",
-      "?scene=wall&dials=substeps:1e99",
-      '?scene=wall&do=[[0,{"do":"constructor"}]]',
+    for (const [query, told] of [
+      ["?scene=nowhere", /no scene "nowhere"; choose one of/],
+      ["?scene=wall&step=-1", /step is not a whole number/],
+      ["?scene=wall&step=x", /step is not a whole number/],
+      ["?scene=wall&dials=nonsense:1", /dial "nonsense" does not exist/],
+      ["?scene=wall&do=%5B%5B", /actions are damaged/],
+      ["?scene=wall&preset=best", /preset "best" is none of fast, balanced/],
+      ["?scene=wall&dials=substeps:99999", /dial substeps is 99999: it goes from 1 to 64/],
+      ["?scene=wall&dials=substeps:1e99", /dial substeps is 1e99: it goes from 1 to 64/],
+      ["?scene=wall&dials=contact_frequency:-1", /contact_frequency is -1: it goes from 0 to 10000 Hz/],
+      ["?scene=wall&dials=substeps", /dial substeps has no number/],
+      ["?scene=wall&dials=substeps:2.5", /substeps/],
+      ["?scene=wall&dials=solver:1.5", /solver/],
+      ["?scen=wall", /"scen" means nothing here: scene, step/],
+      ['?scene=wall&do=[[0,{"do":"constructor"}]]', /no action "constructor"/],
+      ['?scene=wall&do=[[0,{"do":"dial","name":"substeps","value":99999}]]', /substeps/],
     ]) {
       const wrong = await visit(query);
-      assert.ok((await now(wrong)).message.length > 20, query);
+      const { message } = await now(wrong);
+      assert.match(message, told, query);
+      assert.doesNotMatch(message, /alive/, query);
       await wrong.close();
     }
   },
