@@ -37,6 +37,12 @@ function choice(options, value, set) {
   return select;
 }
 
+/** In so few letters that a box holds them. */
+function few(x) {
+  const plain = String(Number(x.toPrecision(4)));
+  return plain.length <= 7 ? plain : String(Number(x.toPrecision(4)).toExponential());
+}
+
 /** A number with a slider beside it.   @param get, set  in the unit shown   @param bounds { min, max, whole, initial } */
 function number({ min, max, whole, initial }, get, set) {
   const byFactor = min >= 0 && max / Math.max(min, 1e-12) > DECADES && !(whole && max <= DECADES),
@@ -51,14 +57,14 @@ function number({ min, max, whole, initial }, get, set) {
     box = element("input", { type: "number", step: whole ? 1 : "any" });
   const show = () => {
     const value = get();
-    if (document.activeElement !== box) box.value = String(Number(value.toPrecision(4)));
+    if (document.activeElement !== box) box.value = few(value);
     slider.value = String(Math.min(NOTCHES, Math.max(0, toNotch(value))));
   };
   slider.oninput = () => (set(Math.min(max, Math.max(min, tidy(fromNotch(Number(slider.value)))))), show());
   box.onchange = () => {
     const value = Number(box.value);
     if (box.value !== "" && Number.isFinite(value)) set(Math.min(max, Math.max(min, whole ? Math.round(value) : value)));
-    box.value = String(get());
+    box.value = few(get());
     show();
   };
   return { parts: [slider, box], show };

@@ -1,7 +1,7 @@
 // What a shape looks like, as three.js geometry in the shape's own frame.
 import * as THREE from "three";
 import { ConvexGeometry } from "three/addons/geometries/ConvexGeometry.js";
-import { creased, plain, round } from "./look.js";
+import { creased, plain, quartered, round } from "./look.js";
 
 const DIRECTIONS = 600; // in which a shape that three.js does not know is asked for its farthest points
 
@@ -30,7 +30,7 @@ const KNOWN = {
   "carom.ellipsoid": ball,
   "carom.box": ([x, y, z]) => new THREE.BoxGeometry(2 * x, 2 * y, 2 * z),
   "carom.capsule": ([r, h], fine) => new THREE.CapsuleGeometry(r, 2 * h, fine ? 8 : 4, fine ? 20 : 10),
-  "carom.cylinder": ([r, h], fine) => new THREE.CylinderGeometry(r, r, 2 * h, fine ? 32 : 16),
+  "carom.cylinder": ([r, h], fine) => quartered(creased(new THREE.CylinderGeometry(r, r, 2 * h, fine ? 32 : 16)), r),
   "carom.cone": ([r, h], fine) => new THREE.ConeGeometry(r, 2 * h, fine ? 32 : 16),
   "carom.hull": (points) => hull(points),
 };

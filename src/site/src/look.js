@@ -21,6 +21,13 @@ export function round(geometry, scale) {
   return withRim(geometry, rim);
 }
 
+/** What rolls about its own y: its four quarters in two tones.   @param radius m */
+export function quartered(geometry, radius) {
+  const { position, rim } = geometry.attributes;
+  for (let i = 0; i < position.count; ++i) rim.setW(i, (position.getX(i) * position.getZ(i)) / radius ** 2);
+  return geometry;
+}
+
 /** No edges: a mesh for the eye. */
 export function plain(geometry) {
   geometry.computeVertexNormals();

@@ -5,8 +5,9 @@ import { Dials } from "./dials.js";
 import { plotAll, plotCauses } from "./curves.js";
 import { engine } from "./engine.js";
 import { readLink, writeLink } from "./link.js";
-import { listScenes, made } from "./made.js";
+import { listScenes, made, THINGS } from "./made.js";
 import { opened } from "./opened.js";
+import { Keys } from "./keys.js";
 import { Picture, SHOWN } from "./picture.js";
 import { PlanPanel } from "./plan.js";
 import { Pointer } from "./pointer.js";
@@ -39,7 +40,7 @@ const state = {
   touched: false, // by a visitor: until then a scene begins anew when it has ended
 };
 const shown = { ...SHOWN };
-let carom, rows, stage, panel, pointer, plan, accuracy;
+let carom, rows, stage, panel, pointer, plan, accuracy, keys;
 
 /** @param isNote  it says what is, not what went wrong */
 function say(text, isNote = false) {
@@ -68,7 +69,7 @@ function begin(row, start, sides) {
     for (const { plugin } of state.shapes) engine.useShape(plugin);
     const recording = row.recording ? new Recording(engine, row.recording) : null;
     for (const { settings, log } of sides) {
-      const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings], recording);
+      const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings], recording, row.driver);
       made.push(sim);
       sim.load(log);
     }
@@ -103,6 +104,7 @@ function show(other) {
   panel.refresh(two);
   $("difference").hidden = !two;
   $("error").hidden = !state.row.truth;
+  keys.show();
   for (const picture of state.pictures) picture.update();
   if (other) stage.look(state.row, state.pictures);
   else stage.follow(state.pictures, Infinity);
@@ -113,6 +115,8 @@ function advance() {
   for (const sim of state.sims) {
     const pull = pointer.pull(sim);
     if (pull) sim.do(pull);
+    const input = keys.input(sim);
+    if (input) sim.do(input);
     sim.advance();
   }
   if (state.sims.length === 2) state.difference[state.sims[0].step] = apart(...state.sims);
@@ -162,6 +166,7 @@ function tell() {
   $("fit").hidden = stage.auto;
   state.pictures.forEach(({ sim: s }, i) => (s.errors[s.step] = state.pictures[i].error()));
   $("off").textContent = state.row.truth ? state.sims.map((s) => offTruth(s.errors[s.step])).join("  ") : "";
+  $("told").textContent = (state.touched ? sim.driver?.told() : sim.driver?.keys) ?? "";
   const { report } = sim;
   $("bodies").textContent = sim.bodies.length + (state.row.particles ?? 0);
   $("contacts").textContent = report ? Number(report.contact_points) : "–";
@@ -229,13 +234,21 @@ async function meshesOf(told) {
 async function open(name, sides = [{ settings: [], log: [] }]) {
   const row = rows.find((r) => r.name === name);
   if (!row) throw new Error(`there is no scene "${name}"; choose one of ${rows.map((r) => r.name).join(", ")}`);
+  if (row.thing) {
+    const { start, row: more } = (await import("./things.js")).madeHere(carom, row.thing);
+    return shownAs(name, { ...row, ...more }, start, sides);
+  }
   const response = await fetch(`scenes/${row.world}`);
   if (!response.ok) throw new Error(`scenes/${row.world} is missing: build the page again`);
   const bytes = new Uint8Array(await response.arrayBuffer());
   const file = row.world.endsWith(".rec") ? await opened(carom, row.world, bytes) : { start: bytes };
   const truth = row.truth ? { truth: await truthOf(row.truth) } : {},
     meshes = row.meshes ? { meshes: await meshesOf(row.meshes) } : {};
-  begin({ ...row, ...file.row, ...truth, ...meshes }, file.start, sides);
+  return shownAs(name, { ...row, ...file.row, ...truth, ...meshes }, file.start, sides);
+}
+
+function shownAs(name, row, start, sides) {
+  begin(row, start, sides);
   $("scene").value = name;
   $("trials").value = TRIALS.some(([trial]) => trial === name) ? name : "";
   $("whole").href = `?scene=${name}`;
@@ -371,6 +384,7 @@ function controls() {
   for (const button of document.querySelectorAll("[data-tool]")) button.onclick = () => choose(button);
   addEventListener("keydown", (e) => {
     if (e.target.closest("input, select, button, summary")) return;
+    if (keys.takes(e)) return;
     const key = { " ": "play", ArrowRight: "step", ArrowLeft: "back", r: "reset" }[e.key];
     if (key) (e.preventDefault(), $(key).click());
   });
@@ -392,7 +406,7 @@ async function start() {
   if (matchMedia("(prefers-color-scheme: dark)").matches) document.documentElement.dataset.theme = "dark";
   const index = fetch("scenes/index.json");
   carom = await engine(say);
-  rows = await (await index).json();
+  rows = [...(await (await index).json()), ...THINGS];
   listScenes($("scene"), rows);
   stage = new Stage($("view"));
   stage.paint();
@@ -426,6 +440,7 @@ async function start() {
     picture: () => state.pictures[pointer.view.view],
     follow: (body) => ((state.following = body), (stage.auto = false)),
   });
+  keys = new Keys($("pad"), () => state.sims[0]?.driver, () => stage.direction);
   controls();
   let wanted = { scene: null, step: 0, plays: true, sides: undefined };
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));

@@ -75,6 +75,8 @@ export class Picture {
 
   /** Of what is drawn.   @param moving  those that move, or those that stand   @returns [[x, y, z, r]] m */
   balls(moving) {
+    const { driver } = this.sim;
+    if (driver?.room) return moving ? [[...driver.place(), driver.room]] : []; // what is steered is followed, alone
     const { array } = this.sim.poses.update(),
       out = [];
     this.types.forEach((type, i) => {
@@ -89,7 +91,10 @@ export class Picture {
   }
 
   #rebuild() {
-    for (const mesh of this.meshes ?? []) (this.group.remove(mesh), mesh.dispose(), mesh.material.dispose());
+    for (const mesh of this.meshes ?? []) {
+      (this.group.remove(mesh), mesh.dispose(), mesh.material.dispose());
+      if (mesh.userData.driven) mesh.geometry.dispose();
+    }
     this.meshes = [];
     this.structure = this.sim.structure;
     const sets = new Map(),
@@ -129,6 +134,14 @@ export class Picture {
       this.meshes.push(mesh);
       this.group.add(mesh);
     }
+    for (const look of this.sim.driver?.looks() ?? []) {
+      const geometry = geometryOf({ info: { kind: `carom.${look.shape}` }, params: look.params }),
+        mesh = new THREE.InstancedMesh(geometry, bodyMaterial(), 1);
+      mesh.setColorAt(0, bodyColour(look.kind, 0, 0, 1));
+      Object.assign(mesh, { castShadow: true, receiveShadow: true, frustumCulled: false, userData: { driven: true } });
+      this.meshes.push(mesh);
+      this.group.add(mesh);
+    }
     this.ghosts?.dispose();
     this.ghosts = null;
     if (!this.row.truth) return;
@@ -155,7 +168,14 @@ export class Picture {
     const dim = this.shown.sleep && Number(this.sim.report?.asleep_bodies ?? 0) > 0,
       paint = dim || this.dimmed || fresh;
     this.dimmed = dim;
+    const driven = this.sim.driver?.poses();
+    for (const mesh of this.meshes.filter((m) => m.userData.driven)) {
+      const pose = driven.shift();
+      mesh.setMatrixAt(0, body.compose(p.fromArray(pose), q.fromArray(pose, 3), one));
+      mesh.instanceMatrix.needsUpdate = true;
+    }
     for (const mesh of this.meshes) {
+      if (mesh.userData.driven) continue;
       mesh.userData.parts.forEach((part, i) => {
         const at = 7 * part.body;
         body.compose(p.fromArray(poses, at), q.fromArray(poses, at + 3), one);
@@ -215,7 +235,10 @@ export class Picture {
   }
 
   dispose() {
-    for (const mesh of this.meshes ?? []) (mesh.dispose(), mesh.material.dispose());
+    for (const mesh of this.meshes ?? []) {
+      (mesh.dispose(), mesh.material.dispose());
+      if (mesh.userData.driven) mesh.geometry.dispose();
+    }
     this.ghosts?.dispose();
     for (const geometry of this.geometries.values()) geometry?.dispose();
     for (const object of [this.lines, this.points]) (object.geometry.dispose(), object.material.dispose());

@@ -19,6 +19,7 @@ const SLOW = 28, // ms of drawing from one picture to the next: worse is drawn
 const FRAMES = 12; // that are looked at before something is changed
 const HOLD = 240; // frames after which better is tried again
 const FOLLOWS = 1.8, // 1/s, of the camera, at leisure
+  TURNS = 2, // 1/s, behind a car
   BEHIND = 0.08; // of its distance: farther from where it should look it hurries
 
 /** Does the processor draw? Then even the first picture is a cheap one. */
@@ -83,6 +84,14 @@ export class Stage {
   /** The camera goes where all that belongs together is seen.   @param seconds  since it last did; Infinity: at once */
   follow(pictures, seconds) {
     if (!this.auto || !this.direction) return;
+    const heading = pictures[0].sim.driver?.heading?.();
+    if (heading && seconds < Infinity) {
+      // Behind what is driven, as far above it as before.
+      const level = new THREE.Vector3(-heading[0], 0, -heading[2]).normalize(),
+        { y } = this.direction;
+      level.multiplyScalar(Math.sqrt(1 - y * y)).setY(y);
+      this.direction.lerp(level, 1 - Math.exp(-TURNS * seconds)).setY(y).normalize();
+    }
     const moving = pictures.flatMap((picture) => picture.balls(true)),
       spread = (balls) => Math.max(...balls.map((b) => Math.hypot(b[0], b[1], b[2]) + b[3]), 1e-3);
     if (this.size === undefined) {
