@@ -49,7 +49,7 @@ try {
   await still.close();
 
   const page = await browser.visit("?scene=ragdoll&step=1&dials=accuracy_place:0.001,accuracy_turn:0.001", options);
-  await page.evaluate(() => document.getElementById("accuracy-box").scrollIntoView());
+  await page.evaluate(() => (document.getElementById("accuracy-list").open = true));
   const studio = await (await browser.browser.newContext()).newPage();
   const stills = [];
   let height;
