@@ -4,12 +4,14 @@ import * as THREE from "three";
 const ROOM = 1.12; // of the picture, about what is to be seen
 
 /** @param balls [[x, y, z, r]] m   @param direction  unit, from what is looked at to the camera
- *  @param camera  its field of view and aspect count   @returns { target, distance } */
-export function fit(balls, direction, camera) {
+ *  @param camera  its field of view and aspect count   @param covered  share of the height, at the top, that tools hide
+ *  @returns { target, distance } */
+export function fit(balls, direction, camera, covered) {
   const look = new THREE.Matrix4().lookAt(direction, new THREE.Vector3(), new THREE.Vector3(0, 1, 0)),
     [right, up] = [0, 1].map((k) => new THREE.Vector3().setFromMatrixColumn(look, k)),
-    tall = Math.tan((camera.fov * Math.PI) / 360) / ROOM,
-    wide = tall * camera.aspect;
+    half = Math.tan((camera.fov * Math.PI) / 360),
+    tall = (half / ROOM) * (1 - covered),
+    wide = (half / ROOM) * camera.aspect;
   const seen = balls.map(([x, y, z, r]) => {
     const p = new THREE.Vector3(x, y, z);
     return [p.dot(right), p.dot(up), p.dot(direction), r];
@@ -39,7 +41,7 @@ export function fit(balls, direction, camera) {
   const target = right
     .clone()
     .multiplyScalar(middle[0])
-    .addScaledVector(up, middle[1])
+    .addScaledVector(up, middle[1] + covered * half * distance)
     .addScaledVector(direction, middle[2]);
   return { target, distance };
 }

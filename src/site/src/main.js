@@ -408,7 +408,7 @@ async function start() {
   carom = await engine(say);
   rows = [...(await (await index).json()), ...THINGS];
   listScenes($("scene"), rows);
-  stage = new Stage($("view"));
+  stage = new Stage($("view"), () => $("tools").offsetHeight + $("tools").offsetTop);
   stage.paint();
   plan = new PlanPanel($("stages"), $("plan"), (effect, mode) => act({ do: "effect", effect, mode }));
   accuracy = new AccuracyPanel($("accuracy-box"), {

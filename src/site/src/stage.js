@@ -32,7 +32,9 @@ function software() {
 }
 
 export class Stage {
-  constructor(canvas) {
+  /** @param covered () => px of the picture's height that tools hide, at the top */
+  constructor(canvas, covered) {
+    this.covered = covered;
     const cheap = software();
     this.canvas = canvas;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !cheap, preserveDrawingBuffer: true });
@@ -103,7 +105,7 @@ export class Stage {
     let balls = crowd(moving, this.size);
     balls = balls.concat(this.standing.filter((b) => balls.some((m) => Math.hypot(b[0] - m[0], b[1] - m[1], b[2] - m[2]) < 1.5 * this.size)));
     if (!balls.length) balls = this.standing.length ? this.standing : [[0, 1, 0, 3]];
-    const goal = fit(balls, this.direction, this.camera);
+    const goal = fit(balls, this.direction, this.camera, Math.min(0.3, this.covered() / (this.h || 1)));
     const { target } = this.controls,
       now = this.camera.position.distanceTo(target);
     if (seconds === Infinity) {
