@@ -196,7 +196,7 @@ class Walker extends Driver {
     const { m } = this,
       shape = sim.engine.shape("capsule", BODY);
     this.block = block(m, [
-      ["carom_character_desc", { step_up: 0.3, acceleration: 25, push_force: 400 }],
+      ["carom_character_desc", { step_up: 0.3, acceleration: 80, push_force: 500 }],
       ["carom_character", { position: spec.position }],
       [24], // what is asked: along x and z, -1 to 1; jump, 0 or 1
       [24], // the velocity of that, m/s
