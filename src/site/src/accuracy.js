@@ -37,7 +37,13 @@ export const TRIALS = [
 ];
 
 export const number = (x) => String(Number(x.toPrecision(2)));
-const UNITS = [[1, 1, "m"], [1e-2, 1e-2, "cm"], [1e-4, 1e-3, "mm"], [1e-7, 1e-6, "µm"], [1e-9, 1e-9, "nm"]]; // from, is
+const UNITS = [
+  [1, 1, "m"],
+  [1e-2, 1e-2, "cm"],
+  [1e-4, 1e-3, "mm"],
+  [1e-7, 1e-6, "µm"],
+  [1e-9, 1e-9, "nm"],
+]; // from, is
 /** 0.00042 -> "0.42 mm" */
 export function length(metres) {
   if (!(metres > 0)) return "0";
@@ -110,7 +116,8 @@ export class AccuracyPanel {
     const { world } = this.page.sims()[which],
       stop = this.#stop(world),
       off = this.page.error(which);
-    const name = stop === ROUGH ? "a rough step" : stop === USUAL ? "usual dials" : `${NAMES[stop - USUAL - 1]} accepted`;
+    const name =
+      stop === ROUGH ? "a rough step" : stop === USUAL ? "usual dials" : `${NAMES[stop - USUAL - 1]} accepted`;
     return name + (Number.isFinite(off) ? `, ${length(off)} off` : "");
   }
 
@@ -146,7 +153,9 @@ export class AccuracyPanel {
     told(
       this.cost,
       Number.isFinite(ms) ? share(ms, -2, 2) : "0",
-      Number.isFinite(ms) ? `${number(ms)} ms a step${work ? `, ${work} ${work === 1 ? "substep" : "substeps"}` : ""}` : "no step yet",
+      Number.isFinite(ms)
+        ? `${number(ms)} ms a step${work ? `, ${work} ${work === 1 ? "substep" : "substeps"}` : ""}`
+        : "no step yet",
     );
     const off = this.page.error(this.which);
     if (Number.isFinite(off)) told(this.error, share(Math.max(off, 1e-12), -9, 1), `${length(off)} off the truth`);

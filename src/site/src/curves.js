@@ -17,7 +17,16 @@ export function ticks(low, high) {
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high * (1 + 1e-9) + 1e-300; ++k) out.push(k * step);
   return out;
 }
-const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
+const PREFIXES = [
+  [1e9, "G"],
+  [1e6, "M"],
+  [1e3, "k"],
+  [1, ""],
+  [1e-3, "m"],
+  [1e-6, "µ"],
+  [1e-9, "n"],
+  [1e-12, "p"],
+];
 /** 5700 -> "5.7k", so that a few letters are enough. */
 export function short(x) {
   if (x === 0) return "0";
@@ -43,7 +52,8 @@ export function plot(canvas, { title, unit, lines, at, dt, log = false }) {
   let low = log ? Infinity : 0,
     high = log ? -Infinity : 0;
   for (const { values } of lines)
-    for (const v of values) if (Number.isFinite(v)) ((low = Math.min(low, scaled(v))), (high = Math.max(high, scaled(v))));
+    for (const v of values)
+      if (Number.isFinite(v)) ((low = Math.min(low, scaled(v))), (high = Math.max(high, scaled(v))));
   if (log) ((low = Math.floor(Math.min(low, high, 0))), (high = Math.max(low + 1, Math.ceil(high))));
   if (!(high > low)) high = low + 1;
   const wide = w - LEFT - RIGHT,
@@ -56,7 +66,11 @@ export function plot(canvas, { title, unit, lines, at, dt, log = false }) {
   g.strokeStyle = colours.rule;
   g.lineWidth = 1;
   g.textAlign = "right";
-  const marks = log ? ticks(low, high).filter(Number.isInteger).map((p) => 10 ** p) : ticks(low, high);
+  const marks = log
+    ? ticks(low, high)
+        .filter(Number.isInteger)
+        .map((p) => 10 ** p)
+    : ticks(low, high);
   for (const v of marks) {
     g.beginPath();
     (g.moveTo(LEFT, y(v)), g.lineTo(w - RIGHT, y(v)), g.stroke());
@@ -82,7 +96,10 @@ export function plot(canvas, { title, unit, lines, at, dt, log = false }) {
   });
   g.strokeStyle = colours.text;
   g.lineWidth = 1;
-  (g.beginPath(), g.moveTo(x(Math.min(at, length - 1)), ABOVE), g.lineTo(x(Math.min(at, length - 1)), ABOVE + tall), g.stroke());
+  (g.beginPath(),
+    g.moveTo(x(Math.min(at, length - 1)), ABOVE),
+    g.lineTo(x(Math.min(at, length - 1)), ABOVE + tall),
+    g.stroke());
   g.restore();
   if (lines.length < 2 || lines.some((l) => !l.name)) return;
   let right = w - RIGHT;
@@ -109,11 +126,28 @@ export function plotAll(state, canvas) {
       log,
       lines: values.map((v, k) => ({ name: values.length > 1 ? "AB"[k] : "", values: v, colour: k ? b : a })),
     });
-  draw("energy", "kinetic energy", "J", sims.map((s) => s.energy));
+  draw(
+    "energy",
+    "kinetic energy",
+    "J",
+    sims.map((s) => s.energy),
+  );
   // The first step also makes room and finds all contacts: beside it no other would be seen.
-  draw("cost", "time of a step", "ms", sims.map((s) => s.seconds.map((x, i) => (i ? 1e3 * x : NaN))));
+  draw(
+    "cost",
+    "time of a step",
+    "ms",
+    sims.map((s) => s.seconds.map((x, i) => (i ? 1e3 * x : NaN))),
+  );
   if (sims.length === 2) draw("difference", "A and B apart, root mean square", "m", [state.difference]);
-  if (state.row.truth) draw("error", "off the truth", "m", sims.map((s) => s.errors), true);
+  if (state.row.truth)
+    draw(
+      "error",
+      "off the truth",
+      "m",
+      sims.map((s) => s.errors),
+      true,
+    );
 }
 
 /** What causes gave up to each step, J; the largest of them, with their sums in a table, which is the legend.

@@ -49,7 +49,11 @@ function number({ min, max, whole, initial }, get, set) {
     low = min > 0 ? min : Math.max(LEAST * initial, 1e-4 * (initial || 1)),
     high = Math.min(max, 1e4 * (initial || 1));
   const toNotch = (x) =>
-      byFactor ? (x <= low ? 0 : (NOTCHES * Math.log(x / low)) / Math.log(high / low)) : (NOTCHES * (x - min)) / (max - min),
+      byFactor
+        ? x <= low
+          ? 0
+          : (NOTCHES * Math.log(x / low)) / Math.log(high / low)
+        : (NOTCHES * (x - min)) / (max - min),
     fromNotch = (n) =>
       byFactor ? (n <= 0 ? min : low * (high / low) ** (n / NOTCHES)) : min + ((max - min) * n) / NOTCHES;
   const tidy = (x) => (whole ? Math.round(x) : Number(x.toPrecision(3)));
@@ -63,7 +67,8 @@ function number({ min, max, whole, initial }, get, set) {
   slider.oninput = () => (set(Math.min(max, Math.max(min, tidy(fromNotch(Number(slider.value)))))), show());
   box.onchange = () => {
     const value = Number(box.value);
-    if (box.value !== "" && Number.isFinite(value)) set(Math.min(max, Math.max(min, whole ? Math.round(value) : value)));
+    if (box.value !== "" && Number.isFinite(value))
+      set(Math.min(max, Math.max(min, whole ? Math.round(value) : value)));
     box.value = few(get());
     show();
   };
@@ -74,7 +79,14 @@ export class Dials {
   /** @param page  carom, apply(which, action), dial(which, name), shown, onMake(values), onShown() */
   constructor(box, page) {
     Object.assign(this, { page, shows: [], which: 0 });
-    this.side = choice([["A", 0], ["B", 1]], 0, (which) => ((this.which = which), this.refresh()));
+    this.side = choice(
+      [
+        ["A", 0],
+        ["B", 1],
+      ],
+      0,
+      (which) => ((this.which = which), this.refresh()),
+    );
     this.sideRow = row("of", "which of the two settings these are", [this.side]);
     const names = page.carom.presets();
     this.preset = choice([["choose", -1], ...names.map((name, i) => [name, i])], -1, (value) => {
@@ -103,13 +115,21 @@ export class Dials {
       set = (value) => page.apply(this.which, { do: "dial", name: dial.name, value });
     const label = dial.name.replaceAll("_", " ");
     if (dial.kind === CHOICE) {
-      const select = choice(dial.choices.map((name, i) => [name.replaceAll("_", " "), i]), get(), set);
+      const select = choice(
+        dial.choices.map((name, i) => [name.replaceAll("_", " "), i]),
+        get(),
+        set,
+      );
       this.shows.push(() => (select.value = String(get())));
       return row(label, dial.summary, [select]);
     }
     const whole = dial.kind === INTEGER,
       bounds = { min: dial.min * factor, max: dial.max * factor, initial: dial.initial * factor, whole };
-    const { parts, show } = number(bounds, () => get() * factor, (shown) => set(shown / factor));
+    const { parts, show } = number(
+      bounds,
+      () => get() * factor,
+      (shown) => set(shown / factor),
+    );
     this.shows.push(show);
     return row(label, dial.summary, [...parts, element("i", { textContent: unit })]);
   }
@@ -120,12 +140,22 @@ export class Dials {
     this.knobs.hidden = !knobs.length;
     const values = Object.fromEntries(knobs.map((k) => [k.name, k.value]));
     for (const knob of knobs) {
-      const { parts, show } = number({ ...knob, initial: knob.value }, () => values[knob.name], (value) => (values[knob.name] = value));
+      const { parts, show } = number(
+        { ...knob, initial: knob.value },
+        () => values[knob.name],
+        (value) => (values[knob.name] = value),
+      );
       show();
-      this.knobs.append(row(knob.name.replaceAll("_", " "), knob.help, [...parts, element("i", { textContent: knob.unit })]));
+      this.knobs.append(
+        row(knob.name.replaceAll("_", " "), knob.help, [...parts, element("i", { textContent: knob.unit })]),
+      );
     }
     this.knobs.append(
-      element("button", { type: "button", textContent: "Make the scene anew", onclick: () => this.page.onMake(values) }),
+      element("button", {
+        type: "button",
+        textContent: "Make the scene anew",
+        onclick: () => this.page.onMake(values),
+      }),
     );
   }
 

@@ -7,8 +7,7 @@ import { constants as C } from "carom";
  *  @param parts  [name of a struct, values] or, of several in a row, [name, [values, ...]]; [bytes]   @returns { begin,
  *  total, places } */
 function block(m, parts) {
-  const structs = ([name, values]) =>
-    typeof name === "number" ? [] : Array.isArray(values) ? values : [values ?? {}];
+  const structs = ([name, values]) => (typeof name === "number" ? [] : Array.isArray(values) ? values : [values ?? {}]);
   const sizes = parts.map((part) => (part[0] > 0 ? part[0] : structs(part).length * m.structs.size(part[0])));
   const total = sizes.reduce((sum, size) => sum + ((size + 15) & ~15), 0),
     begin = m.claim(total);
@@ -152,7 +151,11 @@ class Car extends Driver {
     return [0, 1, 2, 3].map((i) => {
       const { position, angle, steer } = m.structs.read(m.view, "carom_wheel", this.wheels + i * size);
       // Steered about the chassis' y, turned about its x; a cylinder stands along y, so it is laid down first.
-      const turn = [[0, 1, 0, steer], [1, 0, 0, angle], [0, 0, 1, Math.PI / 2]].reduce(
+      const turn = [
+        [0, 1, 0, steer],
+        [1, 0, 0, angle],
+        [0, 0, 1, Math.PI / 2],
+      ].reduce(
         (q, [x, y, z, a]) => times(q, [x * Math.sin(a / 2), y * Math.sin(a / 2), z * Math.sin(a / 2), Math.cos(a / 2)]),
         body,
       );
@@ -267,7 +270,9 @@ class Arm extends Driver {
   set(value) {
     if (value.length !== 6) throw new TypeError("an input of an arm is six numbers");
     new Float64Array(this.m.buffer, this.block.begin, 3).set(value.slice(0, 3));
-    this.#hinges()?.forEach((joint, i) => joint.setSpring(C.CAROM_COORDINATE_TWIST, value[3 + i], this.spec.frequency, 1));
+    this.#hinges()?.forEach((joint, i) =>
+      joint.setSpring(C.CAROM_COORDINATE_TWIST, value[3 + i], this.spec.frequency, 1),
+    );
   }
   /** None once one of them was cut. */
   #hinges() {

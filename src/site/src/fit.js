@@ -26,9 +26,7 @@ export function fit(balls, direction, camera, covered) {
   for (let pass = 0; pass < 3; ++pass) {
     const reach = (k, tangent) =>
       Math.max(
-        ...seen.map(
-          (s) => Math.abs(s[k] - middle[k]) / tangent + s[3] * Math.hypot(1, 1 / tangent) + s[2] - middle[2],
-        ),
+        ...seen.map((s) => Math.abs(s[k] - middle[k]) / tangent + s[3] * Math.hypot(1, 1 / tangent) + s[2] - middle[2]),
       );
     distance = Math.max(reach(0, wide), reach(1, tall));
     for (const k of [0, 1]) {

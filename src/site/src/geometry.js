@@ -53,7 +53,13 @@ const MANY = 400; // faces: of more it is taken for something round
 /** A mesh for the eye, as `carom pack` writes it.   @param mesh  { unit m, points [3n], faces [3m] } whole numbers */
 export function drawnMesh({ unit, points, faces }) {
   const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(Float32Array.from(points, (x) => unit * x), 3));
+  geometry.setAttribute(
+    "position",
+    new THREE.BufferAttribute(
+      Float32Array.from(points, (x) => unit * x),
+      3,
+    ),
+  );
   geometry.setIndex(faces);
   return faces.length < 3 * MANY ? creased(geometry) : plain(geometry);
 }

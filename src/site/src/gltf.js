@@ -276,7 +276,11 @@ class Builder {
       if (isFlat) ++flat;
       const key = stands ? object : (owner ?? object);
       if (!owners.has(key)) {
-        const made = this.body(key, { type: stands ? "static" : "dynamic" }, stands ? "ground" : key.name.replace(/[\s_.]*\d+$/, "") || "mesh");
+        const made = this.body(
+          key,
+          { type: stands ? "static" : "dynamic" },
+          stands ? "ground" : key.name.replace(/[\s_.]*\d+$/, "") || "mesh",
+        );
         owners.set(key, { ...made, number: this.bodies.length - 1 });
       }
       const { body, inverse, number } = owners.get(key);

@@ -1,6 +1,19 @@
 // A state as a link: scene, step, settings, and what was done by hand. The same link gives the same bits.
 
-const KNOWN = ["scene", "step", "play", "preset", "dials", "do", "ab", "preset_b", "dials_b", "do_b", "threads", "embed"];
+const KNOWN = [
+  "scene",
+  "step",
+  "play",
+  "preset",
+  "dials",
+  "do",
+  "ab",
+  "preset_b",
+  "dials_b",
+  "do_b",
+  "threads",
+  "embed",
+];
 const LONGEST = 12000; // letters; beyond, browsers and mailers cut
 
 /** @param dials [{ name, min, max, unit }]   @throws Error that says what is wrong with the link */
@@ -24,7 +37,9 @@ export function readLink(query, presets, dials) {
       if (text === undefined || text === "" || !Number.isFinite(value))
         throw new Error(`the link's dial ${name} has no number`);
       if (value < dial.min || value > dial.max)
-        throw new Error(`the link's dial ${name} is ${text}: it goes from ${dial.min} to ${dial.max} ${dial.unit}`.trim());
+        throw new Error(
+          `the link's dial ${name} is ${text}: it goes from ${dial.min} to ${dial.max} ${dial.unit}`.trim(),
+        );
       out.push({ do: "dial", name, value });
     }
     return out;

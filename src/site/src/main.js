@@ -274,7 +274,12 @@ function compare(on) {
 /** A, a rough step, beside B, what was set: from the start.   @param rough  actions that make a world rough */
 function duel(rough) {
   const b = state.sims.at(-1).settings;
-  attempt(() => begin(state.row, state.start, [{ settings: rough, log: [] }, { settings: b, log: [] }]));
+  attempt(() =>
+    begin(state.row, state.start, [
+      { settings: rough, log: [] },
+      { settings: b, log: [] },
+    ]),
+  );
   $("accuracy-side").value = "1";
   play(true);
   tell();
@@ -362,7 +367,12 @@ function controls() {
     );
   $("scrub").oninput = () => (play(false), seek(Number($("scrub").value)));
   $("compare").onchange = () => compare($("compare").checked);
-  $("trials").onchange = () => $("trials").value && open($("trials").value).then(() => play(true), (e) => say(e.message));
+  $("trials").onchange = () =>
+    $("trials").value &&
+    open($("trials").value).then(
+      () => play(true),
+      (e) => say(e.message),
+    );
   $("scene").onchange = () => open($("scene").value).catch((e) => say(e.message));
   $("link").onclick = link;
   $("save").onclick = () => {
@@ -389,7 +399,12 @@ function controls() {
     if (key) (e.preventDefault(), $(key).click());
   });
   for (const box of document.querySelectorAll("details[id]")) box.ontoggle = () => state.sims.length && redraw();
-  $("fit").onclick = () => ((state.following = null), (stage.auto = true), stage.follow(state.pictures, Infinity), redraw());
+  $("fit").onclick = () => (
+    (state.following = null),
+    (stage.auto = true),
+    stage.follow(state.pictures, Infinity),
+    redraw()
+  );
   new ResizeObserver(() => {
     if (!state.sims.length) return;
     stage.render(state.pictures); // the picture has its new shape
@@ -421,7 +436,8 @@ async function start() {
     duel,
   });
   $("trials").append(new Option("a scene whose truth is known", ""));
-  for (const [name, title] of TRIALS) if (rows.some((row) => row.name === name)) $("trials").append(new Option(title, name));
+  for (const [name, title] of TRIALS)
+    if (rows.some((row) => row.name === name)) $("trials").append(new Option(title, name));
   panel = new Dials($("panel"), {
     carom,
     shown,
@@ -440,7 +456,11 @@ async function start() {
     picture: () => state.pictures[pointer.view.view],
     follow: (body) => ((state.following = body), (stage.auto = false)),
   });
-  keys = new Keys($("pad"), () => state.sims[0]?.driver, () => stage.direction);
+  keys = new Keys(
+    $("pad"),
+    () => state.sims[0]?.driver,
+    () => stage.direction,
+  );
   controls();
   let wanted = { scene: null, step: 0, plays: true, sides: undefined };
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));

@@ -5,7 +5,18 @@ import { Color } from "three";
 export const KINDS = ["#e69f00", "#56b4e9", "#009e73", "#f0e442", "#0072b2", "#d55e00", "#cc79a7", "#999999"];
 export const FIXED = "#9aa1ab";
 const BODIES = ["#d9875a", "#4f86b8", "#e4bb58", "#6fa083", "#b9566a", "#8f7db8", "#3f9c9c", "#c9a88a"];
-const NAMED = { bunny: "#efe0cc", block: "#d08a63", domino: "#e8dfcf", plank: "#8a6242", ball: "#d95f4c", thrown: "#3f9c9c", chassis: "#c8443c", tyre: "#3a3f46", walker: "#d9875a", mark: "#d55e00" };
+const NAMED = {
+  bunny: "#efe0cc",
+  block: "#d08a63",
+  domino: "#e8dfcf",
+  plank: "#8a6242",
+  ball: "#d95f4c",
+  thrown: "#3f9c9c",
+  chassis: "#c8443c",
+  tyre: "#3a3f46",
+  walker: "#d9875a",
+  mark: "#d55e00",
+};
 const TINTS = [
   [0, 0],
   [0.018, 0.055],

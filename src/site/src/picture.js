@@ -86,7 +86,8 @@ export class Picture {
     });
     const { array: points } = this.points.geometry.attributes.position ?? { array: [] },
       { count } = this.points.geometry.drawRange;
-    if (moving && this.row.particles) for (let i = 0; i < count; i += 50) out.push([...points.slice(3 * i, 3 * i + 3), 0.1]);
+    if (moving && this.row.particles)
+      for (let i = 0; i < count; i += 50) out.push([...points.slice(3 * i, 3 * i + 3), 0.1]);
     return out;
   }
 

@@ -92,18 +92,29 @@ export class Stage {
       const level = new THREE.Vector3(-heading[0], 0, -heading[2]).normalize(),
         { y } = this.direction;
       level.multiplyScalar(Math.sqrt(1 - y * y)).setY(y);
-      this.direction.lerp(level, 1 - Math.exp(-TURNS * seconds)).setY(y).normalize();
+      this.direction
+        .lerp(level, 1 - Math.exp(-TURNS * seconds))
+        .setY(y)
+        .normalize();
     }
     const moving = pictures.flatMap((picture) => picture.balls(true)),
       spread = (balls) => Math.max(...balls.map((b) => Math.hypot(b[0], b[1], b[2]) + b[3]), 1e-3);
     if (this.size === undefined) {
       const box = new THREE.Box3().setFromPoints(moving.map((b) => new THREE.Vector3(b[0], b[1], b[2])));
-      this.size = moving.length ? Math.max(box.getSize(new THREE.Vector3()).length(), 2 * moving[0][3]) : spread([[1, 1, 1, 1]]);
+      this.size = moving.length
+        ? Math.max(box.getSize(new THREE.Vector3()).length(), 2 * moving[0][3])
+        : spread([[1, 1, 1, 1]]);
       // What stands is looked at as well, if it is not much larger than what moves.
-      this.standing = pictures.flatMap((picture) => picture.balls(false)).filter((b) => b[3] < 0.8 * this.size || !moving.length);
+      this.standing = pictures
+        .flatMap((picture) => picture.balls(false))
+        .filter((b) => b[3] < 0.8 * this.size || !moving.length);
     }
     let balls = crowd(moving, this.size);
-    balls = balls.concat(this.standing.filter((b) => balls.some((m) => Math.hypot(b[0] - m[0], b[1] - m[1], b[2] - m[2]) < 1.5 * this.size)));
+    balls = balls.concat(
+      this.standing.filter((b) =>
+        balls.some((m) => Math.hypot(b[0] - m[0], b[1] - m[1], b[2] - m[2]) < 1.5 * this.size),
+      ),
+    );
     if (!balls.length) balls = this.standing.length ? this.standing : [[0, 1, 0, 3]];
     const goal = fit(balls, this.direction, this.camera, Math.min(0.3, this.covered() / (this.h || 1)));
     const { target } = this.controls,
@@ -173,7 +184,14 @@ export class Stage {
     );
     this.light.target.position.copy(target);
     const { camera } = this.light.shadow;
-    Object.assign(camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.05 * reach, far: 5 * reach });
+    Object.assign(camera, {
+      left: -reach,
+      right: reach,
+      top: reach,
+      bottom: -reach,
+      near: 0.05 * reach,
+      far: 5 * reach,
+    });
     camera.updateProjectionMatrix();
     this.light.shadow.normalBias = reach / 400;
   }
@@ -220,7 +238,10 @@ export class Stage {
     this.camera.updateProjectionMatrix();
     // Cheap pictures have shadows of every other one.
     this.odd = !this.odd;
-    Object.assign(this.renderer.shadowMap, { autoUpdate: this.quality < 3 || pictures.length > 1, needsUpdate: this.odd });
+    Object.assign(this.renderer.shadowMap, {
+      autoUpdate: this.quality < 3 || pictures.length > 1,
+      needsUpdate: this.odd,
+    });
     const wide = this.w / pictures.length;
     pictures.forEach((picture, i) => {
       for (const p of pictures) p.group.visible = p === picture;

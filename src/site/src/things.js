@@ -56,7 +56,11 @@ function yard(carom) {
       s.box("crate", [0.5, 0.5, 0.5], [(k - (3 - row) / 2) * 1.02, 0.5 + row, 38], { density: 60 });
   for (let i = 0; i < 14; ++i) s.box("domino", [0.5, 1, 0.1], [-9, 1, 8 + 1.1 * i], { density: 80 });
   for (let i = 0; i < 8; ++i)
-    s.add("bump", s.engine.capsule(0.12, 2), { type: "static", position: [9, 0.02, 6 + 2.2 * i], orientation: [0, 0, HALF, HALF] });
+    s.add("bump", s.engine.capsule(0.12, 2), {
+      type: "static",
+      position: [9, 0.02, 6 + 2.2 * i],
+      orientation: [0, 0, HALF, HALF],
+    });
   for (let i = 0; i < 6; ++i) s.add("ball", s.engine.sphere(0.6), { position: [-4 + 1.6 * i, 0.6, -14], density: 40 });
   return s.done({
     driver: { kind: "car", body: chassis.number },
@@ -72,7 +76,8 @@ function course(carom) {
   SLOPES.forEach((t, i) =>
     s.stands("slope", [2.5, 0.1, 1], [5, 2.5 * sine(t) - 0.1, 2 + 3 * i], { orientation: lifted(t) }),
   );
-  for (let i = 0; i < 6; ++i) s.box("crate", [0.35, 0.35, 0.35], [-3 - 0.9 * (i % 3), 0.35 + 0.71 * Math.floor(i / 3), 3], { density: 60 });
+  for (let i = 0; i < 6; ++i)
+    s.box("crate", [0.35, 0.35, 0.35], [-3 - 0.9 * (i % 3), 0.35 + 0.71 * Math.floor(i / 3), 3], { density: 60 });
   const platform = s.box("platform", [1.2, 0.1, 1.2], [-5, 0.1, 6], { type: "kinematic" });
   for (let i = 0; i < 5; ++i) s.add("ball", s.engine.sphere(0.3), { position: [-1.5 + 0.7 * i, 0.3, -3], density: 60 });
   return s.done({
@@ -90,7 +95,9 @@ function arm(carom) {
   s.stands("foot", [0.3, 0.15, 0.3], [0, 0.15, 0]);
   const column = s.add("column", s.engine.cylinder(0.16, 0.3), { position: [0, 0.6, 0], density: 500 });
   const upper = s.box("upper arm", [lengths[0] / 2, 0.07, 0.07], [lengths[0] / 2, shoulder, 0], { density: 500 });
-  const fore = s.box("forearm", [lengths[1] / 2, 0.05, 0.05], [lengths[0] + lengths[1] / 2, shoulder, 0], { density: 500 });
+  const fore = s.box("forearm", [lengths[1] / 2, 0.05, 0.05], [lengths[0] + lengths[1] / 2, shoulder, 0], {
+    density: 500,
+  });
   const about = { y: [0, 0, HALF, HALF], z: [0, -HALF, 0, HALF] };
   const joints = [
     s.world.joint("hinge", null, column.body, { at: [0, 0.3, 0], axes: about.y }),

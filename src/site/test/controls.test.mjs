@@ -15,20 +15,31 @@ const cut = (page) =>
   page.evaluate(() => {
     const wrong = [],
       shown = (e) => e.getClientRects().length > 0 && getComputedStyle(e).visibility !== "hidden",
-      name = (e) => `${e.tagName.toLowerCase()}${e.id ? `#${e.id}` : ""} "${(e.textContent || e.value || "").trim().slice(0, 30)}"`;
-    if (document.documentElement.scrollWidth > innerWidth) wrong.push(`the page is ${document.documentElement.scrollWidth} px wide`);
-    for (const e of document.querySelectorAll("button, select, input, label, summary, canvas, td, th, dd, dt, h1, h2, output, p, code")) {
+      name = (e) =>
+        `${e.tagName.toLowerCase()}${e.id ? `#${e.id}` : ""} "${(e.textContent || e.value || "").trim().slice(0, 30)}"`;
+    if (document.documentElement.scrollWidth > innerWidth)
+      wrong.push(`the page is ${document.documentElement.scrollWidth} px wide`);
+    for (const e of document.querySelectorAll(
+      "button, select, input, label, summary, canvas, td, th, dd, dt, h1, h2, output, p, code",
+    )) {
       if (!shown(e) || e.closest(".file")) continue;
       const box = e.getBoundingClientRect();
       if (box.width && (box.left < -0.5 || box.right > innerWidth + 0.5)) wrong.push(`${name(e)} leaves the page`);
       const around = e.closest("aside > *");
       if (around) {
         const outer = around.getBoundingClientRect();
-        if (box.right > outer.right + 0.5) wrong.push(`${name(e)} leaves its box by ${Math.round(box.right - outer.right)} px`);
+        if (box.right > outer.right + 0.5)
+          wrong.push(`${name(e)} leaves its box by ${Math.round(box.right - outer.right)} px`);
       }
       // Letters that do not fit. What is long on purpose says so by dots, and is told whole elsewhere.
       const style = getComputedStyle(e);
-      if (e.scrollWidth > e.clientWidth + 1 && e.clientWidth && style.overflowX !== "visible" && style.textOverflow !== "ellipsis" && e.tagName !== "CANVAS")
+      if (
+        e.scrollWidth > e.clientWidth + 1 &&
+        e.clientWidth &&
+        style.overflowX !== "visible" &&
+        style.textOverflow !== "ellipsis" &&
+        e.tagName !== "CANVAS"
+      )
         wrong.push(`${name(e)} is ${e.scrollWidth - e.clientWidth} px too long`);
     }
     return wrong;
@@ -45,7 +56,8 @@ const useAll = (page) =>
       breath = () => new Promise((done) => setTimeout(done));
     for (const e of document.querySelectorAll("input, select, button")) {
       if (!shown(e) || e.type === "file") continue;
-      if (!(e.ariaLabel || e.getAttribute("aria-labelledby") || e.labels?.length || e.textContent.trim())) nameless.push(e.id || e.outerHTML.slice(0, 60));
+      if (!(e.ariaLabel || e.getAttribute("aria-labelledby") || e.labels?.length || e.textContent.trim()))
+        nameless.push(e.id || e.outerHTML.slice(0, 60));
       if (e.matches("#scene, #trials, #save, #theme")) continue; // another scene, a download; tried by themselves
       if (e.textContent === "Make the scene anew") continue; // by `carom view`: command.test.mjs
       if (e.type === "range") {
@@ -100,7 +112,10 @@ for (const width of WIDTHS)
         }
         const { count, nameless } = await useAll(page);
         assert.deepEqual(nameless, [], "controls without a name");
-        assert.ok(count.range > 25 && count.number > 25 && count.checkbox > 7 && count.select > 15 && count.button > 11, JSON.stringify(count));
+        assert.ok(
+          count.range > 25 && count.number > 25 && count.checkbox > 7 && count.select > 15 && count.button > 11,
+          JSON.stringify(count),
+        );
         assert.deepEqual(await cut(page), [], `${scene}, all open and used`);
         // It still goes on.
         await page.evaluate(() => (document.getElementById("reset").click(), document.getElementById("step").click()));
@@ -133,17 +148,25 @@ test("every scene can be chosen, and each trial", { skip, timeout: 300000 }, asy
   await page.close();
 });
 
-test("a frame of the documentation: the picture, its tools and time, nothing else", { skip, timeout: 60000 }, async () => {
-  for (const width of [340, 700]) {
-    const page = await browser.visit("?scene=seesaw&embed=1", { viewport: { width, height: 560 } });
-    for (const id of ["view", "play", "scrub", "whole"]) assert.ok(await page.locator(`#${id}`).isVisible(), id);
-    for (const id of ["scene", "accuracy-box", "panel", "link"]) assert.ok(!(await page.locator(`#${id}`).isVisible()), id);
-    assert.deepEqual(await cut(page), [], `${width} px`);
-    assert.ok(await page.evaluate(() => document.documentElement.scrollHeight <= innerHeight), `${width} px: it scrolls`);
-    assert.match(await page.locator("#whole").getAttribute("href"), /\?scene=seesaw$/);
-    await page.waitForFunction(() => caromViewer.step > 3);
-    await page.close();
-  }
-});
+test(
+  "a frame of the documentation: the picture, its tools and time, nothing else",
+  { skip, timeout: 60000 },
+  async () => {
+    for (const width of [340, 700]) {
+      const page = await browser.visit("?scene=seesaw&embed=1", { viewport: { width, height: 560 } });
+      for (const id of ["view", "play", "scrub", "whole"]) assert.ok(await page.locator(`#${id}`).isVisible(), id);
+      for (const id of ["scene", "accuracy-box", "panel", "link"])
+        assert.ok(!(await page.locator(`#${id}`).isVisible()), id);
+      assert.deepEqual(await cut(page), [], `${width} px`);
+      assert.ok(
+        await page.evaluate(() => document.documentElement.scrollHeight <= innerHeight),
+        `${width} px: it scrolls`,
+      );
+      assert.match(await page.locator("#whole").getAttribute("href"), /\?scene=seesaw$/);
+      await page.waitForFunction(() => caromViewer.step > 3);
+      await page.close();
+    }
+  },
+);
 
 test("no console error in all of this", { skip }, () => assert.deepEqual(browser.complaints(), []));

@@ -71,7 +71,8 @@ const seen = (page) =>
     let most = 0;
     for (const picture of state.pictures)
       for (const [x, y, z, r] of picture.balls(true))
-        for (const k of [-r, r]) // where its ball ends above and below, in axes of the camera, and at both sides
+        for (const k of [-r, r])
+          // where its ball ends above and below, in axes of the camera, and at both sides
           for (const axis of [0, 1]) {
             at.set(x, y, z).applyMatrix4(camera.matrixWorldInverse);
             at.setComponent(axis, at.getComponent(axis) + k).applyMatrix4(camera.projectionMatrix);
@@ -90,7 +91,10 @@ test("every body is in the picture at every width, light and dark", { skip, time
         });
         const most = await seen(page);
         assert.ok(most < 1 && most > 0.45, `${scene} at ${width} px: ${most}`);
-        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${scene} at ${width} px`);
+        assert.ok(
+          await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth),
+          `${scene} at ${width} px`,
+        );
         await page.close();
       }
 });
@@ -100,7 +104,8 @@ test("the camera follows what moves, until a visitor turns it", { skip, timeout:
   // 10 s of falling are 490 m.
   await page.evaluate(() => {
     const { state, stage } = caromViewer;
-    for (let i = 0; i < 500; ++i) (state.sims[0].advance(), state.pictures[0].update(), stage.follow(state.pictures, 1 / 60));
+    for (let i = 0; i < 500; ++i)
+      (state.sims[0].advance(), state.pictures[0].update(), stage.follow(state.pictures, 1 / 60));
     stage.render(state.pictures);
   });
   assert.ok((await seen(page)) < 1);

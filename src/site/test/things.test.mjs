@@ -59,28 +59,32 @@ test("a car drives, steers, brakes and goes back", { skip, timeout: 180000 }, as
   await page.close();
 });
 
-test("keys and the pad steer; a held key is one action, and time's keys come back elsewhere", { skip, timeout: 120000 }, async () => {
-  const page = await browser.visit("?scene=drive", small);
-  await page.focus("#view");
-  await page.keyboard.down("w");
-  await page.waitForFunction(() => caromViewer.state.sims[0].driver.speed > 2);
-  await page.keyboard.up("w");
-  await page.waitForFunction(() => caromViewer.state.sims[0].driver.value()[0] === 0);
-  assert.equal(await page.evaluate(() => caromViewer.state.sims[0].log().length), 2, "down and up");
-  const pad = await page.locator('[data-key="left"]').boundingBox();
-  await page.mouse.move(pad.x + 20, pad.y + 20);
-  await page.mouse.down();
-  await page.waitForFunction(() => caromViewer.state.sims[0].driver.value()[1] === 1);
-  await page.mouse.up();
-  await page.waitForFunction(() => caromViewer.state.sims[0].driver.value()[1] === 0);
-  await page.selectOption("#scene", "stacks");
-  await page.waitForFunction(() => caromViewer.state.row.name === "stacks");
-  assert.equal(await page.locator("#pad").isVisible(), false);
-  await page.focus("#view");
-  await page.keyboard.press(" ");
-  assert.equal(await page.evaluate(() => caromViewer.state.playing), false);
-  await page.close();
-});
+test(
+  "keys and the pad steer; a held key is one action, and time's keys come back elsewhere",
+  { skip, timeout: 120000 },
+  async () => {
+    const page = await browser.visit("?scene=drive", small);
+    await page.focus("#view");
+    await page.keyboard.down("w");
+    await page.waitForFunction(() => caromViewer.state.sims[0].driver.speed > 2);
+    await page.keyboard.up("w");
+    await page.waitForFunction(() => caromViewer.state.sims[0].driver.value()[0] === 0);
+    assert.equal(await page.evaluate(() => caromViewer.state.sims[0].log().length), 2, "down and up");
+    const pad = await page.locator('[data-key="left"]').boundingBox();
+    await page.mouse.move(pad.x + 20, pad.y + 20);
+    await page.mouse.down();
+    await page.waitForFunction(() => caromViewer.state.sims[0].driver.value()[1] === 1);
+    await page.mouse.up();
+    await page.waitForFunction(() => caromViewer.state.sims[0].driver.value()[1] === 0);
+    await page.selectOption("#scene", "stacks");
+    await page.waitForFunction(() => caromViewer.state.row.name === "stacks");
+    assert.equal(await page.locator("#pad").isVisible(), false);
+    await page.focus("#view");
+    await page.keyboard.press(" ");
+    assert.equal(await page.evaluate(() => caromViewer.state.playing), false);
+    await page.close();
+  },
+);
 
 test("a character climbs steps and 40 degrees, not 60, jumps, pushes, rides", { skip, timeout: 180000 }, async () => {
   const feet = ({ poses }) => poses[0][1] - 0.9;
@@ -92,7 +96,8 @@ test("a character climbs steps and 40 degrees, not 60, jumps, pushes, rides", { 
       ([to, asked, n]) => {
         const [sim] = caromViewer.state.sims,
           { driver } = sim,
-          crates = () => sim.bodies.filter((_, i) => caromViewer.state.row.bodies[i]?.[1] === "crate").map((b) => b.position);
+          crates = () =>
+            sim.bodies.filter((_, i) => caromViewer.state.row.bodies[i]?.[1] === "crate").map((b) => b.position);
         driver.m.structs.write(driver.m.view, "carom_character", driver.state, { position: to, ground: 0 });
         for (let i = 0; i < 40; ++i) sim.advance(); // it lands
         sim.do({ do: "input", value: asked });
@@ -186,8 +191,9 @@ test("what is thrown is felt, whatever the scene's size", { skip, timeout: 18000
         size = caromViewer.stage.size,
         from = sim.bodies.map((b) => b.position);
       for (let i = 0; i < 90; ++i) sim.advance();
-      return sim.bodies.slice(0, -1).filter((b, i) => Math.hypot(...b.position.map((x, k) => x - from[i][k])) > 0.02 * size)
-        .length;
+      return sim.bodies
+        .slice(0, -1)
+        .filter((b, i) => Math.hypot(...b.position.map((x, k) => x - from[i][k])) > 0.02 * size).length;
     });
     t.diagnostic(`${scene}: ${moved} bodies moved`);
     assert.ok(moved >= 3, `${scene}: ${moved} bodies moved`);

@@ -114,7 +114,10 @@ test("dials, presets, plan, drawings, comparison", { skip, timeout: 180000 }, as
   await title(page, "Settings").click();
   await field(page, "preset").locator("select").selectOption({ label: "accurate" });
   assert.notEqual(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 2);
-  await field(page, /^substeps/).first().locator('[type="number"]').fill("3");
+  await field(page, /^substeps/)
+    .first()
+    .locator('[type="number"]')
+    .fill("3");
   await page.keyboard.press("Enter");
   assert.equal(await page.evaluate(() => caromViewer.state.sims[0].world.dial("substeps")), 3);
   // A dial that goes by factors, in the unit that people use: 30 Hz, then three times it by the slider.
@@ -230,27 +233,31 @@ test("an accuracy is asked for: it acts at once, islands tell, a link has it", {
   await page.close();
 });
 
-test("beside a rough step, in one click: what stands falls there, and a link has both", { skip, timeout: 180000 }, async () => {
-  for (const scene of ["accuracy_tower100", "accuracy_arch", "accuracy_massratio1e4"]) {
-    const page = await visit(`?scene=${scene}&step=1`);
-    await page.locator("#accuracy-slider").fill("4");
-    // What has fallen does not rise: the scene begins anew, with that setting.
-    const anew = () => [caromViewer.state.sims[0].settings.length, caromViewer.state.sims[0].log().length];
-    assert.deepEqual(await page.evaluate(anew), [2, 0]);
-    await page.click("#accuracy-duel");
-    await page.click("#play");
-    await page.evaluate(() => caromViewer.seek(120));
-    const off = await page.evaluate(() => caromViewer.state.sims.map((sim) => sim.errors[120]));
-    assert.ok(off[0] > 0.01 && off[1] < 1e-6, `${scene}: ${off} m`);
-    assert.match(await page.locator("#label-a").innerText(), /^A: a rough step, [\d.]+ c?m off$/);
-    assert.match(await page.locator("#label-b").innerText(), /^B: 1 mm accepted, /);
-    await page.click("#link");
-    const hashes = () => caromViewer.state.sims.map((s) => s.hash());
-    const other = await visit(new URL(page.url()).search);
-    assert.deepEqual(await other.evaluate(hashes), await page.evaluate(hashes));
-    (await other.close(), await page.close());
-  }
-});
+test(
+  "beside a rough step, in one click: what stands falls there, and a link has both",
+  { skip, timeout: 180000 },
+  async () => {
+    for (const scene of ["accuracy_tower100", "accuracy_arch", "accuracy_massratio1e4"]) {
+      const page = await visit(`?scene=${scene}&step=1`);
+      await page.locator("#accuracy-slider").fill("4");
+      // What has fallen does not rise: the scene begins anew, with that setting.
+      const anew = () => [caromViewer.state.sims[0].settings.length, caromViewer.state.sims[0].log().length];
+      assert.deepEqual(await page.evaluate(anew), [2, 0]);
+      await page.click("#accuracy-duel");
+      await page.click("#play");
+      await page.evaluate(() => caromViewer.seek(120));
+      const off = await page.evaluate(() => caromViewer.state.sims.map((sim) => sim.errors[120]));
+      assert.ok(off[0] > 0.01 && off[1] < 1e-6, `${scene}: ${off} m`);
+      assert.match(await page.locator("#label-a").innerText(), /^A: a rough step, [\d.]+ c?m off$/);
+      assert.match(await page.locator("#label-b").innerText(), /^B: 1 mm accepted, /);
+      await page.click("#link");
+      const hashes = () => caromViewer.state.sims.map((s) => s.hash());
+      const other = await visit(new URL(page.url()).search);
+      assert.deepEqual(await other.evaluate(hashes), await page.evaluate(hashes));
+      (await other.close(), await page.close());
+    }
+  },
+);
 
 test("numbers of this moment, and curves with axes", { skip, timeout: 60000 }, async () => {
   const page = await visit("?scene=accuracy_tower100&step=30");
@@ -260,7 +267,10 @@ test("numbers of this moment, and curves with axes", { skip, timeout: 60000 }, a
       return { bodies: sim.bodies.length, contacts: Number(sim.report.contact_points) };
     });
   assert.ok(contacts > 0);
-  assert.match(told.replace(/\s+/g, " "), new RegExp(`bodies ${bodies} contacts ${contacts} ms/step [\\d.e-]+ frames/s –`));
+  assert.match(
+    told.replace(/\s+/g, " "),
+    new RegExp(`bodies ${bodies} contacts ${contacts} ms/step [\\d.e-]+ frames/s –`),
+  );
   await page.click("#play");
   await page.waitForFunction(() => Number(document.getElementById("frames").textContent) > 0);
   // Ink left of the axis: numbers stand there.
