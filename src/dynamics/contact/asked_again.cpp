@@ -10,6 +10,7 @@
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/seams.h"
 #include "dynamics/detect.h"
+#include "dynamics/scenery.h"
 #include "dynamics/solver/direct.h"
 
 namespace carom::dynamics {
@@ -30,11 +31,6 @@ const Vec3& spin_of(const World& world, std::uint32_t collider) {
 /// Whether contacts are asked again at all: at the end of a step they are found anyway.
 bool has_substeps(const World& world) { return world.plan->substeps > 1 || world.accuracy; }
 
-bool is_of_scenery(const World& world, const Pair& pair) {
-  const Array<const Shape*>& shape = world.scene.colliders.shape;
-  return is_scenery(*shape[pair.a]) || is_scenery(*shape[pair.b]);
-}
-
 const Pair& pair_of(const World& world, const ContactPair& m) {
   return world.pairs.place(world.contacts->geometry[m.row].pair).pair;
 }
@@ -53,7 +49,7 @@ class Asking {
 
   void ask(const NarrowSettings& settings, StepReport& report) {
     const std::uint32_t own = world_.contacts->geometry[m_.row].pair;
-    const Manifold manifold = found(own, {frame_a_, frame_b_}, settings, report);
+    const Manifold manifold = found(own, {frame_a_, frame_b_}, normal(), settings, report);
     count_ = manifold.count;
     std::copy_n(manifold.point, count_, points_);
     ask_neighbours(pair_.a, pair_.b, settings, report);
@@ -77,7 +73,8 @@ class Asking {
     return frame(collider, body, world_.state.q[body].matrix());
   }
 
-  Manifold found(std::uint32_t record, const Frames& f, NarrowSettings settings, StepReport& report) const {
+  Manifold found(std::uint32_t record, const Frames& f, const Vec3& normal, NarrowSettings settings,
+                 StepReport& report) const {
     const Colliders& table = world_.scene.colliders;
     const Pair& pair = world_.pairs.place(record).pair;
     settings.manifold.contact_distance += table.reach[pair.a] + table.reach[pair.b];
@@ -85,8 +82,11 @@ class Asking {
     SupportFault fault;
     Manifold manifold;
     manifold.count = 0;
-    find_manifold({*table.shape[pair.a], *table.shape[pair.b], f.a, f.b, shells(settings.query) / 2}, settings, memory,
-                  manifold, report.narrow, fault);
+    const PatchPair asked{*table.shape[pair.a], *table.shape[pair.b], f.a, f.b, shells(settings.query) / 2};
+    if (is_scenery(asked.a) || is_scenery(asked.b))
+      find_scenery_manifold(world_, asked, normal, settings, manifold, report.narrow, fault);
+    else
+      find_manifold(asked, settings, memory, manifold, report.narrow, fault);
     if (fault.kind != SupportFault::none) manifold.count = 0;
     return manifold;
   }
@@ -101,7 +101,6 @@ class Asking {
   /// Points that other colliders of a ground bear the body at in the same plane. An edge that leans away above them is
   /// none.
   void ask_neighbours(std::uint32_t body, std::uint32_t ground, const NarrowSettings& settings, StepReport& report) {
-    const std::uint32_t own = world_.contacts->geometry[m_.row].pair;
     const Colliders& table = world_.scene.colliders;
     const SeamTerms terms = seam_terms(world_.scene.dials, *table.shape[body], *table.shape[ground]);
     const KeepsPlane keeps_plane{normal()};
@@ -109,12 +108,13 @@ class Asking {
     for (const GroundContact& beside : contacts_with_ground(world_, body, ground)) {
       const Pair& pair = world_.pairs.place(beside.record).pair;
       const std::uint32_t other = beside.ground_is_a ? pair.a : pair.b;
-      if (beside.record == own || is_scenery(*table.shape[other]) ||
+      if (other == ground ||
           !moves_alike(world_, ground, other, frame_a_.p, terms.flush, 0))
         continue;
       const Frame a = frame(pair.a), b = frame(pair.b);
-      const Manifold manifold = found(beside.record, {a, b}, settings, report);
       const bool is_alike = beside.ground_is_a == (ground == pair_.a);
+      const Vec3 along = is_alike ? normal() : Vec3(-normal());
+      const Manifold manifold = found(beside.record, {a, b}, along, settings, report);
       for (int k = 0; k < manifold.count && count_ < kMostPoints; ++k) {
         ContactPoint p = is_alike ? manifold.point[k] : exchanged(manifold.point[k]);
         p.on_a = frame_a_.apply_inverse((is_alike ? a : b).apply(p.on_a));
@@ -207,7 +207,7 @@ bool may_be_asked_again(const World& world, const Pair& pair, const StepTime& ti
   if (!has_substeps(world)) return false;
   const Real leaves = leaves_tangent(world, pair.a, spin_of(world, pair.a), time.dt) +
                       leaves_tangent(world, pair.b, spin_of(world, pair.b), time.dt);
-  return leaves > 0 && leaves > kAskedAgain * tolerable_depth(world, pair) && !is_of_scenery(world, pair);
+  return leaves > 0 && leaves > kAskedAgain * tolerable_depth(world, pair);
 }
 
 void find_asked_again(const World& world, const StepTime& time) {
@@ -219,7 +219,7 @@ void find_asked_again(const World& world, const StepTime& time) {
     const Vec3& n = c.rows[m.row].n;
     const Real leaves = leaves_tangent(world, pair.a, spin_of(world, pair.a).cross(n), time.dt) +
                         leaves_tangent(world, pair.b, spin_of(world, pair.b).cross(n), time.dt);
-    if (!(leaves > kAskedAgain * tolerable_depth(world, pair)) || is_of_scenery(world, pair)) continue;
+    if (!(leaves > kAskedAgain * tolerable_depth(world, pair))) continue;
     for (std::uint32_t k = 0; k < m.count; ++k) c.geometry[m.row + k].is_asked_again = true;
     c.any_asked_again = true;
   }

@@ -9,7 +9,7 @@
 // Past the edge of its collider a pair sees an edge, which leans. Where a flush neighbour bears the body in the same plane its points
 // are taken: its own contact was none as the step began, for it was a ghost (seams.h), out of reach or the sweep's.
 //
-// Of contacts that the direct solver solves, but for those of scenery.
+// Of contacts that the direct solver solves.
 // @oracle tests/stability/test_tumbling; carom jury
 #pragma once
 
