@@ -164,8 +164,9 @@ void meet_scenery(const World& world, PairTable& pairs, NarrowReport& report, co
   }
 }
 
-void find_scenery_manifold(const World& world, const PatchPair& pair, const Vec3& normal, const NarrowSettings& settings,
-                           Manifold& manifold, NarrowReport& report, SupportFault& fault) {
+void find_scenery_manifold(const World& world, const PatchPair& pair, const Vec3& normal,
+                           const NarrowSettings& settings, Manifold& manifold, NarrowReport& report,
+                           SupportFault& fault) {
   const bool swapped = is_scenery(pair.b);
   const SceneryPair asked = swapped ? SceneryPair{pair.b, pair.a, pair.frame_b, pair.frame_a}
                                     : SceneryPair{pair.a, pair.b, pair.frame_a, pair.frame_b};

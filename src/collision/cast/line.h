@@ -29,8 +29,8 @@ template <class Point>
 struct Entry {
   Real lower = -kInfinity, upper = kInfinity;  // where the line enters
   Real s = 0;                                  // best estimate
-  Real touch = kInfinity;  // where the points' hull is entered, swollen by the rounding more
-  bool clear = false;      // it goes through the middle of a face, or well into the ball: no graze
+  Real touch = kInfinity;                      // where the points' hull is entered, swollen by the rounding more
+  bool clear = false;                          // it goes through the middle of a face, or well into the ball: no graze
   bool settled = false;                        // the bracket is as narrow as asked
   Vec3 normal = Vec3::unit_z();                // unit, attains `lower`: into the set
   int count = 0;                               // of the points whose hull the line enters

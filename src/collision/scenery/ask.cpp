@@ -74,8 +74,8 @@ class First {
  private:
   static constexpr Real kAsSquare = 1e-6;
   bool at_one_moment(const CastResult& one) const {
-    return one.outcome == CastOutcome::hit && result_.outcome == CastOutcome::hit && one.lower <= result_.upper + moment_ &&
-           result_.lower <= one.upper + moment_;
+    return one.outcome == CastOutcome::hit && result_.outcome == CastOutcome::hit &&
+           one.lower <= result_.upper + moment_ && result_.lower <= one.upper + moment_;
   }
   CastResult& result_;
   Real moment_, squareness_ = 0;
@@ -177,18 +177,21 @@ void cast_ray_at_triangles(const Ray& ray, const Shape& shape, const Frame& fram
   const bool is_line = settings.target == 0 && line.usable();
   const Ray local{line.o, frame.rotate_inverse(ray.direction), ray.max};
   const bool inside = is_line || finite(local.direction);  // else asked outside: turned, the longest overflow
-  first_along(scenery, line.o, heading, ball, ray.max, 0, is_line, inside ? Frame() : frame, result, [&](const Triangle& triangle, CastResult& one) {
-    if (!scenery.two_sided && heading.speed > 0 && triangle.normal.dot(heading.unit) > 0) return false;
-    if (!is_line) {
-      at.shape.set(triangle);
-      cast_ray(inside ? local : ray, at.shape.shape(), at.place(inside ? Frame() : frame), settings, one, fault);
-      return true;
-    }
-    TriangleCrossing crossing;
-    if (!cross_triangle(line, triangle, crossing) || (settings.ignore_touched && crossing.at_start)) return false;
-    write_crossing(ray, line, triangle, crossing, settings, one);
-    return true;
-  });
+  first_along(scenery, line.o, heading, ball, ray.max, 0, is_line, inside ? Frame() : frame, result,
+              [&](const Triangle& triangle, CastResult& one) {
+                if (!scenery.two_sided && heading.speed > 0 && triangle.normal.dot(heading.unit) > 0) return false;
+                if (!is_line) {
+                  at.shape.set(triangle);
+                  cast_ray(inside ? local : ray, at.shape.shape(), at.place(inside ? Frame() : frame), settings, one,
+                           fault);
+                  return true;
+                }
+                TriangleCrossing crossing;
+                if (!cross_triangle(line, triangle, crossing) || (settings.ignore_touched && crossing.at_start))
+                  return false;
+                write_crossing(ray, line, triangle, crossing, settings, one);
+                return true;
+              });
   if (result.outcome == CastOutcome::miss) return;
   if (inside) put_outside(frame, result);
   if (is_line) result.point_a = ray.origin + result.time * ray.direction;
@@ -210,21 +213,23 @@ void cast_shape_at_triangles(const Shape& a, const Frame& frame_a, const Vec3& m
   // not go into counts then.
   constexpr Real kAlong = -1e-8;
   const Heading heading(frame, motion);
-  const bool is_in = settings.ignore_touched &&
-                     overlap_with_triangles(a, shape, relative(frame_a, frame), settings.target,
-                                            kCastRounding * kUnitRoundoff, settings.cap, fault)
-                             .outcome != Overlap::apart;
+  const bool is_in =
+      settings.ignore_touched && overlap_with_triangles(a, shape, relative(frame_a, frame), settings.target,
+                                                        kCastRounding * kUnitRoundoff, settings.cap, fault)
+                                         .outcome != Overlap::apart;
   const Vec3 centre = a_in_scenery.apply(a.mass.centroid), local = frame.rotate_inverse(motion);
   const bool inside = finite(local);  // else it is asked outside: turned, the longest motions overflow
-  first_along(scenery, a_in_scenery.p, heading, extent, 1, time_of(settings, a, heading.speed), false, inside ? Frame() : frame, result, [&](Triangle& triangle, CastResult& one) {
-    if (!face(scenery, centre, triangle) || (is_in && triangle.normal.dot(heading.unit) > kAlong)) return false;
-    at.shape.set(triangle);
-    if (inside)
-      cast_shape(a, a_in_scenery, local, at.shape.shape(), at.place(Frame()), settings, one, fault);
-    else
-      cast_shape(a, frame_a, motion, at.shape.shape(), at.place(frame), settings, one, fault);
-    return true;
-  });
+  first_along(scenery, a_in_scenery.p, heading, extent, 1, time_of(settings, a, heading.speed), false,
+              inside ? Frame() : frame, result, [&](Triangle& triangle, CastResult& one) {
+                if (!face(scenery, centre, triangle) || (is_in && triangle.normal.dot(heading.unit) > kAlong))
+                  return false;
+                at.shape.set(triangle);
+                if (inside)
+                  cast_shape(a, a_in_scenery, local, at.shape.shape(), at.place(Frame()), settings, one, fault);
+                else
+                  cast_shape(a, frame_a, motion, at.shape.shape(), at.place(frame), settings, one, fault);
+                return true;
+              });
   if (inside) put_outside(frame, result);
 }
 
@@ -259,7 +264,8 @@ void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, co
     // Later than the first so far is no matter: a shorter question is a cheaper one.
     time_of_impact(a, motion_a, at.shape.shape(), of_triangle, first.end(duration), settings, one, fault);
     sum.add(one);
-    const Quat turned = motion.omega == Vec3::zero() ? motion.at.q : normalized(exp_map(one.time * motion.omega) * motion.at.q);
+    const Quat turned =
+        motion.omega == Vec3::zero() ? motion.at.q : normalized(exp_map(one.time * motion.omega) * motion.at.q);
     first.take(one, triangle, turned.conjugate() * one.normal);
   });
   sum.write(result);

@@ -108,9 +108,7 @@ class Asking {
     for (const GroundContact& beside : contacts_with_ground(world_, body, ground)) {
       const Pair& pair = world_.pairs.place(beside.record).pair;
       const std::uint32_t other = beside.ground_is_a ? pair.a : pair.b;
-      if (other == ground ||
-          !moves_alike(world_, ground, other, frame_a_.p, terms.flush, 0))
-        continue;
+      if (other == ground || !moves_alike(world_, ground, other, frame_a_.p, terms.flush, 0)) continue;
       const Frame a = frame(pair.a), b = frame(pair.b);
       const bool is_alike = beside.ground_is_a == (ground == pair_.a);
       const Vec3 along = is_alike ? normal() : Vec3(-normal());

@@ -4,7 +4,6 @@
 
 #include "dynamics/contact/asked_again.h"
 
-
 namespace carom::dynamics {
 namespace {
 
@@ -62,7 +61,8 @@ class Seam {
     for (const GroundContact* j = first_; j < last_; ++j) {
       const Pair other = pairs_.place(j->record).pair;
       const std::uint32_t beside = j->ground_is_a ? other.a : other.b;
-      if (pairs_[j->record].manifold.count == 0 || beside == ground || world_.scene.modes.forbids(+EffectId::response, c.body[beside]) ||
+      if (pairs_[j->record].manifold.count == 0 || beside == ground ||
+          world_.scene.modes.forbids(+EffectId::response, c.body[beside]) ||
           !moves_alike(world_, ground, beside, touch.point, terms.flush, dt_))
         continue;
       const Manifold& m = pairs_[j->record].manifold;
@@ -146,8 +146,8 @@ void leave_out_ghosts(const World& world, PairTable& pairs, const StepTime& time
 std::span<const GroundContact> contacts_with_ground(const World& world, std::uint32_t collider, std::uint32_t ground) {
   const Array<GroundContact>& all = world.contacts->grounds;
   const std::uint64_t key = key_of(collider, ground_of(world, ground));
-  const auto first = std::lower_bound(all.begin(), all.end(), key,
-                                      [](const GroundContact& g, std::uint64_t k) { return g.key < k; });
+  const auto first =
+      std::lower_bound(all.begin(), all.end(), key, [](const GroundContact& g, std::uint64_t k) { return g.key < k; });
   const auto last = std::find_if(first, all.end(), [&](const GroundContact& g) { return g.key != key; });
   return {first, last};
 }
