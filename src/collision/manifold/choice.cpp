@@ -6,8 +6,8 @@
 namespace carom::collision {
 namespace {
 
-// Of the pool's width: depths within this are equal, and the choice then stays with the older point. A body that begins to tip over a
-// rim has to find the point of it that it tips over, whose depth is a share of its tilt.
+// Of the pool's width: depths within this are equal, and the choice then stays with the older point. A round base that begins to tip
+// has to find the point that it tips over, which is deeper by a share of its tilt.
 constexpr Real kSameDepth = 1e-5;
 
 }  // namespace

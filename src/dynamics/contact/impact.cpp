@@ -125,7 +125,7 @@ class Impacts {
   }
 
   /// The points of a row's pair that touch as it does are hit together: flat on the ground, a box does not roll from
-  /// corner to corner. Likewise those of the body with all that stands still and looks the same way: ground of pieces.
+  /// corner to corner. Likewise those of the body with all that stands still and looks the same way: tiles.
   void strike(Impact& first) {
     const Touch hit = touch(first);
     const Row& row = c_.rows[first.row];
