@@ -2,7 +2,6 @@
 #include "dynamics/scenery.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 #include "collision/manifold/adopt.h"
@@ -162,31 +161,6 @@ void meet_scenery(const World& world, PairTable& pairs, NarrowReport& report, co
       place.horizon = kInfinity;  // not the narrow phase's
     }
   }
-}
-
-void find_scenery_manifold(const World& world, const PatchPair& pair, const Vec3& normal,
-                           const NarrowSettings& settings, Manifold& manifold, NarrowReport& report,
-                           SupportFault& fault) {
-  const bool swapped = is_scenery(pair.b);
-  const SceneryPair asked = swapped ? SceneryPair{pair.b, pair.a, pair.frame_b, pair.frame_a}
-                                    : SceneryPair{pair.a, pair.b, pair.frame_a, pair.frame_b};
-  if (!world.plan->scenery || asked.convex.form == Form::half_space || is_scenery(asked.convex)) return;
-  SceneryPairFinder& pair_finder = world.plan->scenery->pair_finder;
-  try {
-    if (!pair_finder.find(asked, settings, settings.manifold.contact_distance, report, fault)) return;
-  } catch (const std::bad_alloc&) {
-    return;
-  }
-  const Vec3 up = swapped ? Vec3(-normal) : normal;
-  const SceneryPatch* best = nullptr;
-  for (const SceneryPatch& patch : pair_finder.patches())
-    if (patch.normal.dot(up) > (best ? best->normal.dot(up) : kSceneryPatch)) best = &patch;
-  if (!best) return;
-  ContactPoint point[PatchPoints::kMax];
-  for (int i = 0; i < best->count; ++i) point[i] = swapped ? exchanged(best->point[i]) : best->point[i];
-  ManifoldSettings own = settings.manifold;
-  own.sunk_alike = true;
-  adopt(pair.frame_a, point, best->count, own, manifold);
 }
 
 bool touches_scenery(const World& world, NarrowReport& report, const NarrowSettings& settings, const Pair& pair) {

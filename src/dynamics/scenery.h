@@ -32,12 +32,6 @@ struct SceneryContacts {
 /// Manifolds of all pairs with scenery, and as many records of each as it has patches.
 void meet_scenery(const World& world, PairTable& pairs, NarrowReport& report, const NarrowSettings& settings);
 
-/// Points of a pair with scenery as it stands, where the surface looks about along a normal (unit, world, from A to B). Left as they
-/// are where there are none, and where memory ran out.
-void find_scenery_manifold(const World& world, const PatchPair& pair, const Vec3& normal,
-                           const NarrowSettings& settings, Manifold& manifold, NarrowReport& report,
-                           SupportFault& fault);
-
 /// Whether a shape touches scenery as the narrow phase would find. A fault counts as a touch.
 bool touches_scenery(const World& world, NarrowReport& report, const NarrowSettings& settings, const Pair& pair);
 

@@ -10,7 +10,6 @@
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/seams.h"
 #include "dynamics/detect.h"
-#include "dynamics/scenery.h"
 #include "dynamics/solver/direct.h"
 
 namespace carom::dynamics {
@@ -49,11 +48,15 @@ class Asking {
 
   void ask(const NarrowSettings& settings, StepReport& report) {
     const std::uint32_t own = world_.contacts->geometry[m_.row].pair;
-    const Manifold manifold = found(own, {frame_a_, frame_b_}, normal(), settings, report);
+    const bool is_on_triangles = is_scenery(shape(pair_.a)) || is_scenery(shape(pair_.b));
+    const Manifold manifold =
+        is_on_triangles ? found_on_plane(settings, report) : found(own, {frame_a_, frame_b_}, settings, report);
     count_ = manifold.count;
     std::copy_n(manifold.point, count_, points_);
-    ask_neighbours(pair_.a, pair_.b, settings, report);
-    ask_neighbours(pair_.b, pair_.a, settings, report);
+    if (!is_on_triangles) {
+      ask_neighbours(pair_.a, pair_.b, settings, report);
+      ask_neighbours(pair_.b, pair_.a, settings, report);
+    }
     if (count_ > 0) take({points_, std::size_t(count_)});
   }
 
@@ -73,8 +76,7 @@ class Asking {
     return frame(collider, body, world_.state.q[body].matrix());
   }
 
-  Manifold found(std::uint32_t record, const Frames& f, const Vec3& normal, NarrowSettings settings,
-                 StepReport& report) const {
+  Manifold found(std::uint32_t record, const Frames& f, NarrowSettings settings, StepReport& report) const {
     const Colliders& table = world_.scene.colliders;
     const Pair& pair = world_.pairs.place(record).pair;
     settings.manifold.contact_distance += table.reach[pair.a] + table.reach[pair.b];
@@ -82,11 +84,39 @@ class Asking {
     SupportFault fault;
     Manifold manifold;
     manifold.count = 0;
-    const PatchPair asked{*table.shape[pair.a], *table.shape[pair.b], f.a, f.b, shells(settings.query) / 2};
-    if (is_scenery(asked.a) || is_scenery(asked.b))
-      find_scenery_manifold(world_, asked, normal, settings, manifold, report.narrow, fault);
-    else
-      find_manifold(asked, settings, memory, manifold, report.narrow, fault);
+    find_manifold({*table.shape[pair.a], *table.shape[pair.b], f.a, f.b, shells(settings.query) / 2}, settings, memory,
+                  manifold, report.narrow, fault);
+    if (fault.kind != SupportFault::none) manifold.count = 0;
+    return manifold;
+  }
+
+  const Shape& shape(std::uint32_t collider) const { return *world_.scene.colliders.shape[collider]; }
+
+  /// Scenery is as it was met: the plane of its patch, through the highest of the rows' points. Beyond an edge of it the plane goes on,
+  /// as long as the step.
+  Manifold found_on_plane(NarrowSettings settings, StepReport& report) const {
+    const Contacts& c = *world_.contacts;
+    const bool is_a = is_scenery(shape(pair_.a));
+    const Frame& frame = is_a ? frame_a_ : frame_b_;
+    Shape plane(std::pmr::get_default_resource());  // nothing of it allocates
+    plane.form = Form::half_space;
+    plane.bounding_radius = kInfinity;
+    plane.bounds = {Vec3::constant(-kInfinity), Vec3::constant(kInfinity)};
+    plane.normal = frame.rotate_inverse(is_a ? normal() : Vec3(-normal()));
+    plane.offset = -kInfinity;
+    const Frame& local = world_.plan->local[is_a ? pair_.a : pair_.b];
+    for (std::uint32_t k = 0; k < m_.count; ++k) {
+      const RowGeometry& g = c.geometry[m_.row + k];
+      plane.offset = std::max(plane.offset, plane.normal.dot(local.apply_inverse(is_a ? g.l_a : g.l_b)));
+    }
+    settings.manifold.contact_distance += world_.scene.colliders.reach[pair_.a] + world_.scene.colliders.reach[pair_.b];
+    QueryMemory memory;
+    SupportFault fault;
+    Manifold manifold;
+    manifold.count = 0;
+    find_manifold(
+        {is_a ? plane : shape(pair_.a), is_a ? shape(pair_.b) : plane, frame_a_, frame_b_, shells(settings.query) / 2},
+        settings, memory, manifold, report.narrow, fault);
     if (fault.kind != SupportFault::none) manifold.count = 0;
     return manifold;
   }
@@ -111,8 +141,7 @@ class Asking {
       if (other == ground || !moves_alike(world_, ground, other, frame_a_.p, terms.flush, 0)) continue;
       const Frame a = frame(pair.a), b = frame(pair.b);
       const bool is_alike = beside.ground_is_a == (ground == pair_.a);
-      const Vec3 along = is_alike ? normal() : Vec3(-normal());
-      const Manifold manifold = found(beside.record, {a, b}, along, settings, report);
+      const Manifold manifold = found(beside.record, {a, b}, settings, report);
       for (int k = 0; k < manifold.count && count_ < kMostPoints; ++k) {
         ContactPoint p = is_alike ? manifold.point[k] : exchanged(manifold.point[k]);
         p.on_a = frame_a_.apply_inverse((is_alike ? a : b).apply(p.on_a));
