@@ -146,10 +146,12 @@ CAROM_API int32_t carom_world_get_contacts(carom_world *world, carom_contact *ds
 
 #define CAROM_REASON_ORDINARY 0u   /* soft contacts hold it */
 #define CAROM_REASON_MASS_RATIO 1u /* bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO */
-#define CAROM_REASON_SINK 2u       /* soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
-#define CAROM_REASON_TOO_MUCH 3u   /* too many bodies for the direct solver, or it exceeded its work limit recently */
-#define CAROM_REASON_IMPACT 4u     /* it would sink, but is under impact: soft contacts take that */
-#define CAROM_REASON_FEW 5u        /* so few bodies that they are solved directly, whatever they do */
+#define CAROM_REASON_SINK \
+  2u                             /* soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK, or did
+                                   before it lay still */
+#define CAROM_REASON_TOO_MUCH 3u /* too many bodies for the direct solver, or it exceeded its work limit recently */
+#define CAROM_REASON_IMPACT 4u   /* it would sink, but is under impact: soft contacts take that */
+#define CAROM_REASON_FEW 5u      /* so few bodies that they are solved directly, whatever they do */
 
 /** A contact group of the last step, and which solver CAROM_SOLVER_AUTO chose for it. */
 typedef struct carom_group {

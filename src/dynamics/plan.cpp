@@ -270,8 +270,8 @@ void save_placed(const World& world, const Colliders& c, PlacedPoses& placed, co
   placed.placed_x[body] = world.state.x[body], placed.placed_q[body] = world.state.q[body];
   if (!plan.watches_speed || !c.movable[slot]) return;
   const Real radius = c.shape[slot]->bounding_radius;
-  const bool is_fast = radius > 0 ? 4 * c.reach[slot] > radius
-                                  : motion_of(world, c, plan, slot, dt) > world.scene.dials[Dial::contact_distance] / 2;
+  const bool is_fast =
+      motion_of(world, c, plan, slot, dt) > (radius > 0 ? radius / 4 : world.scene.dials[Dial::contact_distance] / 2);
   if (is_fast || (world.scene.type[body] == BodyType::kinematic && comes_far(world, slot, dt)))
     world.continuous->see(body);
 }

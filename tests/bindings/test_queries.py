@@ -215,5 +215,30 @@ class Seams(unittest.TestCase):
                     self.assertAlmostEqual(hit.time, 5, delta=1e-9 + 1e-14 * out)
 
 
+class OnPieces(unittest.TestCase):
+    """A shape that comes down flat on corners of triangles is met by what they are, not by one of their edges."""
+
+    def test_normals_of_what_lands_on_a_grid(self):
+        with carom.Engine() as engine:
+            fields = (engine.height_field([[0.0] * 7] * 7, spacing=(0.5, 0.5)),
+                      engine.mesh([(i / 2, 0, k / 2) for i in range(7) for k in range(7)],
+                                  [t for i in range(6) for k in range(6) for a in [7 * i + k]
+                                   for t in ((a, a + 1, a + 7), (a + 7, a + 1, a + 8))]))
+            for ground in fields:
+                world = engine.world()
+                world.body(ground, position=(-1.5, 0, -1.5), type="static")
+                for shape, low in ((engine.box(0.5, 0.2, 0.5), 0.2), (engine.box(1, 0.3, 0.5), 0.3),
+                                   (engine.hull([(x, y, z) for x in (-0.5, 0.5) for y in (-0.1, 0.1) for z in (-1, 1)]), 0.1)):
+                    hit = world.cast(shape, (0, 2, 0), (0, -4, 0))
+                    self.assertEqual(hit.outcome, "hit")
+                    self.assertAlmostEqual(hit.time, (2 - low) / 4, 6)
+                    self.assertGreater(abs(hit.normal[1]), 1 - 1e-9)
+                    for speed in (2, 9, 13):
+                        met = engine.time_of_impact(shape, ground, 1 / 240, {"position": (0, low + 0.004, 0), "linear_velocity": (0, -speed, 0)},
+                                                    {"position": (-1.5, 0, -1.5)})
+                        self.assertAlmostEqual(met.time, 0.004 / speed, 9)
+                        self.assertGreater(abs(met.normal[1]), 1 - 1e-9)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -31,7 +31,7 @@ class Wheel(unittest.TestCase):
             wheel = build(os.environ["CAROM_LIBRARY"], os.environ["CAROM_PLUGIN_DIR"], folder)
             self.assertRegex(wheel.name, r"^carom-\d+\.\d+\.\d+-py3-none-linux_\w+\.whl$")
             names = zipfile.ZipFile(wheel).namelist()
-            for needed in (f"carom/lib/{soname()}", "carom/lib/plugins/box.so", "carom/py.typed", "carom/raw.pyi", "carom/errors.pyi"):
+            for needed in (f"carom/lib/{soname()}", "carom/lib/plugins/box.so", "carom/py.typed", "carom/raw.pyi", "carom/errors.pyi", "carom/robots/__init__.py"):
                 self.assertIn(needed, names)
             self.assertFalse([name for name in names if "template" in name or "__pycache__" in name])
             site = Path(folder, "site")

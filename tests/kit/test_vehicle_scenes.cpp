@@ -16,25 +16,43 @@ double upright(Car& car) {
   return 1 - 2 * (q[0] * q[0] + q[2] * q[2]);
 }
 
-void hills_at_speed(void**) {
-  for (const double rate : {30., 120.}) {
-    Stage s;
-    s.body(
-        CAROM_BODY_STATIC,
-        s.field(40, 260, 1, [](double x, double z) { return 0.8 * std::sin(0.25 * z) + 0.15 * std::sin(1.3 * z + x); }),
-        {-20, 0, -10});
-    Car car(s, {0, 2.2, 0});
-    car.frames(static_cast<int>(2 * rate), 1 / rate);
-    car.input.throttle = 0.6;
-    double lowest = 1, fastest = 0;
-    for (int i = 0; i < 10 * rate && car.place()[2] < 230; ++i) {
-      car.input.steer = std::fmax(-1, std::fmin(1, -0.2 * car.place()[0]));
-      car.frame(1 / rate);
-      lowest = std::fmin(lowest, upright(car)), fastest = std::fmax(fastest, car.state.speed);
-    }
-    print_message("%g Hz: %.0f m, %.1f m/s, leans to %.2f\n", rate, car.place()[2], fastest, lowest);
-    assert_true(car.place()[2] > 50 && fastest > 10 && lowest > 0.6);
+struct Drive {
+  double far, fastest = 0, lowest = 1;  // m; m/s; cosine of the farthest that it leans
+};
+Drive over_hills(double rate, double throttle) {
+  Stage s;
+  s.body(
+      CAROM_BODY_STATIC,
+      s.field(40, 260, 1, [](double x, double z) { return 0.8 * std::sin(0.25 * z) + 0.15 * std::sin(1.3 * z + x); }),
+      {-20, 0, -10});
+  Car car(s, {0, 2.2, 0});
+  car.frames(static_cast<int>(2 * rate), 1 / rate);
+  car.input.throttle = throttle;
+  Drive drive;
+  for (int i = 0; i < 10 * rate && car.place()[2] < 230; ++i) {
+    car.input.steer = std::fmax(-1, std::fmin(1, -0.2 * car.place()[0]));
+    car.frame(1 / rate);
+    drive.lowest = std::fmin(drive.lowest, upright(car)), drive.fastest = std::fmax(drive.fastest, car.state.speed);
   }
+  drive.far = car.place()[2];
+  print_message("%g Hz, throttle %g: %.0f m, %.1f m/s, leans to %.2f\n", rate, throttle, drive.far, drive.fastest,
+                drive.lowest);
+  return drive;
+}
+
+// At 30 Hz what a crest takes of the speed is chance: 8 to 11 m/s by throttle. Where contacts of the chassis were as the step began,
+// 9.5 to 12, and 2 of 21 leaned over or rolled.
+void hills_at_speed(void**) {
+  const Drive fine = over_hills(120, 0.6);
+  assert_true(fine.far > 50 && fine.fastest > 10 && fine.lowest > 0.6);
+  double sum = 0;
+  const double throttles[] = {0.5, 0.55, 0.6, 0.65, 0.7};
+  for (const double throttle : throttles) {
+    const Drive rough = over_hills(30, throttle);
+    assert_true(rough.far > 50 && rough.lowest > 0.85);
+    sum += rough.fastest;
+  }
+  assert_true(sum > 9 * std::size(throttles));
 }
 
 void across_a_slope(void**) {

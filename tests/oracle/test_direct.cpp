@@ -22,9 +22,12 @@ void use_direct(TestWorld& t, Real tolerance) {
 
 }  // namespace
 
+/// Of 240 steps, those that were cut short, and of these what left more than 0.01 m/s.
+struct CutShort {
+  std::size_t steps = 0, far_off = 0;
+};
 /// A heap while it falls, in every step: what the contacts did obeys the law, and bodies have what the contacts gave.
-/// @return steps of 240 that were cut short
-static std::size_t capped_steps_of_a_heap(std::size_t seed) {
+static void run_a_heap(std::size_t seed, CutShort& of) {
   constexpr Real kTolerance = 1e-7;
   TestWorld t;
   use_direct(t, kTolerance);
@@ -35,14 +38,13 @@ static std::size_t capped_steps_of_a_heap(std::size_t seed) {
   for (int i = 0; i < 24; ++i)
     bodies.push_back(
         t.add(i % 2 ? cube : ball, Vec3{random.uniform(-0.5, 0.5), 0.5 + 0.45 * i, random.uniform(-0.5, 0.5)}));
-  std::size_t slides = 0, sticks = 0, opens = 0, capped = 0;
+  std::size_t slides = 0, sticks = 0, opens = 0;
   for (int step = 0; step < 240; ++step) {
     std::vector<Vec3> before;
     for (const std::uint32_t i : bodies) before.push_back(t.world.state.v[i] + kStep * t.world.scene.gravity);
     t.world.step(kStep);
     std::vector<Vec3> given(t.world.scene.bodies.slots(), Vec3::zero());
-    assert_true(t.world.report.solver_residual < 0.01);
-    capped += t.world.report.solver_residual > kTolerance;
+    of.steps += t.world.report.solver_residual > kTolerance, of.far_off += t.world.report.solver_residual > 0.01;
     // What the report says bounds each of the law's parts: k |p - P(p - y / k)| is at least what y lacks of the dual
     // cone, and what y and p lack of being at right angles, up to sqrt(1 + mu^2) for the slope of the cone.
     const Real slack = 2 * std::max<Real>(kTolerance, t.world.report.solver_residual);
@@ -76,15 +78,15 @@ static std::size_t capped_steps_of_a_heap(std::size_t seed) {
     }
   }
   assert_true(slides > 50 && sticks > 1000 && opens > 50);  // all cases of the law were met
-  return capped;
 }
 /// Steps with impacts of many bodies may take all the steps allowed, and say so: one in sixteen at most. How many of a
-/// single heap is chance, 1 to 18 of 240. Seeds 5 and 15 are left out: there such a step leaves more than 0.01 m/s.
+/// single heap is chance, 1 to 18 of 240. Of sixty heaps four to six had one that left more than 0.01 m/s.
 static void a_heap_obeys_the_law_in_every_step(void**) {
-  constexpr std::size_t kSeeds[] = {3, 4, 6, 7, 8, 9};
-  std::size_t capped = 0;
-  for (const std::size_t seed : kSeeds) capped += capped_steps_of_a_heap(seed);
-  assert_true(capped < 15 * std::size(kSeeds));
+  constexpr std::size_t kHeaps = 10;
+  CutShort all;
+  for (std::size_t seed = 3; seed < 3 + kHeaps; ++seed) run_a_heap(seed, all);
+  assert_true(all.steps < 15 * kHeaps);
+  assert_true(all.far_off <= kHeaps / 5);
 }
 
 /// What undoes a velocity is not taken for a load: a group at rest lives on the impulses it has.
@@ -213,7 +215,7 @@ static void a_capped_solve_stays_sane(void**) {
   bodies[0].v.set_zero();
   for (std::size_t i = 0; i < 2; ++i) {  // squeezed from both sides by walls that close in
     ConeContact& c = contacts[i];
-    c.a = kInvalid, c.b = 0, c.below = kInvalid;
+    c.a = kInvalid, c.b = 0, c.beside = kInvalid;
     c.n = i ? Vec3(1, 0, 0) : Vec3(-1, 0, 0);
     c.r_a.set_zero(), c.r_b = -c.n;
     c.friction = 0.5, c.want = 1, c.k = 2;

@@ -1,5 +1,7 @@
 // Seams of flush colliders are not felt: what slides over them keeps its height and its speed, whatever the ground is
 // made of. Steps, walls and grooves act as ever.
+#include <numbers>
+
 #include "carom_test.h"
 #include "scenery_builder.h"
 #include "sliced.h"
@@ -131,6 +133,62 @@ void nor_does_a_body_of_parts(void**) {
   }
 }
 
+/// What lies and rolls, its axis across its way, over slabs that end under it at any angle: by every fraction of a turn in a step.
+void nor_does_what_rolls_on_its_side(void**) {
+  struct Roll {
+    Real radius, half, speed, heading;  // m, m, m/s, rad
+    bool is_capsule;
+    Tiles tiles;
+  };
+  constexpr Roll kRolls[] = {{0.17, 0.24, 5.5, 0, false, Tiles::boxes},  {0.12, 0.31, 9.3, 0.4, true, Tiles::hulls},
+                             {0.23, 0.18, 17, 0, true, Tiles::boxes},    {0.1, 0.33, 19, -0.9, false, Tiles::parts},
+                             {0.31, 0.4, 3.1, 0.2, true, Tiles::beside}, {0.15, 0.2, 14, 0.1, false, Tiles::bond}};
+  for (const Roll& roll : kRolls)
+    for (const Real friction : {0.3, 0.9}) {
+      Floor f(roll.tiles, 0.83, Quat::identity(), exp_map(Vec3(0, 0.05, 0)));
+      const std::uint32_t rough = f.material(friction, 0);
+      const Quat heads = exp_map(Vec3(0, roll.heading, 0)), lies = heads * exp_map(Vec3(std::numbers::pi / 2, 0, 0));
+      const Vec3 way = heads * Vec3(1, 0, 0), axis = heads * Vec3(0, 0, 1);
+      const Shape* const shape =
+          f.keep(roll.is_capsule ? capsule(roll.radius, roll.half) : cylinder(roll.radius, roll.half));
+      const std::uint32_t body = f.add(shape, Vec3(-1.27, roll.radius, 0.021), BodyType::dynamic, lies, rough);
+      f.world.set_velocity(body, roll.speed * way, -roll.speed / roll.radius * axis);
+      Real off = 0;
+      for (int i = 0; i * roll.speed / 60 < 3; ++i) {
+        f.world.step(1.0 / 60);
+        off = std::max(off, std::fabs(f.world.state.x[body].y() - roll.radius));
+      }
+      const Vec3& v = f.world.state.v[body];
+      if (!(off < kHop)) print_error("tiles %d, %g m/s: off %g\n", static_cast<int>(roll.tiles), roll.speed, off);
+      assert_true(off < kHop);
+      assert_true(std::fabs(v.dot(way) / roll.speed - 1) < kLost);
+    }
+}
+
+/// A step down by as much as is no flush neighbour: what rolls over its edge falls.
+void nor_is_an_edge_a_seam(void**) {
+  for (const Real speed : {2.0, 6.0, 11.0}) {
+    TestWorld t;
+    const std::uint32_t m = t.material(0.6, 0);
+    const Shape* const slab = t.keep(box(Vec3(1, 0.25, 1)));
+    t.add(slab, Vec3(-1, -0.25, 0), BodyType::fixed, Quat::identity(), m);
+    t.add(slab, Vec3(1, -0.45, 0), BodyType::fixed, Quat::identity(), m);
+    const std::uint32_t body = t.add(t.keep(cylinder(0.15, 0.3)), Vec3(-0.7, 0.15, 0), BodyType::dynamic,
+                                     exp_map(Vec3(std::numbers::pi / 2, 0, 0)), m);
+    t.world.set_velocity(body, Vec3(speed, 0, 0), Vec3(0, 0, -speed / 0.15));
+    Real lowest = 1;
+    for (int i = 0; i * speed / 60 < 1.4 + 0.25 * speed; ++i) {
+      t.world.step(1.0 / 60);
+      const Vec3& x = t.world.state.x[body];
+      assert_true(x.x() > -1e-3 || x.y() > 0.149);
+      if (x.x() < 1.8) lowest = std::min(lowest, x.y());
+    }
+    // What flies off the edge is as low as the fall over what is left of the lower slab lets it be.
+    const Real falls = 9.81 / 2 * (1.8 / speed) * (1.8 / speed);
+    assert_true(lowest < 0.15 - 0.9 * std::min(falls, 0.2) + 0.01);
+  }
+}
+
 /// A step of 5 cm, and a wall that stands on a tile or beside one: no farther than to touch.
 void what_stands_out_stops(void**) {
   for (const bool from_below : {false, true})
@@ -179,6 +237,8 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(nothing_feels_a_seam),
       cmocka_unit_test(nor_does_a_body_of_parts),
+      cmocka_unit_test(nor_does_what_rolls_on_its_side),
+      cmocka_unit_test(nor_is_an_edge_a_seam),
       cmocka_unit_test(what_stands_out_stops),
       cmocka_unit_test(a_groove_bears_on_both_sides),
   };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "carom_test.h"
+#include "scenery_builder.h"
 #include "sliced.h"
 #include "world_builder.h"
 
@@ -108,6 +109,29 @@ static void bricks_lie_on_each_other(void**) { lie(bricks, "bricks"); }
 static void rods_lie_across_each_other(void**) { lie(rods, "rods"); }
 static void tiles_lie_on_a_large_block(void**) { lie(on_a_block, "tiles"); }
 
+/// Dice that are poured onto a mesh tumble by half a turn within a step, and land: none passes it.
+static void dice_stay_above_a_mesh(void**) {
+  for (const Real size : {0.0004, 0.0006, 0.0011})
+    for (int pour = 0; pour < sliced(24, 8, 2); ++pour) {
+      TestWorld t;
+      t.add(t.keep(mesh(grid(2, 2, 0.5, -0.5, -0.5, [](double, double) { return 0.0; }))), Vec3::zero(),
+            BodyType::fixed);
+      const Shape* const die = t.keep(box(size / 2 * Vec3(1, 0.9, 1.1)));
+      Random random(static_cast<std::uint64_t>(pour + 1));
+      std::vector<std::uint32_t> dice;
+      for (int k = 0; k < 18; ++k)
+        dice.push_back(t.add(die,
+                             size * Vec3(1.4 * (k % 3) + random.uniform(-0.1, 0.1), 1.2 + 1.5 * (k / 6),
+                                         1.4 * (k / 3 % 2) + random.uniform(-0.1, 0.1)),
+                             BodyType::dynamic, exp_map(random.uniform(0.05, 0.3) * Vec3(0.3, 0.2, 0.9))));
+      t.run(90, 1.0 / 60);
+      for (const std::uint32_t b : dice) {
+        if (!(height(t, b) > 0.4 * size)) print_error("%g mm, pour %d: %g\n", 1e3 * size, pour, height(t, b) / size);
+        assert_true(height(t, b) > 0.4 * size);
+      }
+    }
+}
+
 /// Bricks at three scales, with gravity as much scaled, move alike: in units of their size all depths are the same to 1 %
 /// of the thickness, however large or small that is.
 static void depth_scales(void**) {
@@ -183,6 +207,7 @@ int main() {
       cmocka_unit_test(bricks_lie_on_each_other),
       cmocka_unit_test(rods_lie_across_each_other),
       cmocka_unit_test(tiles_lie_on_a_large_block),
+      cmocka_unit_test(dice_stay_above_a_mesh),
       cmocka_unit_test(depth_scales),
       cmocka_unit_test(what_is_thick_has_the_same_bits_beside_it),
       cmocka_unit_test(blocks_of_a_hundred_metres_land),

@@ -85,10 +85,12 @@ constexpr Real kSeldom = 0.1, kSeldomOff = 1e-6;  // steps of Newton's method a 
 
 }  // namespace
 
+// Pyramids of 9 rows and more drift to 4e-8 m and stay there: of 22 half did within 10 s, all within 40 s.
 static void a_pyramid_is_solved_once(void**) {
+  constexpr Real kDrift = 1e-7;  // m
   Standing s;
   s.pyramid(10, 0.5);
-  s.stands(10, 1.0 / 60, kOff, 0);
+  s.stands(10, 1.0 / 60, kDrift, 0);
 }
 
 static void columns_are_solved_while_their_corners_find_their_loads(void**) {
@@ -126,6 +128,20 @@ static void so_does_what_it_was_not_made_for(void**) {
     s.tower(12);
     s.stands(10, 1.0 / 60, kSeldomOff, kSeldom * 10 * 60);
   }
+}
+
+/// Large blocks sink little of their size on soft contacts, so loads alone don't ask for the direct solver: they stood for a
+/// second, and then sank by a centimetre.
+static void large_blocks_stand_on(void**) {
+  for (const Real half : {0.9, 1.0, 2.5})
+    for (const int base : {9, 12, 15}) {
+      Standing s;
+      s.pyramid(base, half);
+      s.stands(6, 1.0 / 60, kSeldomOff, kSeldom * 6 * 60);
+    }
+  Standing s;
+  s.pyramid(11, 1.3, 0, 1.02);
+  s.stands(8, 1.0 / 90, kSeldomOff, kSeldom * 8 * 90);
 }
 
 /// Large structures drift off their answer by a millionth of a metre a second, again and again: that takes a factor or two, not
@@ -201,6 +217,7 @@ int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(a_pyramid_is_solved_once),
                               cmocka_unit_test(columns_are_solved_while_their_corners_find_their_loads),
                               cmocka_unit_test(so_does_what_it_was_not_made_for),
+                              cmocka_unit_test(large_blocks_stand_on),
                               cmocka_unit_test(what_drifts_is_set_right_by_a_factor_or_two),
                               cmocka_unit_test(nothing_jumps_at_a_number_of_bodies),
                               cmocka_unit_test(nor_between_sizes_or_ratios)};

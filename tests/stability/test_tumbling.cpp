@@ -2,9 +2,12 @@
 // what lies.
 #include <algorithm>
 #include <cstdio>
+#include <numbers>
+#include <vector>
 
 #include "carom_test.h"
 #include "collision/support.h"
+#include "scenery_builder.h"
 #include "shapes.h"
 #include "sliced.h"
 #include "world_builder.h"
@@ -82,9 +85,47 @@ static void what_rolls_and_tumbles_sinks_no_deeper_than_what_lies(void**) {
       }
 }
 
+/// m, how far a prism rolls from edge to edge in two seconds.
+static Real rolls(int sides, Real radius, Real speed, bool on_mesh) {
+  TestWorld t;
+  const std::uint32_t m = t.material(0.7, 0);
+  if (on_mesh)
+    t.add(t.keep(mesh(grid(30, 10, 0.7, -4, -3.5, [](double, double) { return 0.0; }))), Vec3::zero(), BodyType::fixed,
+          Quat::identity(), m);
+  else
+    t.ground(m);
+  std::vector<Vec3> corners;
+  for (int k = 0; k < sides; ++k) {
+    const Real angle = 2 * std::numbers::pi * (k + 0.5) / sides;
+    for (const Real z : {-0.25, 0.25}) corners.emplace_back(radius * std::sin(angle), -radius * std::cos(angle), z);
+  }
+  Shape prism = hull(corners);
+  make_faces(prism);
+  const std::uint32_t b = t.add(t.keep(std::move(prism)), Vec3(0, radius * std::cos(std::numbers::pi / sides), 0.013),
+                                BodyType::dynamic, Quat::identity(), m);
+  t.world.set_velocity(b, Vec3(speed, 0, 0), Vec3(0, 0, -speed / radius));
+  t.run(120, 1.0 / 60);
+  return t.world.state.x[b].x();
+}
+
+/// Prisms on triangles go as far as on a plane: they lost a third of their way there. An edge that comes down at a moment
+/// of its own in each leaves a hundredth.
+static void what_rolls_on_a_mesh_goes_as_on_a_plane(void**) {
+  struct Prism {
+    int sides;
+    Real radius, speed;
+  };
+  for (const Prism& p : {Prism{10, 0.25, 2.5}, Prism{14, 0.3, 4}, Prism{18, 0.15, 2}, Prism{12, 0.4, 3}}) {
+    const Real plane = rolls(p.sides, p.radius, p.speed, false), mesh = rolls(p.sides, p.radius, p.speed, true);
+    print_message("%d sides, %g m/s: %g m, %g m on a mesh\n", p.sides, double(p.speed), double(plane), double(mesh));
+    assert_true(std::fabs(mesh / plane - 1) < 0.03);
+  }
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(what_rolls_and_tumbles_sinks_no_deeper_than_what_lies),
+      cmocka_unit_test(what_rolls_on_a_mesh_goes_as_on_a_plane),
   };
   return cmocka_run_group_tests_name("stability/tumbling", tests, nullptr, nullptr);
 }

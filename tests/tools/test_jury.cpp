@@ -42,8 +42,10 @@ constexpr std::uint64_t kSliceFirst = 1001, kSliceCount = 20;
 // Lowered on 2026-11-29, since joints hold through sweeps and contacts of what turns far are asked again in each substep: {0, 0, 0, 8, 3,
 // 2, 0} before. One sinks plainly and one gains, where none did: chance (of 300 other scenes 48 fail, 10 plainly, 8 by a sink, 1 gains; 160,
 // 16, 9 and 5 before). What gains is pressed between a paddle and the ground, which a paddle may do as hard as it likes.
-constexpr std::size_t kCeiling[kKinds] = {0, 1, 0, 0, 2, 1, 0};
-constexpr std::size_t kPlainCeiling[kKinds] = {0, 0, 0, 0, 1, 0, 0};
+// Since contacts with scenery are asked again too, one is thrown: chance (of 300 other scenes 3 are thrown, all plainly, 3 were; 42 fail, 51
+// did). It is a rod that spins at 1e4 rad/s about its axis as a sweep stops it, within a substep.
+constexpr std::size_t kCeiling[kKinds] = {0, 1, 1, 0, 2, 1, 0};
+constexpr std::size_t kPlainCeiling[kKinds] = {0, 0, 1, 0, 1, 0, 0};
 
 /// A ball on the ground and one beside it, both at rest.
 struct TwoBalls : Script {

@@ -3,6 +3,7 @@
 #include <carom/carom.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -45,6 +46,34 @@ static void packed_scenes_go_on_as_told(void**) {
     }
   }
   fs::remove_all(own);
+}
+
+/// What is drawn in place of the shape that collides stands in a file of its own: corners within the scene's size.
+static void meshes_are_packed(void**) {
+  const fs::path folder = fs::temp_directory_path() / ("carom_meshes_" + std::to_string(getpid()));
+  assert_int_equal(run_carom("pack " + folder.string() + " seesaw wall:columns=4 stacks --steps 1").code, 0);
+  const nlohmann::json index = nlohmann::json::parse(bytes_of(folder / "index.json"));
+  const double heights[] = {0.5, 0.8};  // of the bunnies, m
+  for (std::size_t i = 0; i < 2; ++i) {
+    const nlohmann::json& row = index[i];
+    const nlohmann::json meshes = nlohmann::json::parse(bytes_of(folder / row["meshes"].get<std::string>()));
+    assert_int_equal(meshes.size(), 1);
+    const nlohmann::json &points = meshes[0]["points"], &faces = meshes[0]["faces"];
+    long low = 0, high = 0;
+    for (std::size_t k = 1; k < points.size(); k += 3) {
+      low = std::min(low, points[k].get<long>());
+      high = std::max(high, points[k].get<long>());
+    }
+    const double tall = static_cast<double>(high - low) * meshes[0]["unit"].get<double>();
+    assert_true(tall <= heights[i] && tall > 0.85 * heights[i]);  // a cell is a 25th of the longest edge
+    for (const auto& corner : faces) assert_true(corner.get<std::size_t>() < points.size() / 3);
+    assert_true(faces.size() / 3 > 500);
+    std::size_t drawn = 0;
+    for (const auto& look : row["looks"]) drawn += look.contains("mesh") && look["mesh"] == 0;
+    assert_int_equal(drawn, i == 0 ? 1 : 3);
+  }
+  assert_false(index[2].contains("meshes"));
+  fs::remove_all(folder);
 }
 
 /// True poses stand in a file of their own. Freefall is exact to rounding, so its world is where its truth is.
@@ -91,7 +120,8 @@ static void what_cannot_be_packed_is_told(void**) {
 }
 
 int main() {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(packed_scenes_go_on_as_told), cmocka_unit_test(truths_are_packed),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(packed_scenes_go_on_as_told), cmocka_unit_test(meshes_are_packed),
+                                     cmocka_unit_test(truths_are_packed),
                                      cmocka_unit_test(what_cannot_be_packed_is_told)};
   return cmocka_run_group_tests_name("tools/pack", tests, nullptr, nullptr);
 }

@@ -1168,7 +1168,7 @@ const CAROM_REASON_ORDINARY = uint32(0)
 // bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO
 const CAROM_REASON_MASS_RATIO = uint32(1)
 
-// soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK
+// soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK, or did before it lay still
 const CAROM_REASON_SINK = uint32(2)
 
 // too many bodies for the direct solver, or it exceeded its work limit recently

@@ -757,7 +757,7 @@ public final class Raw {
     public static final int CAROM_REASON_ORDINARY = 0;
     /** bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO */
     public static final int CAROM_REASON_MASS_RATIO = 1;
-    /** soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
+    /** soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK, or did before it lay still */
     public static final int CAROM_REASON_SINK = 2;
     /** too many bodies for the direct solver, or it exceeded its work limit recently */
     public static final int CAROM_REASON_TOO_MUCH = 3;

@@ -128,6 +128,11 @@ export class Joint {
     this.world = world;
     this.handle = handle;
   }
+  /** All of carom_joint_desc: kind, body_a, body_b, frames. */
+  get desc() {
+    const { module: m, pointer } = this.world;
+    return m.get("carom_joint_desc", (at) => m.raw.carom_joint_get(pointer, this.handle, at, m.error), "joint.desc");
+  }
   /** All of carom_joint_state: force, torque, gap, coordinates. */
   get state() {
     const { module: m, pointer } = this.world;

@@ -744,7 +744,7 @@ export const CAROM_STAGE_COUNT: 8;
 export const CAROM_REASON_ORDINARY: 0;
 /** bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO */
 export const CAROM_REASON_MASS_RATIO: 1;
-/** soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK */
+/** soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK, or did before it lay still */
 export const CAROM_REASON_SINK: 2;
 /** too many bodies for the direct solver, or it exceeded its work limit recently */
 export const CAROM_REASON_TOO_MUCH: 3;

@@ -170,6 +170,17 @@ export class Body {
 export class Joint {
   readonly world: World;
   readonly handle: Handle;
+  /** Of carom_joint_desc. */
+  readonly desc: {
+    kind: number;
+    body_a: Handle;
+    body_b: Handle;
+    position_a: number[];
+    orientation_a: number[];
+    position_b: number[];
+    orientation_b: number[];
+    length: number;
+  };
   readonly state: {
     broken: number;
     force: number[];
@@ -252,6 +263,7 @@ export class World {
     b: Body | null,
     options?: { at?: Vector; axes?: Quaternion; length?: number; [field: string]: unknown },
   ): Joint;
+  joints(): Joint[];
   bodyCount(): number;
   bodies(): Body[];
   view(field: Field, options?: { scalar?: "f64" | "f32"; bodies?: Body[] | null }): BodyView;

@@ -145,6 +145,18 @@ export class World {
     });
   }
 
+  joints() {
+    const m = this.module;
+    return m.frame((room) => {
+      const count = room(8);
+      m.call("carom_world_get_joints", this.pointer, 0, 0n, count);
+      const n = Number(m.view.getBigUint64(count, true)),
+        at = room(8 * n);
+      m.call("carom_world_get_joints", this.pointer, at, BigInt(n), count);
+      return Array.from(new BigUint64Array(m.buffer, at, n), (handle) => new Joint(this, handle));
+    });
+  }
+
   /** A field of all bodies, or of some, without copies: see BodyView. */
   view(field, options) {
     const [number, width] = chosen(FIELDS, field, "field");

@@ -188,7 +188,14 @@ test("rays, plan, report, lines, dials, joints", () => {
   assert.ok(s.world.plan().some((line) => line.name === "gravity" && line.runs === 1));
   assert.equal(s.world.report().bodies, 2n);
   assert.ok(joint.state.gap < 1e-3);
-  assert.ok(s.world.draw(C.CAROM_DRAW_SHAPES | C.CAROM_DRAW_JOINTS).points.length > 0);
+  assert.ok(s.world.draw(C.CAROM_DRAW_JOINTS).points.length > 0);
+  const [found, ...others] = s.world.joints();
+  assert.equal(found.handle, joint.handle);
+  assert.equal(others.length, 0);
+  assert.deepEqual([found.desc.body_a, found.desc.body_b], [0n, ball.handle]);
+  found.destroy();
+  assert.deepEqual(s.world.joints(), []);
+  assert.ok(s.world.draw(C.CAROM_DRAW_SHAPES).points.length > 0);
   const dials = carom.dials();
   const solver = dials.find((d) => d.name === "solver");
   assert.ok(solver.choices.includes("soft_step") && solver.summary.length > 10);

@@ -29,8 +29,8 @@ template <class Point>
 struct Entry {
   Real lower = -kInfinity, upper = kInfinity;  // where the line enters
   Real s = 0;                                  // best estimate
-  Real touch = kInfinity;  // where the points' hull is entered, swollen by the rounding more
-  bool clear = false;      // it goes through the middle of a face, or well into the ball: no graze
+  Real touch = kInfinity;                      // where the points' hull is entered, swollen by the rounding more
+  bool clear = false;                          // it goes through the middle of a face, or well into the ball: no graze
   bool settled = false;                        // the bracket is as narrow as asked
   Vec3 normal = Vec3::unit_z();                // unit, attains `lower`: into the set
   int count = 0;                               // of the points whose hull the line enters
@@ -228,11 +228,10 @@ Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, cons
       starts = false;
     }
   }
-  if (!starts) {
-    if (entry.touch > request.stop) return Contact::undecided;
-    if (graze == Graze::enters || entry.clear) return Contact::enters;
-  }
-  if (entry.calls >= request.cap) return starts ? Contact::undecided : Contact::enters;
+  const bool may_end_before = !starts && entry.touch > request.stop;
+  const Contact in_doubt = starts || may_end_before ? Contact::undecided : Contact::enters;
+  if (!starts && (graze == Graze::enters || entry.clear)) return in_doubt;
+  if (entry.calls >= request.cap) return in_doubt;
 
   Mat3 back = axes;
   back.set_col(2, -axes.col(2));
@@ -245,8 +244,10 @@ Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, cons
   const End here = enter(behind, turned, first, leave);
   entry.calls += leave.calls;
   if (here == End::fault || (here == End::misses && starts)) return said(here);
-  if (here != End::enters) return starts ? Contact::undecided : Contact::enters;
-  const Real from = starts ? request.start : entry.touch, to = std::min(-leave.touch, request.stop);
+  if (here != End::enters) return in_doubt;
+  // A line that goes in does so wherever the motion ends.
+  const Real from = starts ? request.start : entry.touch;
+  const Real to = starts ? std::min(-leave.touch, request.stop) : -leave.touch;
   const Within middle = within(from + 0.5 * std::max(to - from, Real(0)));
   // Through something flat (a plate, a point) the way within rounding of it is as long as its slope says. A way that is
   // longer goes along a surface. Of a slope that the root of rounding hides nothing follows: a round surface has it.
@@ -254,14 +255,14 @@ Contact meet(const Mat3& axes, const SetIn& set_in, const Request& request, cons
   const bool through =
       way <= enough || (middle.slope > 16 * std::sqrt(request.rounding) && way * middle.slope <= enough);
   if (middle.outcome == Overlap::fault) return Contact::fault;
-  if (middle.capped) return starts ? Contact::undecided : Contact::enters;
+  if (middle.capped) return in_doubt;
   const bool in = middle.outcome == Overlap::overlapping;
   if (starts) {
     // From an edge within the plane of a side: it would be met from farther off, too.
     const bool begins = graze == Graze::enters && entry.touch >= request.start - enough && way > enough;
     return in || begins ? Contact::goes_in : Contact::misses;
   }
-  return in || (middle.outcome == Overlap::touching && through) ? Contact::enters : Contact::misses;
+  return in || (middle.outcome == Overlap::touching && through) ? in_doubt : Contact::misses;
 }
 
 }  // namespace carom::collision::line

@@ -6,12 +6,13 @@
 namespace carom::collision {
 namespace {
 
-// Depths within this share of the contact distance are equal: the choice then stays with the older point.
-constexpr Real kSameDepth = 0.01;
+// Of the pool's width: depths within this are equal, and the choice then stays with the older point. A round base that begins to tip
+// has to find the point that it tips over, which is deeper by a share of its tilt.
+constexpr Real kSameDepth = 1e-5;
 
 }  // namespace
 
-Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Real loyalty) : pool_(pool) {
+Choice::Choice(const Frame& a, const Pool& pool, Real level, Real loyalty) : pool_(pool) {
   const Vec3 normal = a.rotate_inverse(pool.point[0]->normal);
   const Vec3 e1 = any_perpendicular(normal), e2 = normal.cross(e1);
   Real deepest = kInfinity, width = 0;
@@ -25,7 +26,7 @@ Choice::Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Re
     cost_[i] = std::max(Real(0), pool.point[i]->separation - ground_) / kChoiceTilt +
                (pool.age[i] == 0 ? loyalty * width : Real(0));
   int first = 0;
-  while (pool.point[first]->separation > deepest + same_depth) ++first;
+  while (pool.point[first]->separation > deepest + kSameDepth * width) ++first;
   take(first);
   take_best([&](int i) { return distance(chosen_[0], i); });
   take_best([&](int i) { return std::fabs(beside(chosen_[0], chosen_[1], i)); });
@@ -95,7 +96,7 @@ void store(const Frame& a, const ManifoldSettings& settings, const Pool& pool, R
     return;
   }
   const Real level = settings.sunk_alike ? 0 : -kInfinity;
-  const Choice choice(a, pool, kSameDepth * settings.contact_distance, level, loyalty);
+  const Choice choice(a, pool, level, loyalty);
   for (int k = 0; k < Manifold::kMaxPoints; ++k) put(k, choice[k]);
   manifold.has_more_corners = choice.leaves_corners();
 }

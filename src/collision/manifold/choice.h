@@ -29,10 +29,9 @@ struct Pool {
 /// triangle, seen along the normal), less its height over the deepest divided by kChoiceTilt.
 class Choice {
  public:
-  /// @param same_depth  m: depths within this are equal
-  /// @param level       m: heights below this are none
-  /// @param loyalty     share of the pool's width that a new point (age 0) must add beyond what an old one adds
-  Choice(const Frame& a, const Pool& pool, Real same_depth, Real level, Real loyalty = 0);
+  /// @param level    m: heights below this are none
+  /// @param loyalty  share of the pool's width that a new point (age 0) must add beyond what an old one adds
+  Choice(const Frame& a, const Pool& pool, Real level, Real loyalty = 0);
 
   int operator[](int k) const { return chosen_[k]; }  // ascending: a point keeps its place
   /// Whether the patch has corners beside the four: points that touch, or nearly, and stand out from between them.

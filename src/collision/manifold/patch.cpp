@@ -93,6 +93,10 @@ bool find_facet(const Vec3& n, Real reach, bool declared, Party& p) {
   return (declared && look_up(s, n, reach, p.facet)) || fit_facet(p.probe, n, reach, p.facet);
 }
 
+// Of how far bodies may move while a patch is kept, if it has more corners than points: which of them bear it changes with
+// the least tilt.
+constexpr Real kKeepChosen = 0.02;
+
 constexpr Real kSteepest = 0.1;  // cosine: no face that is a part of a patch leans so far from its normal
 
 enum class Owner { a, b, none };  // whose face a normal is
@@ -341,7 +345,8 @@ bool keep_patch(const PatchPair& pair, const ManifoldSettings& settings, const P
   const Frame now = relative(pair.frame_a, pair.frame_b);
   const Real moved = motion_bound(memory.b_in_a, now, pair.a.bounding_radius, pair.b.bounding_radius);
   const Real radius = std::min(pair.a.bounding_radius, pair.b.bounding_radius);
-  if (!(moved <= std::min(kKeepDistance * settings.contact_distance, kKeepRadius * radius))) return false;
+  const Real share = manifold.has_more_corners ? kKeepChosen : 1;
+  if (!(moved <= share * std::min(kKeepDistance * settings.contact_distance, kKeepRadius * radius))) return false;
   const Vec3 n = memory.of_b ? now.rotate(memory.normal) : memory.normal;
   const Vec3 normal = pair.frame_a.rotate(n);
   for (int k = 0; k < manifold.count; ++k) {

@@ -45,6 +45,42 @@ bool comes_before(const CastResult& a, const CastResult& b) {
   return a.outcome != CastOutcome::miss && a.time < b.time;
 }
 
+/// The first of the results of several triangles. Where a corner or an edge of a shape meets those of triangles, several come first at
+/// one moment: the one whose normal is its triangle's says which way the surface looks, and the others nothing.
+class First {
+ public:
+  /// @param moment  of time: what differs by less comes at once
+  First(CastResult& result, Real moment) : result_(result), moment_(moment) {}
+
+  /// @param triangle  facing the shape   @param normal  of `one`, in the frame of the triangle
+  void take(const CastResult& one, const Triangle& triangle, const Vec3& normal) {
+    const Real squareness = -triangle.normal.dot(normal);
+    if (at_one_moment(one) && std::fabs(squareness - squareness_) > kAsSquare) {
+      if (squareness < squareness_) return;
+      const Real lower = std::min(one.lower, result_.lower);
+      result_ = one, result_.lower = lower;
+    } else if (comes_before(one, result_)) {
+      result_ = one;
+    } else {
+      return;
+    }
+    squareness_ = squareness;
+  }
+  /// s or a fraction of the motion: what comes later is none.
+  Real end(Real duration) const {
+    return result_.outcome == CastOutcome::miss ? duration : std::min(result_.upper + moment_, duration);
+  }
+
+ private:
+  static constexpr Real kAsSquare = 1e-6;
+  bool at_one_moment(const CastResult& one) const {
+    return one.outcome == CastOutcome::hit && result_.outcome == CastOutcome::hit &&
+           one.lower <= result_.upper + moment_ && result_.lower <= one.upper + moment_;
+  }
+  CastResult& result_;
+  Real moment_, squareness_ = 0;
+};
+
 void miss(Real end, CastResult& result) {
   result = CastResult();
   result.time = result.lower = end;
@@ -68,14 +104,22 @@ class Sum {
 /// m; nothing, where nothing moves or no time passes
 Real way(Real speed, Real time) { return speed > 0 && time > 0 ? speed * time : 0; }
 
+/// In which a shape moves by what a bracket may be wide.
+Real time_of(const CastSettings& settings, const Shape& a, Real speed) {
+  return speed > 0 ? settings.tolerance * a.bounding_radius / speed : 0;
+}
+
 /// Ask the triangles along a way that a box about a point goes; ask(triangle, one) gives the result for one of them.
 /// @param from, heading, extent  in the scenery's frame   @param end  of time
+/// @param moment    of time: hits that differ by less come at once
 /// @param by_proof  of two hits the one that is proven first, by the upper ends: one that runs nearly along a triangle
 ///                  says badly when
+/// @param frame     of the scenery, if the results' normals are outside; else of itself
 template <class Ask>
 void first_along(const Scenery& scenery, const Vec3& from, const Heading& heading, const Aabb& extent, Real end,
-                 bool by_proof, CastResult& result, Ask&& ask) {
+                 Real moment, bool by_proof, const Frame& frame, CastResult& result, Ask&& ask) {
   miss(end, result);
+  First first(result, moment);
   Sum sum;
   const auto one = [&](std::uint32_t index) {
     Triangle triangle;
@@ -86,8 +130,8 @@ void first_along(const Scenery& scenery, const Vec3& from, const Heading& headin
       if (found.outcome == CastOutcome::hit && result.outcome == CastOutcome::hit && by_proof) {
         if (found.upper < result.upper) result = found;
         result.lower = lower;
-      } else if (comes_before(found, result)) {
-        result = found;
+      } else {
+        first.take(found, triangle, frame.rotate_inverse(found.normal));
       }
     }
     // Brackets are as wide as the tolerance times the size of a triangle; what is farther by more comes later.
@@ -133,18 +177,21 @@ void cast_ray_at_triangles(const Ray& ray, const Shape& shape, const Frame& fram
   const bool is_line = settings.target == 0 && line.usable();
   const Ray local{line.o, frame.rotate_inverse(ray.direction), ray.max};
   const bool inside = is_line || finite(local.direction);  // else asked outside: turned, the longest overflow
-  first_along(scenery, line.o, heading, ball, ray.max, is_line, result, [&](const Triangle& triangle, CastResult& one) {
-    if (!scenery.two_sided && heading.speed > 0 && triangle.normal.dot(heading.unit) > 0) return false;
-    if (!is_line) {
-      at.shape.set(triangle);
-      cast_ray(inside ? local : ray, at.shape.shape(), at.place(inside ? Frame() : frame), settings, one, fault);
-      return true;
-    }
-    TriangleCrossing crossing;
-    if (!cross_triangle(line, triangle, crossing) || (settings.ignore_touched && crossing.at_start)) return false;
-    write_crossing(ray, line, triangle, crossing, settings, one);
-    return true;
-  });
+  first_along(scenery, line.o, heading, ball, ray.max, 0, is_line, inside ? Frame() : frame, result,
+              [&](const Triangle& triangle, CastResult& one) {
+                if (!scenery.two_sided && heading.speed > 0 && triangle.normal.dot(heading.unit) > 0) return false;
+                if (!is_line) {
+                  at.shape.set(triangle);
+                  cast_ray(inside ? local : ray, at.shape.shape(), at.place(inside ? Frame() : frame), settings, one,
+                           fault);
+                  return true;
+                }
+                TriangleCrossing crossing;
+                if (!cross_triangle(line, triangle, crossing) || (settings.ignore_touched && crossing.at_start))
+                  return false;
+                write_crossing(ray, line, triangle, crossing, settings, one);
+                return true;
+              });
   if (result.outcome == CastOutcome::miss) return;
   if (inside) put_outside(frame, result);
   if (is_line) result.point_a = ray.origin + result.time * ray.direction;
@@ -166,21 +213,23 @@ void cast_shape_at_triangles(const Shape& a, const Frame& frame_a, const Vec3& m
   // not go into counts then.
   constexpr Real kAlong = -1e-8;
   const Heading heading(frame, motion);
-  const bool is_in = settings.ignore_touched &&
-                     overlap_with_triangles(a, shape, relative(frame_a, frame), settings.target,
-                                            kCastRounding * kUnitRoundoff, settings.cap, fault)
-                             .outcome != Overlap::apart;
+  const bool is_in =
+      settings.ignore_touched && overlap_with_triangles(a, shape, relative(frame_a, frame), settings.target,
+                                                        kCastRounding * kUnitRoundoff, settings.cap, fault)
+                                         .outcome != Overlap::apart;
   const Vec3 centre = a_in_scenery.apply(a.mass.centroid), local = frame.rotate_inverse(motion);
   const bool inside = finite(local);  // else it is asked outside: turned, the longest motions overflow
-  first_along(scenery, a_in_scenery.p, heading, extent, 1, false, result, [&](Triangle& triangle, CastResult& one) {
-    if (!face(scenery, centre, triangle) || (is_in && triangle.normal.dot(heading.unit) > kAlong)) return false;
-    at.shape.set(triangle);
-    if (inside)
-      cast_shape(a, a_in_scenery, local, at.shape.shape(), at.place(Frame()), settings, one, fault);
-    else
-      cast_shape(a, frame_a, motion, at.shape.shape(), at.place(frame), settings, one, fault);
-    return true;
-  });
+  first_along(scenery, a_in_scenery.p, heading, extent, 1, time_of(settings, a, heading.speed), false,
+              inside ? Frame() : frame, result, [&](Triangle& triangle, CastResult& one) {
+                if (!face(scenery, centre, triangle) || (is_in && triangle.normal.dot(heading.unit) > kAlong))
+                  return false;
+                at.shape.set(triangle);
+                if (inside)
+                  cast_shape(a, a_in_scenery, local, at.shape.shape(), at.place(Frame()), settings, one, fault);
+                else
+                  cast_shape(a, frame_a, motion, at.shape.shape(), at.place(frame), settings, one, fault);
+                return true;
+              });
   if (inside) put_outside(frame, result);
 }
 
@@ -202,6 +251,8 @@ void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, co
   box = grown(box, arm);
   const Vec3 centre = frame.apply_inverse(frame_a.apply(a.mass.centroid));
   miss(duration, result);
+  const Real speed = way.norm() / duration + arm * (motion_a.omega.norm() + motion.omega.norm());
+  First first(result, time_of(settings, a, speed));
   Sum sum;
   scenery.each_near(box, [&](std::uint32_t index) {
     Triangle triangle;
@@ -211,10 +262,11 @@ void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, co
     of_triangle.at.p = motion.at.apply(at.shape.origin());
     CastResult one;
     // Later than the first so far is no matter: a shorter question is a cheaper one.
-    const Real end = result.outcome == CastOutcome::miss ? duration : std::min(result.upper, duration);
-    time_of_impact(a, motion_a, at.shape.shape(), of_triangle, end, settings, one, fault);
+    time_of_impact(a, motion_a, at.shape.shape(), of_triangle, first.end(duration), settings, one, fault);
     sum.add(one);
-    if (comes_before(one, result)) result = one;
+    const Quat turned =
+        motion.omega == Vec3::zero() ? motion.at.q : normalized(exp_map(one.time * motion.omega) * motion.at.q);
+    first.take(one, triangle, turned.conjugate() * one.normal);
   });
   sum.write(result);
 }

@@ -72,7 +72,7 @@ void list_candidates(const World& world) {
     c.seen.clear();
     c.seen.reserve(world.plan->colliders.size());
     for (const std::uint32_t slot : world.plan->colliders)
-      if (table.reach[slot] > 0) c.seen.push_back(table.body[slot]);
+      if (table.movable[slot]) c.seen.push_back(table.body[slot]);
   }
   c.seen.reserve(c.seen.size() + row.candidates.count);
   row.candidates.each([&](std::uint32_t i) { c.seen.push_back(i); });

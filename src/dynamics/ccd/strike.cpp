@@ -8,7 +8,9 @@
 #include "collision/narrow/hybrid.h"
 #include "dynamics/ccd/sweeper.h"
 #include "dynamics/contact/impact_points.h"
+#include "dynamics/contact/seams.h"
 #include "dynamics/detect.h"
+#include "dynamics/filter.h"
 #include "dynamics/force/force.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -22,7 +24,7 @@ struct Sweeper::Strike {
   Real moment;  // s, on the parabolas of which the paths are chords
   Vec3 normal, point;
   ImpactPair of;  // bodies at the moment, changed by the impulse
-  std::array<ImpactPoint, Manifold::kMaxPoints> points;
+  std::array<ImpactPoint, kMostHitPoints> points;
   std::size_t count = 0;
   Real impulse = 0, speed = 0;  // N s; m/s, the fastest point's
   Real sinks = 0;               // m/s, at which the paths after it would still close
@@ -132,27 +134,43 @@ void Sweeper::scenery_points(const SceneryPair& pair, const NarrowSettings& sett
   }
 }
 
-/// Points that touch at the moment of a hit, as the narrow phase has them; where it finds none, the sweep's own.
-int Sweeper::find_points(const Strike& s, Manifold& manifold) {
-  const Frame frame_a = s.a.path.frame(s.a.part, s.now), frame_b = s.b.path.frame(s.b.part, s.now);
+/// Points of two that touch at the moment of a hit and look its way, as the narrow phase has them.
+void Sweeper::find_points(const Strike& s, const Side& b, Manifold& manifold) {
+  const Frame frame_a = s.a.path.frame(s.a.part, s.now), frame_b = b.path.frame(b.part, s.now);
   NarrowSettings settings = narrow_settings(world_.scene.dials);
   settings.manifold.kind = ManifoldKind::clip;
-  settings.manifold.contact_distance = slack(s.a, s.b);
-  const Shape &a = *s.a.part.shape, &b = *s.b.part.shape;
+  settings.manifold.contact_distance = slack(s.a, b);
+  const Shape &a = *s.a.part.shape, &shape_b = *b.part.shape;
   QueryMemory memory;
   SupportFault fault;
-  if (is_scenery(b) && world_.plan->scenery) scenery_points({b, a, frame_b, frame_a}, settings, s.normal, manifold);
-  find_manifold({a, b, frame_a, frame_b, shells(settings.query) / 2}, settings, memory, manifold, report_.narrow,
+  if (is_scenery(shape_b) && world_.plan->scenery)
+    scenery_points({shape_b, a, frame_b, frame_a}, settings, s.normal, manifold);
+  find_manifold({a, shape_b, frame_a, frame_b, shells(settings.query) / 2}, settings, memory, manifold, report_.narrow,
                 fault);
   if (fault.kind != SupportFault::none) manifold.count = 0;
   for (int k = 0; k < manifold.count; ++k)
     if (!(manifold.point[k].normal.dot(s.normal) > 0)) manifold.count = 0;  // the other side of what is thin
-  if (manifold.count > 0) return manifold.count;
-  manifold.count = 1;
-  manifold.point[0] = {};
-  manifold.point[0].on_a = frame_a.apply_inverse(s.point), manifold.point[0].on_b = frame_b.apply_inverse(s.point);
-  manifold.point[0].normal = s.normal;
-  return 1;
+}
+
+/// Flush neighbours of what still ground is hit, that are hit at the same moment: @see contact/seams.h.
+template <class F>
+void Sweeper::each_beside(const Strike& s, const F& f) {
+  if (ground_of(world_, s.b.collider) != kStillGround || is_movable(s.b.body)) return;
+  const Colliders& table = world_.scene.colliders;
+  gather(*s.a.known, swept_box(*s.a.known, s.a.collider, s.now), s.now);
+  for (const std::uint32_t other : c_.found) {
+    const std::uint32_t body = table.body[other];
+    if (other == s.b.collider || body == s.a.body || table.is_sensor(other) || is_movable(body) ||
+        ground_of(world_, other) != kStillGround || !may_touch(table, s.a.collider, other) ||
+        (filtered_ && !lets_touch(world_.scene, s.a.collider, other)) ||
+        world_.scene.modes.forbids(+EffectId::response, body))
+      continue;
+    Side side{body, other, {}, path_of(body), nullptr};
+    each_swept_part(world_, other, s.a.path.swept(s.now, s.now, s.a.known->radius), [&](const SweptPart& part) {
+      side.part = part;
+      f(side);
+    });
+  }
 }
 
 /// But for its velocities.
@@ -204,30 +222,38 @@ bool Sweeper::exchange(Strike& s) {
   if (closing > 0 && gap != 0) move(std::clamp(s.now + gap / closing, std::max(s.a.path.t, s.b.path.t), time_.h));
   const ImpactPair before = s.of;
 
-  Manifold manifold;
-  find_points(s, manifold);
-  const MixedMaterial material = mixed(scene, s.a.collider, s.b.collider);
   const Real threshold = scene.dials[Dial::restitution_speed];
-  const Frame frame_a = s.a.path.frame(s.a.part, s.now), frame_b = s.b.path.frame(s.b.part, s.now);
+  const Frame frame_a = s.a.path.frame(s.a.part, s.now);
   const bool locked = scene.locks_of(s.a.body) | scene.locks_of(s.b.body);
   const Real unlocked = locked ? s.of.a.moves * scene.inv_mass[s.a.body] + s.of.b.moves * scene.inv_mass[s.b.body] : 0;
-  std::array<ImpactPoint, Manifold::kMaxPoints>& points = s.points;
-  const std::size_t count = s.count = static_cast<std::size_t>(manifold.count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const ContactPoint& c = manifold.point[k];
-    ImpactPoint& p = points[k];
-    const Vec3 place = (frame_a.apply(c.on_a) + frame_b.apply(c.on_b)) / 2;
+  std::array<ImpactPoint, kMostHitPoints>& points = s.points;
+  std::size_t& count = s.count;
+  const auto add = [&](const Side& side, const Vec3& on_a, const Vec3& on_b, const Vec3& n) {
+    if (count == points.size()) return;
+    ImpactPoint& p = points[count++];
+    const MixedMaterial material = mixed(scene, s.a.collider, side.collider);
+    const Vec3 place = (on_a + on_b) / 2;
     p.mass.r_a = place - x_a, p.mass.r_b = place - x_b;
     const Mat3 cross_a = cross_matrix(p.mass.r_a), cross_b = cross_matrix(p.mass.r_b);
     p.mass.k = -cross_a * s.of.a.inv_inertia * cross_a - cross_b * s.of.b.inv_inertia * cross_b;
     p.mass.k.add_to_diagonal(s.of.a.inv_mass + s.of.b.inv_mass);
-    p.row.n = c.normal;
+    p.row.n = n;
     p.row.friction = material.friction;
     p.be_ready(unlocked);
-    const Real speed = c.normal.dot(s.of.a.at(p.mass.r_a) - s.of.b.at(p.mass.r_b));
+    const Real speed = n.dot(s.of.a.at(p.mass.r_a) - s.of.b.at(p.mass.r_b));
     p.want = wanted_speed(speed, material.restitution, threshold);
     s.speed = std::max(s.speed, speed);
-  }
+  };
+  const auto add_all = [&](const Side& side, Real least) {
+    Manifold manifold;
+    find_points(s, side, manifold);
+    const Frame frame_b = side.path.frame(side.part, s.now);
+    for (const ContactPoint& c : std::span(manifold.point, static_cast<std::size_t>(manifold.count)))
+      if (c.normal.dot(s.normal) >= least) add(side, frame_a.apply(c.on_a), frame_b.apply(c.on_b), c.normal);
+  };
+  add_all(s.b, 0);
+  if (count == 0) add(s.b, s.point, s.point, s.normal);  // the sweep's own
+  each_beside(s, [&](const Side& side) { add_all(side, kSweepSamePatch); });
   if (s.speed > 0) {
     resolve_impact(s.of, std::span(points.data(), count), s.speed,
                    [&](const ImpactPoint& p) { return s.of.b.at(p.mass.r_b) - s.of.a.at(p.mass.r_a); });

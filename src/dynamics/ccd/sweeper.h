@@ -74,7 +74,9 @@ class Sweeper {
   // strike.cpp: what it does
   void strike(SweptBody& b);
   void go_on(SweptBody& b);
-  int find_points(const Strike& s, Manifold& manifold);
+  void find_points(const Strike& s, const Side& b, Manifold& manifold);
+  template <class F>
+  void each_beside(const Strike& s, const F& f);
   void scenery_points(const SceneryPair& pair, const NarrowSettings& settings, const Vec3& normal, Manifold& manifold);
   ImpactBody body_of(const Side& side, Real now) const;
   bool exchange(Strike& s);

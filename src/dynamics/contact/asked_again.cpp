@@ -8,6 +8,7 @@
 #include "collision/support.h"
 #include "core/float_guard.h"
 #include "dynamics/contact/depth.h"
+#include "dynamics/contact/seams.h"
 #include "dynamics/detect.h"
 #include "dynamics/solver/direct.h"
 
@@ -16,16 +17,18 @@ namespace {
 
 /// m, by which points of a collider leave the tangent of their way within a time. A spin about the normal is none to a
 /// contact, nor is one of a sphere.
-Real leaves_tangent(const World& world, std::uint32_t collider, std::uint32_t body, const Vec3& n, Real time) {
+Real leaves_tangent(const World& world, std::uint32_t collider, const Vec3& spin, Real time) {
   const Shape& shape = *world.scene.colliders.shape[collider];
   if (shape.form == Form::sphere || shape.form == Form::half_space) return 0;
-  return extent(shape) * time * time * world.state.omega[body].cross(n).squared_norm() / 2;
+  return extent(shape) * time * time * spin.squared_norm() / 2;
 }
 
-bool is_of_scenery(const World& world, const Pair& pair) {
-  const Array<const Shape*>& shape = world.scene.colliders.shape;
-  return is_scenery(*shape[pair.a]) || is_scenery(*shape[pair.b]);
+const Vec3& spin_of(const World& world, std::uint32_t collider) {
+  return world.state.omega[world.scene.colliders.body[collider]];
 }
+
+/// Whether contacts are asked again at all: at the end of a step they are found anyway.
+bool has_substeps(const World& world) { return world.plan->substeps > 1 || world.accuracy; }
 
 const Pair& pair_of(const World& world, const ContactPair& m) {
   return world.pairs.place(world.contacts->geometry[m.row].pair).pair;
@@ -43,23 +46,136 @@ class Asking {
         frame_a_(frame(pair_.a, m.a, r_a_)),
         frame_b_(frame(pair_.b, m.b, r_b_)) {}
 
-  void ask(NarrowSettings settings, StepReport& report) {
-    Contacts& c = *world_.contacts;
-    const Colliders& table = world_.scene.colliders;
-    settings.manifold.contact_distance += table.reach[pair_.a] + table.reach[pair_.b];
-    QueryMemory memory = world_.pairs[c.geometry[m_.row].pair].memory;
-    SupportFault fault;
-    Manifold manifold;
-    manifold.count = 0;
-    find_manifold({*table.shape[pair_.a], *table.shape[pair_.b], frame_a_, frame_b_, shells(settings.query) / 2},
-                  settings, memory, manifold, report.narrow, fault);
-    if (fault.kind == SupportFault::none && manifold.count > 0) take({manifold.point, std::size_t(manifold.count)});
+  void ask(const NarrowSettings& settings, StepReport& report) {
+    const std::uint32_t own = world_.contacts->geometry[m_.row].pair;
+    const bool is_on_triangles = is_scenery(shape(pair_.a)) || is_scenery(shape(pair_.b));
+    const Manifold manifold =
+        is_on_triangles ? found_on_plane(settings, report) : found(own, {frame_a_, frame_b_}, settings, report);
+    count_ = manifold.count;
+    std::copy_n(manifold.point, count_, points_);
+    if (!is_on_triangles) {
+      ask_neighbours(pair_.a, pair_.b, settings, report);
+      ask_neighbours(pair_.b, pair_.a, settings, report);
+    }
+    if (count_ > 0) take({points_, std::size_t(count_)});
   }
 
  private:
+  static constexpr int kMostPoints = 4 * Manifold::kMaxPoints;
+
+  struct Frames {
+    const Frame &a, &b;
+  };
+
   Frame frame(std::uint32_t collider, std::uint32_t body, const Mat3& r) const {
     const Frame& local = world_.plan->local[collider];
     return {r * local.r, world_.state.x[body] + r * local.p};
+  }
+  Frame frame(std::uint32_t collider) const {
+    const std::uint32_t body = world_.scene.colliders.body[collider];
+    return frame(collider, body, world_.state.q[body].matrix());
+  }
+
+  Manifold found(std::uint32_t record, const Frames& f, NarrowSettings settings, StepReport& report) const {
+    const Colliders& table = world_.scene.colliders;
+    const Pair& pair = world_.pairs.place(record).pair;
+    settings.manifold.contact_distance += table.reach[pair.a] + table.reach[pair.b];
+    QueryMemory memory = world_.pairs[record].memory;
+    SupportFault fault;
+    Manifold manifold;
+    manifold.count = 0;
+    find_manifold({*table.shape[pair.a], *table.shape[pair.b], f.a, f.b, shells(settings.query) / 2}, settings, memory,
+                  manifold, report.narrow, fault);
+    if (fault.kind != SupportFault::none) manifold.count = 0;
+    return manifold;
+  }
+
+  const Shape& shape(std::uint32_t collider) const { return *world_.scene.colliders.shape[collider]; }
+
+  /// Scenery is as it was met: the plane of its patch, through the highest of the rows' points. Beyond an edge of it the plane goes on,
+  /// as long as the step.
+  Manifold found_on_plane(NarrowSettings settings, StepReport& report) const {
+    const Contacts& c = *world_.contacts;
+    const bool is_a = is_scenery(shape(pair_.a));
+    const Frame& frame = is_a ? frame_a_ : frame_b_;
+    Shape plane(std::pmr::get_default_resource());  // nothing of it allocates
+    plane.form = Form::half_space;
+    plane.bounding_radius = kInfinity;
+    plane.bounds = {Vec3::constant(-kInfinity), Vec3::constant(kInfinity)};
+    plane.normal = frame.rotate_inverse(is_a ? normal() : Vec3(-normal()));
+    plane.offset = -kInfinity;
+    const Frame& local = world_.plan->local[is_a ? pair_.a : pair_.b];
+    for (std::uint32_t k = 0; k < m_.count; ++k) {
+      const RowGeometry& g = c.geometry[m_.row + k];
+      plane.offset = std::max(plane.offset, plane.normal.dot(local.apply_inverse(is_a ? g.l_a : g.l_b)));
+    }
+    settings.manifold.contact_distance += world_.scene.colliders.reach[pair_.a] + world_.scene.colliders.reach[pair_.b];
+    QueryMemory memory;
+    SupportFault fault;
+    Manifold manifold;
+    manifold.count = 0;
+    find_manifold(
+        {is_a ? plane : shape(pair_.a), is_a ? shape(pair_.b) : plane, frame_a_, frame_b_, shells(settings.query) / 2},
+        settings, memory, manifold, report.narrow, fault);
+    if (fault.kind != SupportFault::none) manifold.count = 0;
+    return manifold;
+  }
+
+  /// Whether a point looks as the rows do.
+  struct KeepsPlane {
+    Vec3 n;
+    bool operator()(const ContactPoint& p) const { return (p.normal - n).squared_norm() <= kSameWay2; }
+  };
+  Vec3 normal() const { return world_.contacts->rows[m_.row].n; }
+
+  /// Points that other colliders of a ground bear the body at in the same plane. An edge that leans away above them is
+  /// none.
+  void ask_neighbours(std::uint32_t body, std::uint32_t ground, const NarrowSettings& settings, StepReport& report) {
+    const Colliders& table = world_.scene.colliders;
+    const SeamTerms terms = seam_terms(world_.scene.dials, *table.shape[body], *table.shape[ground]);
+    const KeepsPlane keeps_plane{normal()};
+    Real least = kInfinity;
+    for (const GroundContact& beside : contacts_with_ground(world_, body, ground)) {
+      const Pair& pair = world_.pairs.place(beside.record).pair;
+      const std::uint32_t other = beside.ground_is_a ? pair.a : pair.b;
+      if (other == ground || !moves_alike(world_, ground, other, frame_a_.p, terms.flush, 0)) continue;
+      const Frame a = frame(pair.a), b = frame(pair.b);
+      const bool is_alike = beside.ground_is_a == (ground == pair_.a);
+      const Manifold manifold = found(beside.record, {a, b}, settings, report);
+      for (int k = 0; k < manifold.count && count_ < kMostPoints; ++k) {
+        ContactPoint p = is_alike ? manifold.point[k] : exchanged(manifold.point[k]);
+        p.on_a = frame_a_.apply_inverse((is_alike ? a : b).apply(p.on_a));
+        p.on_b = frame_b_.apply_inverse((is_alike ? b : a).apply(p.on_b));
+        const auto is_at = [&](const ContactPoint& q) { return (q.on_a - p.on_a).norm() <= terms.flush; };
+        if (!keeps_plane(p) || std::any_of(points_, points_ + count_, is_at)) continue;
+        least = std::min(least, p.separation);
+        points_[count_++] = p;
+      }
+    }
+    if (least == kInfinity) return;
+    const auto leans = [&](const ContactPoint& p) { return !keeps_plane(p) && p.separation >= least; };
+    count_ = static_cast<int>(std::remove_if(points_, points_ + count_, leans) - points_);
+    keep_farthest_apart(terms.flush);
+  }
+
+  /// As many points as there are rows: the deepest one, then those of its height that are farthest from all before.
+  void keep_farthest_apart(Real height) {
+    const int rows = static_cast<int>(m_.count);
+    if (count_ <= rows) return;
+    const auto deeper = [](const ContactPoint& p, const ContactPoint& q) { return p.separation < q.separation; };
+    std::swap(points_[0], *std::min_element(points_, points_ + count_, deeper));
+    const auto apart = [&](const ContactPoint& p, int kept) {
+      Real least = kInfinity;
+      for (int k = 0; k < kept; ++k) least = std::min(least, (points_[k].on_a - p.on_a).norm());
+      return p.separation <= points_[0].separation + height ? least : -p.separation;
+    };
+    for (int kept = 1; kept < rows; ++kept) {
+      int next = kept;
+      for (int k = kept + 1; k < count_; ++k)
+        if (apart(points_[k], kept) > apart(points_[next], kept)) next = k;
+      std::swap(points_[kept], points_[next]);
+    }
+    count_ = rows;
   }
 
   void take(std::span<ContactPoint> points) {
@@ -108,19 +224,29 @@ class Asking {
   const Pair& pair_;
   const Mat3 r_a_, r_b_;
   const Frame frame_a_, frame_b_;
+  ContactPoint points_[kMostPoints];
+  int count_ = 0;
 };
 
 }  // namespace
 
+bool may_be_asked_again(const World& world, const Pair& pair, const StepTime& time) {
+  if (!has_substeps(world)) return false;
+  const Real leaves = leaves_tangent(world, pair.a, spin_of(world, pair.a), time.dt) +
+                      leaves_tangent(world, pair.b, spin_of(world, pair.b), time.dt);
+  return leaves > 0 && leaves > kAskedAgain * tolerable_depth(world, pair);
+}
+
 void find_asked_again(const World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   c.any_asked_again = false;
-  if (world.plan->substeps == 1 && !world.accuracy) return;
+  if (!has_substeps(world)) return;
   for (const ContactPair& m : c.contact_pairs) {
     const Pair& pair = pair_of(world, m);
     const Vec3& n = c.rows[m.row].n;
-    const Real leaves = leaves_tangent(world, pair.a, m.a, n, time.dt) + leaves_tangent(world, pair.b, m.b, n, time.dt);
-    if (!(leaves > kAskedAgain * tolerable_depth(world, c.geometry[m.row])) || is_of_scenery(world, pair)) continue;
+    const Real leaves = leaves_tangent(world, pair.a, spin_of(world, pair.a).cross(n), time.dt) +
+                        leaves_tangent(world, pair.b, spin_of(world, pair.b).cross(n), time.dt);
+    if (!(leaves > kAskedAgain * tolerable_depth(world, pair))) continue;
     for (std::uint32_t k = 0; k < m.count; ++k) c.geometry[m.row + k].is_asked_again = true;
     c.any_asked_again = true;
   }

@@ -6,7 +6,10 @@
 // tolerable_depth() within the step are asked again where they are by then. Rows stay: the deepest points go to the nearest rows, and a
 // row that has none keeps the point of its bodies that it had.
 //
-// Of contacts that the direct solver solves, but for those of scenery.
+// Past the edge of its collider a pair sees an edge, which leans. Where a flush neighbour bears the body in the same plane its points
+// are taken: its own contact was none as the step began, for it was a ghost (seams.h), out of reach or the sweep's.
+//
+// Of contacts that the direct solver solves.
 // @oracle tests/stability/test_tumbling; carom jury
 #pragma once
 
@@ -22,6 +25,8 @@ inline constexpr Constant<Real> kAskedAgain{
     "larger: what rolls and tumbles sinks; smaller: time, for what hardly turns"};
 inline constexpr ConstantRow kAskedAgainConstants[] = {kAskedAgain};
 
+/// Whether contacts of a pair may be asked again in this step, as their bodies turn.
+bool may_be_asked_again(const World& world, const Pair& pair, const StepTime& time);
 /// Which, as rows are made: RowGeometry::is_asked_again, Contacts::any_asked_again.
 void find_asked_again(const World& world, const StepTime& time);
 /// Stage function of the page.

@@ -17,15 +17,20 @@ inline constexpr Constant<Real> kTolerableDepth{
 inline constexpr ConstantRow kDepthConstants[] = {kTolerableDepth};
 
 /// m, of the thinner of the two colliders that touch; infinite where neither has a far side.
-inline Real least_thickness(const World& world, const RowGeometry& g) {
+inline Real least_thickness(const World& world, const Pair& pair) {
   const Colliders& colliders = world.scene.colliders;
-  const Pair& pair = world.pairs.place(g.pair).pair;
   return std::min(thickness(*colliders.shape[pair.a]), thickness(*colliders.shape[pair.b]));
+}
+inline Real least_thickness(const World& world, const RowGeometry& g) {
+  return least_thickness(world, world.pairs.place(g.pair).pair);
 }
 
 /// m, the dial's tolerance, but no more than a share of what is thin.
+inline Real tolerable_depth(const World& world, const Pair& pair) {
+  return std::min(world.scene.dials[Dial::position_tolerance], kTolerableDepth * least_thickness(world, pair));
+}
 inline Real tolerable_depth(const World& world, const RowGeometry& g) {
-  return std::min(world.scene.dials[Dial::position_tolerance], kTolerableDepth * least_thickness(world, g));
+  return tolerable_depth(world, world.pairs.place(g.pair).pair);
 }
 
 /// m/s^2, what pulls harder of two that touch.

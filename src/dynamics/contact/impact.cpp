@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include "dynamics/contact/impact_points.h"
 #include "dynamics/force/force.h"
@@ -14,8 +15,6 @@
 
 namespace carom::dynamics {
 namespace {
-
-constexpr std::size_t kPoints = Manifold::kMaxPoints;
 
 class Impacts {
  public:
@@ -51,6 +50,7 @@ class Impacts {
  private:
   struct Point : ImpactPoint {
     Impact* at;
+    bool is_turned;  // A of the others is B of its row
   };
 
   /// Spins of the substep's beginning, of bodies whose inertia turns too far in it for the spin of its end.
@@ -125,21 +125,33 @@ class Impacts {
   }
 
   /// The points of a row's pair that touch as it does are hit together: flat on the ground, a box does not roll from
-  /// corner to corner.
+  /// corner to corner. Likewise those of the body with all that stands still and looks the same way: tiles.
   void strike(Impact& first) {
     const Touch hit = touch(first);
-    const std::uint32_t pair = c_.geometry[first.row].pair;
-    std::array<Point, kPoints> points;
+    const Row& row = c_.rows[first.row];
+    std::array<Point, kMostHitPoints> points;
     std::size_t count = 0;
-    Impact* at = &first;
-    while (at > c_.impacts.data() && c_.geometry[at[-1].row].pair == pair) --at;
-    for (; at < c_.impacts.data() + c_.impacts.size() && c_.geometry[at->row].pair == pair; ++at) {
-      const Real a = accel(*at), c0 = closing(*at), speed = at == &first ? hit.speed : c0 + a * hit.time;
-      if (at != &first && gap(*at) - hit.time * (c0 + a * hit.time / 2) > near_) continue;
-      points[count++] = point(*at, speed);
+    const auto add = [&](Impact& at, bool is_turned) {
+      const Real a = accel(at), c0 = closing(at), speed = &at == &first ? hit.speed : c0 + a * hit.time;
+      if (&at != &first && gap(at) - hit.time * (c0 + a * hit.time / 2) > near_) return;
+      if (count < points.size()) points[count++] = point(at, speed, is_turned);
+    };
+    each_of_pair(first, [&](Impact& at) { add(at, false); });
+    const bool only_a = row.moves_a && stands_still(row.b, row.moves_b);
+    const bool only_b = row.moves_b && stands_still(row.a, row.moves_a);
+    if (only_a || only_b) {
+      const std::uint32_t body = only_a ? row.a : row.b;
+      for (std::uint32_t k = c_.half_of[body].begin; k < c_.half_of[body].end; ++k) {
+        const Row& other = c_.rows[c_.half[k].row];
+        const RowGeometry& g = c_.geometry[c_.half[k].row];
+        const bool is_turned = (other.a == body) != only_a;
+        if (g.pair == c_.geometry[first.row].pair || !looks_alike(row, other, is_turned) ||
+            !(other.a == body ? stands_still(other.b, other.moves_b) : stands_still(other.a, other.moves_a)))
+          continue;
+        add(c_.impacts[g.impact], is_turned);
+      }
     }
     exchange({points.data(), count}, hit);
-    const Row& row = c_.rows[first.row];
     for (const std::uint32_t body : {row.a, row.b}) {
       if (body == row.a ? !row.moves_a : !row.moves_b) continue;
       for (std::uint32_t k = c_.half_of[body].begin; k < c_.half_of[body].end; ++k) {
@@ -150,12 +162,31 @@ class Impacts {
     ++report_.velocity_impulses;
   }
 
+  template <class F>
+  void each_of_pair(Impact& first, const F& f) {
+    const std::uint32_t pair = c_.geometry[first.row].pair;
+    Impact* at = &first;
+    while (at > c_.impacts.data() && c_.geometry[at[-1].row].pair == pair) --at;
+    for (; at < c_.impacts.data() + c_.impacts.size() && c_.geometry[at->row].pair == pair; ++at) f(*at);
+  }
+
+  bool stands_still(std::uint32_t body, bool moves) const {
+    return !moves && world_.state.v[body] == Vec3::zero() && world_.state.omega[body] == Vec3::zero();
+  }
+  static bool looks_alike(const Row& row, const Row& other, bool is_turned) {
+    return row.n.dot(is_turned ? Vec3(-other.n) : other.n) >= kSweepSamePatch;
+  }
+
   /// @param speed  m/s, @see wanted_speed()
-  Point point(Impact& at, Real speed) const {
+  Point point(Impact& at, Real speed, bool is_turned) const {
     const Row& row = c_.rows[at.row];
-    Point p{{row, {}, wanted_speed(speed, row.restitution, threshold_)}, &at};
+    Point p{{row, {}, wanted_speed(speed, row.restitution, threshold_)}, &at, is_turned};
     p.mass.r_a = at.r.a, p.mass.r_b = at.r.b;
     p.mass.k = velocity_per_impulse(world_, row, p.mass);
+    if (is_turned) {
+      std::swap(p.mass.r_a, p.mass.r_b);
+      p.row.n = -p.row.n;
+    }
     const Scene& scene = world_.scene;
     const bool locked = scene.locks_of(row.a) | scene.locks_of(row.b);
     p.be_ready(locked ? row.moves_a * scene.inv_mass[row.a] + row.moves_b * scene.inv_mass[row.b] : 0);
@@ -177,13 +208,14 @@ class Impacts {
     // As stored, but of the moment; in the order of additions of relative_velocity().
     resolve_impact(pair, points, hit.speed, [&](const Point& p) {
       Vec3 u = pair.b.v + pair.b.omega.cross(p.mass.r_b) - pair.a.v - pair.a.omega.cross(p.mass.r_a);
-      u += (hit.time - lag_) * p.at->accel;
-      if (!c_.surface.empty()) u += c_.surface[p.at->row];
+      const Real sign = p.is_turned ? -1 : 1;
+      u += sign * (hit.time - lag_) * p.at->accel;
+      if (!c_.surface.empty()) u += sign * c_.surface[p.at->row];
       return u;
     });
     for (const Point& p : points) {
       ++p.at->count;
-      c_.geometry[p.at->row].impulse += p.row.p;
+      c_.geometry[p.at->row].impulse += p.is_turned ? Vec3(-p.row.p) : p.row.p;
       c_.rows[p.at->row].p.set_zero();  // an impact does not come again
     }
     if (row.moves_a) turn_off(row.a, hit.time, pair.a);

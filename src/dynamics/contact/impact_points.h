@@ -43,6 +43,9 @@ inline constexpr Constant<Real> kSweepSamePatch{
 inline constexpr ConstantRow kImpactConstants[] = {kImpactSweeps, kImpactSettled, kGiveWay, kMostImpacts,
                                                    kSweepSamePatch};
 
+/// Points that are hit at one moment: of a pair, or of one body with several of the same ground.
+inline constexpr std::size_t kMostHitPoints = 16 * Manifold::kMaxPoints;
+
 /// One of two bodies that are hit.
 struct ImpactBody {
   Vec3 v, omega;      // m/s, rad/s, world; impulses change them
@@ -94,12 +97,12 @@ inline Real wanted_speed(Real speed, Real restitution, Real threshold) {
 /// whole. What is hit alike everywhere is done with that: it keeps its symmetry. Later sweeps go from point to point.
 /// Where points lie close together for their bodies' size, a sweep undoes little of a turn. So the changes of a sweep
 /// are prolonged to where they serve best, as long as no impulse leaves its cone.
-/// @param points    std::span of ImpactPoint or of what is made of it
+/// @param points    std::span of ImpactPoint or of what is made of it, kMostHitPoints at most
 /// @param speed     m/s, of the impact
 /// @param velocity  of B's surface relative to A's at a point, m/s, as the bodies move by now: velocity(point)
 template <class Point, class Velocity>
 void resolve_impact(ImpactPair& pair, std::span<Point> points, Real speed, const Velocity& velocity) {
-  std::array<Vec3, Manifold::kMaxPoints> before, u;  // N s, m/s, as a sweep begins
+  std::array<Vec3, kMostHitPoints> before, u;  // N s, m/s, as a sweep begins
   const auto give = [&](Point& p, const Vec3& next) {
     const Vec3 change = next - p.row.p;
     p.row.set_impulse(next);

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "dynamics/contact/contact.h"
+#include "dynamics/contact/asked_again.h"
 
 namespace carom::dynamics {
 namespace {
 
 // Of the smaller size of two that touch: what stands out by less is level.
 constexpr Real kFlush = 1e-3;
-// rad^2: normals within this look the same way.
-constexpr Real kSameWay2 = 1e-12;
+
+std::uint64_t key_of(std::uint32_t body, std::uint32_t ground) { return (std::uint64_t(body) << 32) | ground; }
 
 Vec3 outward(const ContactPoint& p, bool ground_is_a) { return ground_is_a ? p.normal : Vec3(-p.normal); }
 
@@ -37,8 +37,11 @@ class Seam {
  private:
   /// Whether not all contacts look the same way.
   bool is_bent() const {
-    const Vec3 n = outward(pairs_[first_->record].manifold.point[0], first_->ground_is_a);
-    for (const GroundContact* i = first_; i < last_; ++i) {
+    const GroundContact* i = first_;
+    while (i < last_ && pairs_[i->record].manifold.count == 0) ++i;
+    if (i == last_) return false;
+    const Vec3 n = outward(pairs_[i->record].manifold.point[0], i->ground_is_a);
+    for (; i < last_; ++i) {
       const Manifold& m = pairs_[i->record].manifold;
       for (int k = 0; k < m.count; ++k)
         if ((outward(m.point[k], i->ground_is_a) - n).squared_norm() > kSameWay2) return true;
@@ -58,7 +61,8 @@ class Seam {
     for (const GroundContact* j = first_; j < last_; ++j) {
       const Pair other = pairs_.place(j->record).pair;
       const std::uint32_t beside = j->ground_is_a ? other.a : other.b;
-      if (beside == ground || world_.scene.modes.forbids(+EffectId::response, c.body[beside]) ||
+      if (pairs_[j->record].manifold.count == 0 || beside == ground ||
+          world_.scene.modes.forbids(+EffectId::response, c.body[beside]) ||
           !moves_alike(world_, ground, beside, touch.point, terms.flush, dt_))
         continue;
       const Manifold& m = pairs_[j->record].manifold;
@@ -122,10 +126,10 @@ void leave_out_ghosts(const World& world, PairTable& pairs, const StepTime& time
   found.clear();
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     const PairTable::Place& place = pairs.place(i);
-    if (place.points == 0) continue;
+    if (place.points == 0 && !may_be_asked_again(world, place.pair, time)) continue;
     const std::uint32_t a = ground_of(world, place.pair.a), b = ground_of(world, place.pair.b);
     const auto add = [&](std::uint32_t body, std::uint32_t ground, bool ground_is_a) {
-      found.push_back({(std::uint64_t(body) << 32) | ground, i, ground_is_a, 0});
+      found.push_back({key_of(body, ground), i, ground_is_a, 0});
     };
     if (b != kNoGround) add(place.pair.a, b, false);
     if (a != kNoGround) add(place.pair.b, a, true);
@@ -137,6 +141,15 @@ void leave_out_ghosts(const World& world, PairTable& pairs, const StepTime& time
     for (j = i + 1; j < found.size() && found[j].key == found[i].key;) ++j;
     if (j > i + 1) Seam(world, pairs, time, &found[i], found.data() + j).run();
   }
+}
+
+std::span<const GroundContact> contacts_with_ground(const World& world, std::uint32_t collider, std::uint32_t ground) {
+  const Array<GroundContact>& all = world.contacts->grounds;
+  const std::uint64_t key = key_of(collider, ground_of(world, ground));
+  const auto first =
+      std::lower_bound(all.begin(), all.end(), key, [](const GroundContact& g, std::uint64_t k) { return g.key < k; });
+  const auto last = std::find_if(first, all.end(), [&](const GroundContact& g) { return g.key != key; });
+  return {first, last};
 }
 
 }  // namespace carom::dynamics

@@ -6,13 +6,22 @@
 // nothing, one whose contacts with a ground look the same way a comparison.
 #pragma once
 
+#include <span>
+
 #include "collision/scenery/seam.h"
+#include "dynamics/contact/contact.h"
 #include "dynamics/effects.h"
 
 namespace carom::dynamics {
 
+// rad^2: normals within this look the same way.
+inline constexpr Real kSameWay2 = 1e-12;
+
 /// Stage function: leave out contacts that are ghosts.
 void leave_out_ghosts(const World& world, PairTable& pairs, const StepTime& time);
+
+/// Contacts of a collider with the ground that another one is part of, as of this step.
+std::span<const GroundContact> contacts_with_ground(const World& world, std::uint32_t collider, std::uint32_t ground);
 
 /// Which colliders stand still against each other: equal of two that may. Of driven ones moves_alike() knows;
 /// kNoGround: a ground with no body.

@@ -302,6 +302,15 @@ void choose(const World& world, SolverMemory& memory, GroupViews& views, StepRep
   for (const GroupView& view : views) report.direct_groups += view.direct;
 }
 
+/// What lies still on a solution keeps to it, whatever it weighs: looking whether that still solves it costs next to nothing,
+/// and soft contacts would let it sink.
+void go_on_lying(const World& world, SolverMemory& memory) {
+  const DirectGroups& d = *world.direct;
+  for (std::size_t g = 0; g < d.groups(); ++g)
+    for (std::uint32_t i = d.begin[g].body; d.rest[g].lies && i < d.begin[g + 1].body; ++i)
+      if (std::uint8_t& steps = memory.loaded_steps[d.bodies[i].slot]; steps >= kBorneFor) steps = kBearsFor;
+}
+
 /// A group that came nowhere near its solution within its work is left to soft contacts for a while: it moves too much.
 /// But not bodies of unlike masses, which soft contacts would throw about.
 void start_cooldowns(const World& world, SolverMemory& memory) {
@@ -362,6 +371,7 @@ void auto_velocities(const World& world, Solver::Solves to, const StepTime& time
   solve_groups(world, to, to, time.h, 1 + work, world.plan->substeps);
   end_far_turns(world, to, wide, time.h);
   start_cooldowns(world, to);
+  go_on_lying(world, to);
 }
 
 void auto_positions(const World& world, Solver::Relaxes to, const StepTime& time) {

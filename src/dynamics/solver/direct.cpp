@@ -104,6 +104,7 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
 void part_groups(const World& world, Poses& to, StepReport& report, Real h) {
   DirectGroups& d = *world.direct;
   if (!d.links.empty()) place_joints(world);
+  for (GroupRest& rest : d.rest) rest.has_parted = false;
   if (std::ranges::all_of(d.rest, [](const GroupRest& rest) { return rest.lasts; })) return;
   refresh_rotations(world);
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).part(to, h); });
@@ -117,8 +118,9 @@ static void part_again(const World& world, const Group& group, const Part& part)
   constexpr int kPasses = 8;
   DirectGroups& d = *world.direct;
   for (int k = 0; k < kPasses; ++k) {
-    place_joints(world);
+    if (std::ranges::any_of(d.rest, &GroupRest::has_parted)) place_joints(world);
     bool any = false;
+    for (GroupRest& rest : d.rest) rest.has_parted = false;
     for (std::size_t g = 0; g < d.groups(); ++g) any |= d.rest[g].parts = d.rest[g].parts && group(g).is_nearer();
     if (!any) return;
     in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
@@ -149,7 +151,7 @@ void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h)
   DirectGroups& d = *world.direct;
   if (d.links.empty()) return;
   close(
-      world, [](const ConeGroup&) { return true; }, [&](ConeGroup group) { group.part(poses, h); });
+      world, [](const ConeGroup&) { return true; }, [&](ConeGroup group) { group.part_again(poses, h); });
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart,
               [&](std::uint32_t g) { ConeGroup(world, g).settle(motion, h); });
 }
@@ -157,7 +159,7 @@ void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h)
 void close_joints(const World& world, Poses& poses, const StepTime& time) {
   DirectGroups& d = *world.direct;
   if (d.links.empty() || !any_led_by_sweep(world)) return;
-  for (GroupRest& rest : d.rest) rest.gap = kInfinity;
+  for (GroupRest& rest : d.rest) rest.gap = kInfinity, rest.has_parted = true;
   close(
       world, [](const ConeGroup& group) { return group.is_swept(); },
       [&](ConeGroup group) { group.follow_swept(poses, time.h); });

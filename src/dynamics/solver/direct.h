@@ -44,6 +44,7 @@ struct GroupRest {
   bool lies = false;           // all its contacts move less than anybody sees
   Real gap = 0;                // m or rad, of joints, before they were parted
   bool parts = false;          // it is parted once more
+  bool has_parted = false;     // since joints were placed
   Real least = 0;              // separation, in tolerable depths
   Real goal = 0;               // m/s, residual that is good enough
   bool lasts = false;          // contacts were found at rest
@@ -97,8 +98,6 @@ struct DirectGroups {
         bodies(m),
         body(m),
         edges(m),
-        ordered_edges(m),
-        ordered_begin(m),
         elimination(m),
         factor(m),
         scratch(m),
@@ -126,8 +125,6 @@ struct DirectGroups {
   Array<ConeBody> bodies;       // by group
   Array<std::uint32_t> body;    // by slot: in bodies; kInvalid: in no group
   Array<Edge> edges;            // of bodies
-  Array<Edge> ordered_edges;    // what elimination is for
-  Array<std::uint32_t> ordered_begin;
   Elimination elimination;
   BlockFactor factor;
   Array<Vec6> scratch;

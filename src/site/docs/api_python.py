@@ -7,6 +7,7 @@ import pathlib
 import sys
 
 INTERNAL = {"raw", "_c", "_root", "_values", "support"}  # modules that are not for users
+ROBOTS = ("__init__", "robot", "problems")  # those of carom.robots that are
 
 
 def signature(node):
@@ -72,16 +73,16 @@ def main(folder):
     print("# The Python package, name by name\n")
     print("Written from the docstrings of `bindings/python/carom`.",
           "Defaults of keywords are those of the C descriptors.\n")
-    for path in sorted(pathlib.Path(folder).glob("*.py")):
-        if path.stem in INTERNAL:
-            continue
+    package = pathlib.Path(folder)
+    modules = [(f"carom.{path.stem}", path) for path in sorted(package.glob("*.py")) if path.stem not in INTERNAL]
+    for name, path in modules + [(f"carom.robots.{stem}", package / "robots" / f"{stem}.py") for stem in ROBOTS]:
         told = path.with_suffix(".pyi")  # where classes are made as the module is read
         tree = ast.parse((told if told.exists() else path).read_text(encoding="utf-8"))
         classes = [node for node in tree.body if isinstance(node, ast.ClassDef) and public(node)]
         functions = [node for node in tree.body if isinstance(node, ast.FunctionDef) and public(node)]
         if not classes and not functions:
             continue
-        print(f"## carom.{path.stem}" if path.stem != "__init__" else "## carom", end="\n\n")
+        print(f"## {name.removesuffix('.__init__')}", end="\n\n")
         if ast.get_docstring(tree):
             print(documented(tree), end="\n\n")
         if functions:

@@ -1,6 +1,23 @@
-// Accuracy in, steps out: a tolerance for the scene that runs, and what each island of the last step made of it.
+// What error do you accept? One slider, from a rough step to a micrometre; beside it what that costs, and how far off the
+// bodies are: from the truth where a scene's is known, else by the engine's own estimate.
+import { element } from "./dials.js";
+
 const MOST = 12; // islands that are listed; the rest is summed
-const number = (x) => String(Number(x.toPrecision(2)));
+const RECENT = 20; // steps whose cost is averaged
+const TOLERANCES = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6]; // m and rad for each second of motion
+const NAMES = ["10 cm", "1 cm", "1 mm", "0.1 mm", "10 µm", "1 µm"];
+const ROUGH = 0,
+  USUAL = 1; // stops of the slider; then the tolerances
+
+/** A step as many games take it: one substep, four sweeps over soft contacts, flight of first order. */
+const ROUGH_DIALS = {
+  solver: "soft_step",
+  integrator: "semi_implicit_euler",
+  rotation: "implicit",
+  substeps: 1,
+  velocity_iterations: 4,
+  joint_order: 0,
+};
 const NOTES = {
   bound: "the bound of work was hit",
   stalled: "more substeps do not lessen this error",
@@ -8,46 +25,144 @@ const NOTES = {
   estimated: "estimated in this step",
 };
 
+/** Where it shows without a word: scenes whose truth is known. */
+export const TRIALS = [
+  ["accuracy_tower100", "A tower that carries 100 kg on 1 kg"],
+  ["accuracy_arch", "An arch of loose stones"],
+  ["accuracy_cards", "A house of cards"],
+  ["accuracy_massratio1e4", "10 t on a cube of 1 kg"],
+  ["accuracy_stack50", "Fifty cubes"],
+  ["accuracy_pendulum", "A pendulum"],
+  ["accuracy_bricard", "A ring that turns inside out"],
+];
+
+export const number = (x) => String(Number(x.toPrecision(2)));
+const UNITS = [
+  [1, 1, "m"],
+  [1e-2, 1e-2, "cm"],
+  [1e-4, 1e-3, "mm"],
+  [1e-7, 1e-6, "µm"],
+  [1e-9, 1e-9, "nm"],
+]; // from, is
+/** 0.00042 -> "0.42 mm" */
+export function length(metres) {
+  if (!(metres > 0)) return "0";
+  if (metres < 1e-9) return "less than 1 nm";
+  const [, size, unit] = UNITS.find(([least]) => metres >= least);
+  return `${number(metres / size)} ${unit}`;
+}
+/** Share of a bar whose ends are powers of ten. */
+const share = (x, low, high) => `${100 * Math.min(1, Math.max(0.01, (Math.log10(x) - low) / (high - low)))}%`;
+
 export class AccuracyPanel {
   /** @param box  the element that holds the controls
-   *  @param page  sims() [Simulation], act(which, action), follow(index of a body) */
+   *  @param page  sims() [Simulation], act(which, action), follow(index of a body), dials(), restart(), duel(), error(which) */
   constructor(box, page) {
-    this.box = box;
-    this.page = page;
+    Object.assign(this, { box, page });
     const of = (id) => box.querySelector(`#accuracy-${id}`);
-    Object.assign(this, { on: of("on"), slider: of("slider"), told: of("told"), side: of("side") });
-    Object.assign(this, { sum: of("sum"), table: of("islands") });
-    this.on.onchange = this.slider.oninput = () => this.#ask();
+    for (const id of ["slider", "told", "side", "sum", "islands", "cost", "error", "duel", "list"]) this[id] = of(id);
+    this.slider.max = String(USUAL + TOLERANCES.length);
+    this.slider.oninput = () => this.#ask(Number(this.slider.value));
     this.side.onchange = () => this.update();
+    this.duel.onclick = () => page.duel(this.actions(ROUGH, null));
+    this.dials = new Map(page.dials().map((dial) => [dial.name, dial]));
   }
 
+  get which() {
+    return Math.min(Number(this.side.value), this.page.sims().length - 1);
+  }
   get #sim() {
-    const sims = this.page.sims();
-    return sims[Math.min(Number(this.side.value), sims.length - 1)];
+    return this.page.sims()[this.which];
   }
 
-  /** Both are dials, so links, snapshots and what is gone back to have them. */
-  #ask() {
-    const value = this.on.checked ? Number((10 ** Number(this.slider.value)).toPrecision(3)) : 0,
-      which = this.page.sims().indexOf(this.#sim);
-    for (const name of ["accuracy_place", "accuracy_turn"]) this.page.act(which, { do: "dial", name, value });
+  #rough(name) {
+    const value = ROUGH_DIALS[name];
+    return typeof value === "string" ? this.dials.get(name).choices.indexOf(value) : value;
+  }
+
+  /** What brings a world to a stop of the slider.   @param world  null: one as it is made */
+  actions(stop, world) {
+    const wanted = new Map();
+    for (const name of Object.keys(ROUGH_DIALS))
+      wanted.set(name, stop === ROUGH ? this.#rough(name) : this.dials.get(name).initial);
+    const asked = TOLERANCES[stop - USUAL - 1] ?? 0;
+    for (const name of ["accuracy_place", "accuracy_turn"]) wanted.set(name, asked);
+    return [...wanted]
+      .filter(([name, value]) => (world ? world.dial(name) : this.dials.get(name).initial) !== value)
+      .map(([name, value]) => ({ do: "dial", name, value }));
+  }
+
+  /** Where a world stands on the slider. */
+  #stop(world) {
+    const asked = world.accuracy && Math.max(world.accuracy.place, world.accuracy.turn);
+    if (asked) {
+      const near = TOLERANCES.map((x) => Math.abs(Math.log(x / asked)));
+      return USUAL + 1 + near.indexOf(Math.min(...near));
+    }
+    return Object.keys(ROUGH_DIALS).every((name) => world.dial(name) === this.#rough(name)) ? ROUGH : USUAL;
+  }
+
+  /** All of it are dials, so links, snapshots and what is gone back to have them. What has fallen does not rise by
+   *  exactness: a scene whose truth is known begins anew. */
+  #ask(stop) {
+    const { which } = this;
+    this.page.restart();
+    for (const action of this.actions(stop, this.#sim.world)) this.page.act(which, action);
     this.update();
   }
 
-  /** What is asked now, and the islands of the last step. */
+  /** What a side is set to, in a few words, and how far off it is where that is known. */
+  briefly(which) {
+    const { world } = this.page.sims()[which],
+      stop = this.#stop(world),
+      off = this.page.error(which);
+    const name =
+      stop === ROUGH ? "a rough step" : stop === USUAL ? "usual dials" : `${NAMES[stop - USUAL - 1]} accepted`;
+    return name + (Number.isFinite(off) ? `, ${length(off)} off` : "");
+  }
+
   update() {
     const sims = this.page.sims(),
-      { world } = this.#sim;
-    this.side.parentElement.hidden = sims.length < 2;
-    const asked = world.accuracy,
-      value = asked && Math.max(asked.place, asked.turn);
-    this.on.checked = asked !== null;
-    this.slider.disabled = asked === null;
-    if (value) this.slider.value = Math.log10(value);
-    this.told.textContent = asked ? `${number(value)} m/s, rad/s` : "off: each step takes its dial's substeps";
+      sim = this.#sim,
+      { world } = sim,
+      stop = this.#stop(world),
+      asked = world.accuracy && Math.max(world.accuracy.place, world.accuracy.turn);
+    this.side.closest("p").hidden = sims.length < 2;
+    this.slider.value = String(stop);
+    this.told.textContent = asked
+      ? `at most ${length(asked)} and ${number(asked)} rad off for each second of motion`
+      : stop === ROUGH
+        ? "a rough step: one substep, first order, as many games take it"
+        : "no bound: the usual dials, which are good for play";
+    this.slider.setAttribute("aria-valuetext", asked ? length(asked) : stop === ROUGH ? "a rough step" : "usual");
     const islands = asked ? world.islands() : [];
+    this.#meters(sim, islands, asked);
     this.#sum(islands);
-    this.#list(islands);
+    this.#table(islands);
+    this.list.hidden = !islands.length;
+  }
+
+  #meters(sim, islands, asked) {
+    const recent = sim.seconds.slice(Math.max(0, sim.step - RECENT), sim.step).filter(Number.isFinite),
+      ms = recent.length ? (1e3 * recent.reduce((a, b) => a + b, 0)) / recent.length : NaN,
+      work = islands.reduce((sum, island) => sum + island.work, 0);
+    const told = (meter, size, text) => {
+      meter.querySelector("i").style.width = size;
+      meter.querySelector("span").textContent = text;
+    };
+    told(
+      this.cost,
+      Number.isFinite(ms) ? share(ms, -2, 2) : "0",
+      Number.isFinite(ms)
+        ? `${number(ms)} ms a step${work ? `, ${work} ${work === 1 ? "substep" : "substeps"}` : ""}`
+        : "no step yet",
+    );
+    const off = this.page.error(this.which);
+    if (Number.isFinite(off)) told(this.error, share(Math.max(off, 1e-12), -9, 1), `${length(off)} off the truth`);
+    else if (islands.length) {
+      const estimate = islands[0].share * asked;
+      told(this.error, share(estimate, -9, 1), `${length(estimate)} a second, by the engine's estimate`);
+    } else told(this.error, "0", "not known: ask for an accuracy, or try a scene below");
   }
 
   #sum(islands) {
@@ -60,12 +175,12 @@ export class AccuracyPanel {
       : "";
   }
 
-  #list(islands) {
-    const { bodies, index } = this.#sim;
-    this.table.replaceChildren();
-    this.table.hidden = !islands.length;
+  #table(islands) {
+    const { bodies, index } = this.#sim,
+      table = this.islands;
+    table.replaceChildren();
     if (!islands.length) return;
-    const head = this.table.createTHead().insertRow();
+    const head = table.createTHead().insertRow();
     for (const [text, title] of [
       ["island", "the body of it that was made first, and how many there are"],
       ["estimate", "of its error, beside what was asked"],
@@ -73,8 +188,8 @@ export class AccuracyPanel {
       ["order", "of its error, as the estimate takes it"],
       ["cost", "substeps of all runs of the step"],
     ])
-      head.append(Object.assign(document.createElement("th"), { textContent: text, title, scope: "col" }));
-    const body = this.table.createTBody();
+      head.append(element("th", { textContent: text, title, scope: "col" }));
+    const body = table.createTBody();
     for (const island of islands.slice(0, MOST)) {
       const tr = body.insertRow(),
         at = island.body ? index.get(island.body.handle) : undefined;
@@ -91,7 +206,7 @@ export class AccuracyPanel {
   }
 
   #button(at, count) {
-    const button = Object.assign(document.createElement("button"), {
+    const button = element("button", {
       type: "button",
       textContent: `${at}${count > 1 ? ` +${count - 1}` : ""}`,
       title: "follow it",

@@ -12,6 +12,8 @@ export function rotate([x, y, z, w], [a, b, c]) {
     tz = 2 * (x * b - y * a);
   return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
 }
+/** @returns length: the same bits in every browser, which Math.hypot() does not promise */
+const size = ([x, y, z]) => Math.sqrt(x * x + y * y + z * z);
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 const ACTIONS = {
@@ -59,6 +61,32 @@ const ACTIONS = {
     });
     sim.refresh();
     return body;
+  },
+  /** What is asked of the car, the character, the arm.   @property value  numbers: drive.js */
+  input(sim, { value }) {
+    if (!Array.isArray(value) || !value.every(Number.isFinite)) throw new TypeError("an input is a list of numbers");
+    sim.driver?.set(value);
+  },
+  /** Bodies within reach fly off, the nearest fastest.   @property at [3] m   @property speed m/s   @property reach m */
+  explode(sim, { at, speed, reach }) {
+    for (const b of sim.bodies) {
+      if (b.type !== "dynamic") continue;
+      const away = b.center.map((x, i) => x - at[i]),
+        far = size(away);
+      if (far > reach) continue;
+      b.wake();
+      const push = (b.mass * speed * (1 - far / reach)) / Math.max(far, 1e-6);
+      b.addImpulse(away.map((x, i) => push * (x + (i === 1 ? 0.3 * far : 0))));
+    }
+  },
+  /** The joints of a body go. */
+  cut(sim, { body }) {
+    const b = sim.bodies[body];
+    for (const joint of b ? sim.world.joints() : []) {
+      const { body_a, body_b } = joint.desc;
+      if (body_a === b.handle || body_b === b.handle) joint.destroy();
+    }
+    b?.wake();
   },
   remove(sim, { body }) {
     const b = sim.bodies[body];

@@ -1,6 +1,7 @@
 // What a shape looks like, as three.js geometry in the shape's own frame.
 import * as THREE from "three";
 import { ConvexGeometry } from "three/addons/geometries/ConvexGeometry.js";
+import { creased, plain, quartered, round } from "./look.js";
 
 const DIRECTIONS = 600; // in which a shape that three.js does not know is asked for its farthest points
 
@@ -22,26 +23,43 @@ function hull(points) {
   return new ConvexGeometry(vectors);
 }
 
+const ball = ([x, y = x, z = x], fine) =>
+  round(new THREE.SphereGeometry(1, fine ? 24 : 12, fine ? 16 : 8).scale(x, y, z), [x, y, z]);
 const KNOWN = {
-  "carom.sphere": ([r]) => new THREE.SphereGeometry(r, 24, 16),
+  "carom.sphere": ball,
+  "carom.ellipsoid": ball,
   "carom.box": ([x, y, z]) => new THREE.BoxGeometry(2 * x, 2 * y, 2 * z),
-  "carom.capsule": ([r, h]) => new THREE.CapsuleGeometry(r, 2 * h, 8, 20),
-  "carom.cylinder": ([r, h]) => new THREE.CylinderGeometry(r, r, 2 * h, 32),
-  "carom.cone": ([r, h]) => new THREE.ConeGeometry(r, 2 * h, 32),
-  "carom.ellipsoid": ([x, y, z]) => new THREE.SphereGeometry(1, 24, 16).scale(x, y, z),
+  "carom.capsule": ([r, h], fine) => new THREE.CapsuleGeometry(r, 2 * h, fine ? 8 : 4, fine ? 20 : 10),
+  "carom.cylinder": ([r, h], fine) => quartered(creased(new THREE.CylinderGeometry(r, r, 2 * h, fine ? 32 : 16)), r),
+  "carom.cone": ([r, h], fine) => new THREE.ConeGeometry(r, 2 * h, fine ? 32 : 16),
   "carom.hull": (points) => hull(points),
 };
 
-/** @returns geometry, or null for a half-space */
-export function geometryOf(shape) {
+/** @param fine  false: of few corners, for a crowd   @returns geometry, or null for a half-space */
+export function geometryOf(shape, fine = true) {
   const { kind } = shape.info;
   if (kind === "half_space") return null;
   if (kind === "scenery") {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(shape.triangles(), 3));
-    geometry.computeVertexNormals();
-    return geometry;
+    return creased(geometry, false);
   }
-  if (KNOWN[kind]) return KNOWN[kind](shape.params);
-  return hull(shape.supports(spread(DIRECTIONS)));
+  if (!KNOWN[kind]) return creased(hull(shape.supports(spread(DIRECTIONS))));
+  const geometry = KNOWN[kind](shape.params, fine);
+  return geometry.attributes.rim ? geometry : creased(geometry);
+}
+
+const MANY = 400; // faces: of more it is taken for something round
+/** A mesh for the eye, as `carom pack` writes it.   @param mesh  { unit m, points [3n], faces [3m] } whole numbers */
+export function drawnMesh({ unit, points, faces }) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute(
+    "position",
+    new THREE.BufferAttribute(
+      Float32Array.from(points, (x) => unit * x),
+      3,
+    ),
+  );
+  geometry.setIndex(faces);
+  return faces.length < 3 * MANY ? creased(geometry) : plain(geometry);
 }

@@ -2,7 +2,7 @@
 // The command's reader knows more (joints, filters, OMI's and our own extensions): what is left out here is told.
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
-import { bounds, extremes } from "./points.js";
+import { bounds, extremes, thickness } from "./points.js";
 
 const PHYSICS = "KHR_physics_rigid_bodies",
   SHAPES = "KHR_implicit_shapes";
@@ -10,6 +10,7 @@ const PHYSICS = "KHR_physics_rigid_bodies",
 const REQUIRED =
   /^(KHR_physics_rigid_bodies|KHR_implicit_shapes|KHR_mesh_quantization|KHR_materials_\w+|KHR_texture_\w+|KHR_lights_punctual|EXT_texture_\w+)$/;
 const MOST_BODIES = 5000;
+const FLAT = 1e-6; // of its size: a thinner mesh has no volume
 const FRICTION = 0.6; // of the extension's materials that do not say
 
 /** The file, without its looks. Nothing is fetched: buffers stand in the file. */
@@ -47,6 +48,8 @@ class Builder {
     this.world = this.engine.world();
     this.bodies = []; // [name, kind]
     this.owners = []; // bodies that move, and what is theirs
+    this.looks = []; // meshes that are drawn in place of the shapes that collide
+    this.meshes = [];
   }
 
   note(text) {
@@ -58,6 +61,7 @@ class Builder {
     const p = new THREE.Vector3(),
       q = new THREE.Quaternion();
     object.matrixWorld.decompose(p, q, new THREE.Vector3());
+    if (!q.toArray().every(Number.isFinite)) q.identity(); // scaled to nothing along an axis: the points have the turn
     const body = this.world.body({
       ...options,
       position: p.toArray(),
@@ -143,7 +147,7 @@ class Builder {
       if (!node) return null;
       pose = {};
       // Its own place is that of the node with the collider.
-      const to = geometry.node !== undefined ? matrix.clone().multiply(node.matrixWorld.clone().invert()) : inverse;
+      const to = node !== object ? matrix.clone().multiply(node.matrixWorld.clone().invert()) : inverse;
       shape = this.meshShape(node, to, moves || geometry.convexHull);
     }
     if (!shape) return null;
@@ -159,10 +163,26 @@ class Builder {
   meshShape(object, matrix, convex) {
     if (convex) {
       const points = extremes(this.points(object, matrix));
-      return points.length >= 12 ? this.engine.hull(points) : null;
+      if (points.length && this.isFlat(points))
+        throw new Error(
+          `${this.name}: the mesh "${object.name}" is flat and has no volume. A body that moves needs one: give it a thickness, or let it stand still`,
+        );
+      return points.length ? this.engine.hull(points) : null;
     }
     const { vertices, corners } = this.triangles(object, matrix);
     return corners.length >= 3 ? this.engine.mesh(vertices, corners, { twoSided: true }) : null;
+  }
+
+  isFlat(points) {
+    return thickness(points) <= FLAT * bounds(points).size;
+  }
+
+  /** Draw a node's mesh in place of the shape that collides.   @param number  of the body it goes with */
+  draw(object, matrix, number) {
+    const { vertices, corners } = this.triangles(object, matrix);
+    if (corners.length < 3) return;
+    this.looks.push({ body: number, mesh: this.meshes.length, position: [0, 0, 0], orientation: [0, 0, 0, 1] });
+    this.meshes.push({ unit: 1, points: vertices, faces: corners });
   }
 
   /** Bodies and colliders as the extension says. */
@@ -229,21 +249,62 @@ class Builder {
       );
   }
 
-  /** A body for each mesh: its convex hull, on level ground beneath all of them. */
+  /** A body for each mesh, its convex hull, on level ground beneath all of them. In a file with motion what moves
+   *  with one node is one body, and what does not move stands. What is flat stands, too. */
   withoutPhysics() {
-    const all = [];
+    const moved = new Set(
+      (this.json.animations ?? []).flatMap(({ channels }) => channels.map(({ target }) => target.node)),
+    );
+    const moving = new Set([...moved].map((node) => this.objects.get(node)).filter(Boolean)),
+      owners = new Map(), // object that moves -> its body
+      level = new Map(), // height -> flat and level objects there
+      all = [];
+    let flat = 0;
     for (const object of this.objects.values()) {
       const points = this.points(object, new THREE.Matrix4());
       if (!points.length) continue;
       for (const x of extremes(points)) all.push(x);
-      const body = this.body(object, { type: "dynamic" }, "mesh");
-      const shape = this.meshShape(object, body.inverse, true);
-      if (shape) body.body.addCollider(shape, { density: 1000 });
+      let owner = object;
+      while (owner && !moving.has(owner)) owner = owner.parent;
+      const isFlat = this.isFlat(points),
+        stands = isFlat || (moving.size > 0 && !owner);
+      const { low, high, size } = bounds(points);
+      if (isFlat && high[1] - low[1] <= FLAT * size) {
+        level.set(low[1], [...(level.get(low[1]) ?? []), object]);
+        continue;
+      }
+      if (isFlat) ++flat;
+      const key = stands ? object : (owner ?? object);
+      if (!owners.has(key)) {
+        const made = this.body(
+          key,
+          { type: stands ? "static" : "dynamic" },
+          stands ? "ground" : key.name.replace(/[\s_.]*\d+$/, "") || "mesh",
+        );
+        owners.set(key, { ...made, number: this.bodies.length - 1 });
+      }
+      const { body, inverse, number } = owners.get(key);
+      const shape = this.meshShape(object, inverse, !stands);
+      if (!shape) continue;
+      body.addCollider(shape, { density: 1000 });
+      if (!stands) this.draw(object, inverse, number);
     }
     if (!all.length) return;
-    this.world.ground({ height: bounds(all).low[1] - 1e-3, user: BigInt(this.bodies.length) });
+    if (!this.looks.length) throw new Error(`${this.name}: nothing in it has a volume, so nothing would move`);
+    const bottom = bounds(all).low[1];
+    for (const [height, objects] of level)
+      for (const object of height > bottom ? objects : []) {
+        const { body, inverse } = this.body(object, { type: "static" }, "ground");
+        body.addCollider(this.meshShape(object, inverse, false), { density: 1000 });
+        ++flat;
+      }
+    this.floor = level.has(bottom) ? bottom : bottom - 1e-3;
+    this.world.ground({ height: this.floor, user: BigInt(this.bodies.length) });
     this.bodies.push(["ground", "ground"]);
+    if (level.has(bottom)) this.note("its lowest level mesh is the ground, without end");
     this.note("it has no physics: each mesh is a body, its convex hull, on level ground");
+    if (moving.size) this.note("what the file moves falls and is pushed here, all else stands");
+    if (flat) this.notes.set("flat meshes have no volume, and stand", flat);
   }
 
   build() {
@@ -268,17 +329,29 @@ class Builder {
       row: {
         dt: 1 / 60,
         bodies: this.bodies,
-        ground: 0,
-        camera: {
-          from: middle
-            .clone()
-            .add(new THREE.Vector3(0.5, 0.4, 1).multiplyScalar(far / 1.2))
-            .toArray(),
-          to: middle.toArray(),
-        },
+        ground: this.floor === undefined ? 0 : 10,
+        floor: this.floor,
+        camera: this.camera(middle, far),
+        looks: this.looks,
+        meshes: this.meshes,
       },
       note: `${this.name}: ${this.bodies.length} bodies${left.length ? `; ${left.join("; ")}` : ""}${used.includes(PHYSICS) && left.length ? ". carom view reads all of it" : ""}`,
     };
+  }
+
+  /** The file's own, or one from the front and a little above. */
+  camera(middle, far) {
+    const [own] = this.gltf.cameras;
+    if (!own)
+      return {
+        from: middle
+          .clone()
+          .add(new THREE.Vector3(0.5, 0.4, 1).multiplyScalar(far / 1.2))
+          .toArray(),
+        to: middle.toArray(),
+      };
+    const from = own.getWorldPosition(new THREE.Vector3());
+    return { from: from.toArray(), to: own.getWorldDirection(new THREE.Vector3()).add(from).toArray() };
   }
 
   free() {

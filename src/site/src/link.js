@@ -1,10 +1,26 @@
 // A state as a link: scene, step, settings, and what was done by hand. The same link gives the same bits.
 
+const KNOWN = [
+  "scene",
+  "step",
+  "play",
+  "preset",
+  "dials",
+  "do",
+  "ab",
+  "preset_b",
+  "dials_b",
+  "do_b",
+  "threads",
+  "embed",
+];
 const LONGEST = 12000; // letters; beyond, browsers and mailers cut
 
-/** @param dials [{name}]   @throws Error that says what is wrong with the link */
+/** @param dials [{ name, min, max, unit }]   @throws Error that says what is wrong with the link */
 export function readLink(query, presets, dials) {
   const given = new URLSearchParams(query);
+  for (const key of given.keys())
+    if (!KNOWN.includes(key)) throw new Error(`the link's "${key}" means nothing here: ${KNOWN.join(", ")} do`);
   const settings = (suffix) => {
     const out = [];
     const preset = given.get(`preset${suffix}`);
@@ -20,6 +36,10 @@ export function readLink(query, presets, dials) {
       if (!dial) throw new Error(`the link's dial "${name}" does not exist`);
       if (text === undefined || text === "" || !Number.isFinite(value))
         throw new Error(`the link's dial ${name} has no number`);
+      if (value < dial.min || value > dial.max)
+        throw new Error(
+          `the link's dial ${name} is ${text}: it goes from ${dial.min} to ${dial.max} ${dial.unit}`.trim(),
+        );
       out.push({ do: "dial", name, value });
     }
     return out;
@@ -40,7 +60,7 @@ export function readLink(query, presets, dials) {
   };
   const sides = [{ settings: settings(""), log: log("do") }];
   if (given.get("ab") === "1") sides.push({ settings: settings("_b"), log: log("do_b") });
-  return { scene: given.get("scene"), step, sides };
+  return { scene: given.get("scene"), step, plays: !given.has("step") || given.get("play") === "1", sides };
 }
 
 function settingsOf(settings, presets, suffix, out) {
@@ -53,10 +73,11 @@ function settingsOf(settings, presets, suffix, out) {
 }
 
 /** @param sides  [{settings, log}], one or two   @returns the query, or null if there is too much in it */
-export function writeLink({ scene, step, sides }, presets) {
+export function writeLink({ scene, step, plays, sides }, presets) {
   const out = new URLSearchParams();
   out.set("scene", scene);
   out.set("step", String(step));
+  if (plays) out.set("play", "1");
   sides.forEach(({ settings, log }, i) => {
     const suffix = i ? "_b" : "";
     if (i) out.set("ab", "1");

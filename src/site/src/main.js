@@ -1,12 +1,13 @@
 // The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
 import { Recording } from "carom";
-import { AccuracyPanel } from "./accuracy.js";
+import { AccuracyPanel, number, TRIALS } from "./accuracy.js";
+import { Dials } from "./dials.js";
 import { plotAll, plotCauses } from "./curves.js";
 import { engine } from "./engine.js";
 import { readLink, writeLink } from "./link.js";
-import { listScenes, made } from "./made.js";
+import { listScenes, made, THINGS } from "./made.js";
 import { opened } from "./opened.js";
-import { Panel } from "./panel.js";
+import { Keys } from "./keys.js";
 import { Picture, SHOWN } from "./picture.js";
 import { PlanPanel } from "./plan.js";
 import { Pointer } from "./pointer.js";
@@ -15,7 +16,9 @@ import { Stage } from "./stage.js";
 import { offTruth, Truth } from "./truth.js";
 
 const $ = (id) => document.getElementById(id);
-const BUDGET = 20; // ms of a frame for steps
+const BUDGET = 12; // ms of a frame for steps
+const TELL = 200; // ms from one time that numbers and curves are brought up to date to the next, while it plays
+const REST = 1.5; // s that a scene which nobody touched is seen at its end, before it begins anew
 
 const state = {
   row: {},
@@ -30,12 +33,19 @@ const state = {
   difference: [],
   shapes: [], // that visitors brought: { id, plugin }
   last: 0,
+  told: 0, // when numbers were
+  pace: 0, // ms from one picture to the next, of late
+  stepping: 0, // ms of the last frame
+  inSight: true,
+  touched: false, // by a visitor: until then a scene begins anew when it has ended
 };
 const shown = { ...SHOWN };
-let carom, rows, stage, panel, pointer, plan, accuracy;
+let carom, rows, stage, panel, pointer, plan, accuracy, keys;
 
-function say(text) {
+/** @param isNote  it says what is, not what went wrong */
+function say(text, isNote = false) {
   $("message").textContent = text;
+  $("message").classList.toggle("note", isNote);
   $("message").hidden = false;
   clearTimeout(say.timer);
   say.timer = setTimeout(() => ($("message").hidden = true), 12000);
@@ -59,7 +69,7 @@ function begin(row, start, sides) {
     for (const { plugin } of state.shapes) engine.useShape(plugin);
     const recording = row.recording ? new Recording(engine, row.recording) : null;
     for (const { settings, log } of sides) {
-      const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings], recording);
+      const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings], recording, row.driver);
       made.push(sim);
       sim.load(log);
     }
@@ -69,8 +79,9 @@ function begin(row, start, sides) {
     throw error;
   }
   clear();
+  const other = row !== state.row;
   Object.assign(state, { row, start, engine, sims: made, following: null, difference: [], owed: 0 });
-  show();
+  show(other);
 }
 
 function clear() {
@@ -80,7 +91,7 @@ function clear() {
   state.pictures = [];
 }
 
-function show() {
+function show(other) {
   state.pictures = state.sims.map((sim) => {
     const picture = new Picture(sim, state.row);
     picture.shown = shown;
@@ -88,13 +99,15 @@ function show() {
     return picture;
   });
   const two = state.sims.length === 2;
-  panel.compare.on = two;
+  $("compare").checked = two;
   if (panel.row !== state.row) ((panel.row = state.row), panel.show(state.row.knobs));
-  panel.refresh();
+  panel.refresh(two);
   $("difference").hidden = !two;
   $("error").hidden = !state.row.truth;
-  $("label-a").textContent = two ? "A" : "";
-  $("label-b").textContent = two ? "B" : "";
+  keys.show();
+  for (const picture of state.pictures) picture.update();
+  if (other) stage.look(state.row, state.pictures);
+  else stage.follow(state.pictures, Infinity);
   redraw();
 }
 
@@ -102,6 +115,8 @@ function advance() {
   for (const sim of state.sims) {
     const pull = pointer.pull(sim);
     if (pull) sim.do(pull);
+    const input = keys.input(sim);
+    if (input) sim.do(input);
     sim.advance();
   }
   if (state.sims.length === 2) state.difference[state.sims[0].step] = apart(...state.sims);
@@ -121,12 +136,20 @@ function act(action) {
   redraw();
 }
 
-function redraw() {
-  const [sim] = state.sims;
+/** @param seconds  that the camera has had to follow; Infinity: it is there at once */
+function redraw(seconds = Infinity) {
   for (const picture of state.pictures) picture.update();
-  if (state.following !== null && sim.bodies[state.following]) stage.follow(sim.bodies[state.following].position);
+  const followed = state.sims[0].bodies[state.following];
+  if (followed) stage.keep(followed.position);
+  else if (seconds < Infinity) stage.follow(state.pictures, seconds);
   stage.render(state.pictures);
-  const hash = sim.hash();
+  if (seconds === Infinity) tell();
+}
+
+/** Numbers and curves. */
+function tell() {
+  const [sim] = state.sims,
+    hash = sim.hash();
   $("hash").textContent = state.sims.map((s) => s.hash()).join("  ");
   const plain = !sim.settings.length && !(sim.lastAction >= 0 && Math.min(...sim.actions.keys()) <= sim.step);
   const native = plain ? state.row.hashes?.[sim.step] : undefined;
@@ -140,13 +163,22 @@ function redraw() {
   $("at").textContent = sim.step;
   $("scrub").max = Math.max(sim.newest, sim.step);
   $("scrub").value = sim.step;
+  $("fit").hidden = stage.auto;
   state.pictures.forEach(({ sim: s }, i) => (s.errors[s.step] = state.pictures[i].error()));
   $("off").textContent = state.row.truth ? state.sims.map((s) => offTruth(s.errors[s.step])).join("  ") : "";
+  $("told").textContent = (state.touched ? sim.driver?.told() : sim.driver?.keys) ?? "";
+  const { report } = sim;
+  $("bodies").textContent = sim.bodies.length + (state.row.particles ?? 0);
+  $("contacts").textContent = report ? Number(report.contact_points) : "–";
+  $("milliseconds").textContent = report ? number(1e3 * report.total_seconds) : "–";
+  $("frames").textContent = state.playing && state.pace ? Math.round(1000 / state.pace) : "–";
   if ($("curves-box").open) plotAll(state, $);
   sim.account($("causes-box").open);
-  if ($("causes-box").open) plotCauses($("causes"), $("causes-table"), sim.causes, sim.step);
+  if ($("causes-box").open) plotCauses($("causes"), $("causes-table"), sim);
   if ($("plan-box").open) plan.update(sim.world.plan());
-  if ($("accuracy-box").open) accuracy.update();
+  accuracy.update();
+  const two = state.sims.length === 2;
+  for (const k of [0, 1]) $(`label-${"ab"[k]}`).textContent = two ? `${"AB"[k]}: ${accuracy.briefly(k)}` : "";
 }
 
 function play(on) {
@@ -157,26 +189,32 @@ function play(on) {
 
 function frame(now) {
   requestAnimationFrame(frame);
-  const passed = Math.min(0.1, (now - state.last) / 1000);
+  const ms = now - state.last,
+    passed = Math.min(0.1, ms / 1000);
   state.last = now;
+  if (!state.sims.length || !state.inSight) return;
   const moved = stage.controls.update();
-  if (!state.sims.length) return;
   if (!state.playing) {
     if (moved) stage.render(state.pictures);
     return;
   }
-  const dt = state.sims[0].dt,
-    end = performance.now() + BUDGET;
+  if (ms < 1000) state.pace += 0.1 * (ms - state.pace);
+  if (ms < 1000) stage.adapt(ms - state.stepping);
+  const { dt, step } = state.sims[0],
+    begun = performance.now();
+  if (!state.touched && state.row.seconds && step * dt > state.row.seconds + REST) seek(0);
   state.owed = Math.min(state.owed + passed * Number($("speed").value), 8 * dt);
   const went = attempt(() => {
-    while (state.owed >= dt && performance.now() < end) {
+    while (state.owed >= dt && performance.now() < begun + BUDGET) {
       advance();
       state.owed -= dt;
     }
     return true;
   });
   if (!went) play(false);
-  redraw();
+  state.stepping = performance.now() - begun;
+  redraw(passed);
+  if (now - state.told > TELL) ((state.told = now), tell());
 }
 
 async function truthOf(told) {
@@ -185,25 +223,41 @@ async function truthOf(told) {
   return new Truth(told, await response.arrayBuffer());
 }
 
+/** For the eye; where `carom view` packed the scene, they stand in its row. */
+async function meshesOf(told) {
+  if (typeof told !== "string") return told;
+  const response = await fetch(`scenes/${told}`);
+  if (!response.ok) throw new Error(`scenes/${told} is missing: build the page again`);
+  return response.json();
+}
+
 async function open(name, sides = [{ settings: [], log: [] }]) {
   const row = rows.find((r) => r.name === name);
   if (!row) throw new Error(`there is no scene "${name}"; choose one of ${rows.map((r) => r.name).join(", ")}`);
+  if (row.thing) {
+    const { start, row: more } = (await import("./things.js")).madeHere(carom, row.thing);
+    return shownAs(name, { ...row, ...more }, start, sides);
+  }
   const response = await fetch(`scenes/${row.world}`);
   if (!response.ok) throw new Error(`scenes/${row.world} is missing: build the page again`);
   const bytes = new Uint8Array(await response.arrayBuffer());
   const file = row.world.endsWith(".rec") ? await opened(carom, row.world, bytes) : { start: bytes };
-  const truth = row.truth ? { truth: await truthOf(row.truth) } : {};
-  begin({ ...row, ...file.row, ...truth }, file.start, sides);
+  const truth = row.truth ? { truth: await truthOf(row.truth) } : {},
+    meshes = row.meshes ? { meshes: await meshesOf(row.meshes) } : {};
+  return shownAs(name, { ...row, ...file.row, ...truth, ...meshes }, file.start, sides);
+}
+
+function shownAs(name, row, start, sides) {
+  begin(row, start, sides);
   $("scene").value = name;
+  $("trials").value = TRIALS.some(([trial]) => trial === name) ? name : "";
+  $("whole").href = `?scene=${name}`;
   $("about").textContent = `${row.summary} Look for: ${row.look_for}.`;
-  row.camera ? stage.look(row) : stage.paint();
 }
 
 async function make(name, values) {
   const { row, start } = await made(name, values);
   begin(row, start, [{ settings: [], log: [] }]);
-  stage.look(row);
-  redraw();
 }
 
 function compare(on) {
@@ -217,11 +271,26 @@ function compare(on) {
   redraw();
 }
 
+/** A, a rough step, beside B, what was set: from the start.   @param rough  actions that make a world rough */
+function duel(rough) {
+  const b = state.sims.at(-1).settings;
+  attempt(() =>
+    begin(state.row, state.start, [
+      { settings: rough, log: [] },
+      { settings: b, log: [] },
+    ]),
+  );
+  $("accuracy-side").value = "1";
+  play(true);
+  tell();
+}
+
 function link() {
   const query = writeLink(
     {
       scene: state.row.name,
       step: state.sims[0].step,
+      plays: state.playing,
       sides: state.sims.map((sim) => ({ settings: sim.settings, log: sim.log() })),
     },
     carom.presets(),
@@ -256,7 +325,7 @@ function bring(plugin, name) {
   button.onclick = () => choose(button);
   $("tools").append(button);
   choose(button);
-  say(`${name}: click where a body of the shape ${id} should fall`);
+  say(`${name}: click where a body of the shape ${id} should fall`, true);
 }
 
 /** A file that was opened or dropped. What is wrong with it is told, and the scene stays as it was. */
@@ -276,10 +345,9 @@ async function openFile(file) {
     } else {
       begin(row, start, [{ settings: [], log: [] }]);
       $("about").textContent = note ?? file.name;
-      row.camera ? stage.look(row) : stage.paint();
-      redraw();
+      $("scene").selectedIndex = -1;
     }
-    if (note) say(note);
+    if (note) say(note, true);
   } catch (error) {
     say(error.message);
   }
@@ -298,6 +366,13 @@ function controls() {
       ),
     );
   $("scrub").oninput = () => (play(false), seek(Number($("scrub").value)));
+  $("compare").onchange = () => compare($("compare").checked);
+  $("trials").onchange = () =>
+    $("trials").value &&
+    open($("trials").value).then(
+      () => play(true),
+      (e) => say(e.message),
+    );
   $("scene").onchange = () => open($("scene").value).catch((e) => say(e.message));
   $("link").onclick = link;
   $("save").onclick = () => {
@@ -319,31 +394,54 @@ function controls() {
   for (const button of document.querySelectorAll("[data-tool]")) button.onclick = () => choose(button);
   addEventListener("keydown", (e) => {
     if (e.target.closest("input, select, button, summary")) return;
+    if (keys.takes(e)) return;
     const key = { " ": "play", ArrowRight: "step", ArrowLeft: "back", r: "reset" }[e.key];
     if (key) (e.preventDefault(), $(key).click());
   });
   for (const box of document.querySelectorAll("details[id]")) box.ontoggle = () => state.sims.length && redraw();
-  new ResizeObserver(() => state.sims.length && redraw()).observe($("stage"));
+  $("fit").onclick = () => (
+    (state.following = null),
+    (stage.auto = true),
+    stage.follow(state.pictures, Infinity),
+    redraw()
+  );
+  new ResizeObserver(() => {
+    if (!state.sims.length) return;
+    stage.render(state.pictures); // the picture has its new shape
+    stage.follow(state.pictures, Infinity);
+    redraw();
+  }).observe($("stage"));
+  // Out of sight nothing is computed, in frames of the documentation as well.
+  new IntersectionObserver(([entry]) => (state.inSight = entry.isIntersecting)).observe($("stage"));
+  for (const kind of ["pointerdown", "keydown", "input", "change"])
+    addEventListener(kind, () => (state.touched = true), { capture: true });
 }
 
 async function start() {
   if (matchMedia("(prefers-color-scheme: dark)").matches) document.documentElement.dataset.theme = "dark";
   const index = fetch("scenes/index.json");
   carom = await engine(say);
-  rows = await (await index).json();
+  rows = [...(await (await index).json()), ...THINGS];
   listScenes($("scene"), rows);
-  stage = new Stage($("view"));
+  stage = new Stage($("view"), () => $("tools").offsetHeight + $("tools").offsetTop);
+  stage.paint();
   plan = new PlanPanel($("stages"), $("plan"), (effect, mode) => act({ do: "effect", effect, mode }));
   accuracy = new AccuracyPanel($("accuracy-box"), {
+    dials: () => carom.dials(),
     sims: () => state.sims,
+    error: (which) => state.sims[which].errors[state.sims[which].step],
     act: (which, action) => (attempt(() => state.sims[which].do(action)), panel.refresh()),
-    follow: (body) => ((state.following = body), redraw()),
+    follow: (body) => ((state.following = body), (stage.auto = false), redraw()),
+    restart: () => state.row.truth && (seek(0), play(true)),
+    duel,
   });
-  panel = new Panel($("panel"), {
+  $("trials").append(new Option("a scene whose truth is known", ""));
+  for (const [name, title] of TRIALS)
+    if (rows.some((row) => row.name === name)) $("trials").append(new Option(title, name));
+  panel = new Dials($("panel"), {
     carom,
     shown,
     onShown: () => redraw(),
-    onCompare: compare,
     onMake: (values) => make(state.row.name, values).catch((e) => say(e.message)),
     apply: (which, action) => attempt(() => state.sims[which]?.do(action)),
     dial: (which, name) => (state.sims[which] ?? state.sims[0])?.world.dial(name) ?? 0,
@@ -356,22 +454,28 @@ async function start() {
     say,
     place: (u, v) => ((pointer.view = stage.place(u, v)), pointer.view),
     picture: () => state.pictures[pointer.view.view],
-    follow: (body) => (state.following = body),
+    follow: (body) => ((state.following = body), (stage.auto = false)),
   });
+  keys = new Keys(
+    $("pad"),
+    () => state.sims[0]?.driver,
+    () => stage.direction,
+  );
   controls();
-  let wanted = { scene: null, step: 0, sides: undefined };
+  let wanted = { scene: null, step: 0, plays: true, sides: undefined };
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
   const first = (rows.find((row) => row.first) ?? rows.find((row) => row.name === "wall") ?? rows[0]).name;
   await open(wanted.scene ?? first, wanted.sides).catch(async (e) => (say(e.message), await open(first)));
-  if ([...new URLSearchParams(location.search).keys()].some((key) => key !== "threads")) {
-    play(false);
-    if (wanted.step)
-      attempt(() => {
-        while (state.sims[0].step < wanted.step) advance();
-      });
-    $("accuracy-box").open = state.sims.some((sim) => sim.world.accuracy);
-    redraw();
-  }
+  // A link to a step shows that step. All else plays, but not for people who ask for less motion.
+  const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  play(!calm && wanted.plays);
+  if (wanted.step)
+    attempt(() => {
+      while (state.sims[0].step < wanted.step) advance();
+    });
+  for (const picture of state.pictures) picture.update();
+  stage.follow(state.pictures, Infinity);
+  redraw();
   // For tests and the curious.
   globalThis.caromViewer = {
     get step() {
@@ -381,9 +485,14 @@ async function start() {
       return state.sims[0].hash();
     },
     state,
+    stage,
     threads: carom.threads,
     seek,
     probe: (u, v) => pointer.probe(u, v),
+    /** How well it is drawn: 0 is best. */
+    get quality() {
+      return stage.quality;
+    },
     /** Geometries and textures that the graphics card holds. */
     get held() {
       return { ...stage.renderer.info.memory };

@@ -2,16 +2,18 @@
 import * as THREE from "three";
 import { Shape } from "carom";
 import { DRAW } from "./simulation.js";
-import { geometryOf } from "./geometry.js";
-import { FIXED, KINDS } from "./palette.js";
+import { drawnMesh, geometryOf } from "./geometry.js";
+import { bodyMaterial } from "./look.js";
+import { bodyColour, FIXED, KINDS } from "./palette.js";
 import { Ghosts } from "./truth.js";
 
 const ASLEEP = 0.45; // of its brightness
+const CROWD = 250; // parts: of more each has fewer corners
 
 /** What is drawn at first. */
 export const SHOWN = {
   contacts: false,
-  joints: true,
+  joints: false,
   bounds: false,
   outlines: false,
   frames: false,
@@ -22,8 +24,8 @@ export const SHOWN = {
 
 export class Picture {
   /** @param row  of the scenes' index: names and kinds of bodies; may be {} */
-  constructor(sim, row, ghost = null) {
-    Object.assign(this, { sim, row, ghost });
+  constructor(sim, row) {
+    Object.assign(this, { sim, row });
     this.group = new THREE.Group();
     this.geometries = new Map();
     this.shown = { ...SHOWN };
@@ -51,21 +53,49 @@ export class Picture {
     return this.row.bodies?.[this.numberOf(body)]?.[0] ?? `body ${body}`;
   }
 
-  /** What bodies look like: their colliders, and of those that touch nothing, what the scene says. */
+  /** What bodies look like: what the scene says, of others their colliders. A mesh for the eye stands in `shape`. */
   #parts() {
     const places = new Map(this.sim.bodies.map((_, body) => [this.numberOf(body), body]));
-    const looks = (this.row.looks ?? []).filter((look) => places.has(look.body));
-    return this.sim.parts.concat(
-      looks.map((look) => ({
-        ...look,
-        body: places.get(look.body),
-        shape: this.sim.engine.shape(look.shape, look.params).handle,
-      })),
-    );
+    const looks = (this.row.looks ?? []).filter((look) => places.has(look.body)),
+      meshed = new Set(looks.filter((look) => look.mesh !== undefined).map((look) => places.get(look.body)));
+    return this.sim.parts
+      .filter((part) => !meshed.has(part.body))
+      .concat(
+        looks.map((look) => ({
+          ...look,
+          body: places.get(look.body),
+          shape: this.row.meshes?.[look.mesh] ?? this.sim.engine.shape(look.shape, look.params).handle,
+        })),
+      );
+  }
+
+  #geometry(shape, fine) {
+    return shape.points ? drawnMesh(shape) : geometryOf(new Shape(this.sim.engine, shape), fine);
+  }
+
+  /** Of what is drawn.   @param moving  those that move, or those that stand   @returns [[x, y, z, r]] m */
+  balls(moving) {
+    const { driver } = this.sim;
+    if (driver?.room) return moving ? [[...driver.place(), driver.room]] : []; // what is steered is followed, alone
+    const { array } = this.sim.poses.update(),
+      out = [];
+    this.types.forEach((type, i) => {
+      if ((type === "static") === moving || !(this.reach[i] > 0)) return;
+      const at = [array[7 * i], array[7 * i + 1], array[7 * i + 2]];
+      if (at.every(Number.isFinite)) out.push([...at, this.reach[i]]);
+    });
+    const { array: points } = this.points.geometry.attributes.position ?? { array: [] },
+      { count } = this.points.geometry.drawRange;
+    if (moving && this.row.particles)
+      for (let i = 0; i < count; i += 50) out.push([...points.slice(3 * i, 3 * i + 3), 0.1]);
+    return out;
   }
 
   #rebuild() {
-    for (const mesh of this.meshes ?? []) (this.group.remove(mesh), mesh.dispose(), mesh.material.dispose());
+    for (const mesh of this.meshes ?? []) {
+      (this.group.remove(mesh), mesh.dispose(), mesh.material.dispose());
+      if (mesh.userData.driven) mesh.geometry.dispose();
+    }
     this.meshes = [];
     this.structure = this.sim.structure;
     const sets = new Map(),
@@ -73,26 +103,43 @@ export class Picture {
     this.types = this.sim.bodies.map((b) => b.type);
     for (const part of all) {
       const fixed = this.types[part.body] !== "dynamic";
-      const key = `${part.shape}/${fixed ? "" : this.kindOf(part.body)}`;
-      if (!sets.has(key)) sets.set(key, { shape: part.shape, fixed, kind: this.kindOf(part.body), parts: [] });
+      const kind = this.kindOf(part.body),
+        key = `${part.mesh === undefined ? part.shape : `mesh ${part.mesh}`}/${fixed ? "" : kind}`;
+      if (!sets.has(key)) sets.set(key, { shape: part.shape, fixed, kind, parts: [] });
       sets.get(key).parts.push(part);
     }
-    const kinds = [...new Set([...sets.values()].filter((s) => !s.fixed).map((s) => s.kind))];
+    const kinds = [...new Set([...sets.values()].filter((s) => !s.fixed).map((s) => s.kind))],
+      fine = all.length < CROWD,
+      seen = new Map(); // kind -> how many of it there are so far
+    this.reach = new Float64Array(this.types.length); // m, of each body about its origin; 0: nothing of it is drawn
     for (const set of sets.values()) {
-      if (!this.geometries.has(set.shape))
-        this.geometries.set(set.shape, geometryOf(new Shape(this.sim.engine, set.shape)));
+      if (!this.geometries.has(set.shape)) this.geometries.set(set.shape, this.#geometry(set.shape, fine));
       const geometry = this.geometries.get(set.shape);
       if (!geometry) continue;
-      const colour = this.ghost ?? (set.fixed ? FIXED : KINDS[kinds.indexOf(set.kind) % KINDS.length]);
-      const material = new THREE.MeshStandardMaterial({
-        color: "#ffffff",
-        roughness: 0.7,
-        flatShading: !geometry.attributes.normal,
-        side: set.fixed ? THREE.DoubleSide : THREE.FrontSide,
-      });
+      geometry.computeBoundingSphere();
+      const material = bodyMaterial({ side: set.fixed ? THREE.DoubleSide : THREE.FrontSide });
       const mesh = new THREE.InstancedMesh(geometry, material, set.parts.length);
-      Object.assign(mesh, { castShadow: !set.fixed, receiveShadow: true, frustumCulled: false });
-      mesh.userData = { ...set, colour: new THREE.Color(colour) };
+      Object.assign(mesh, { castShadow: true, receiveShadow: true, frustumCulled: false });
+      const k = kinds.indexOf(set.kind),
+        count = this.types.filter((_, body) => this.kindOf(body) === set.kind).length;
+      const colours = set.parts.map(({ body, position, orientation }) => {
+        const { center, radius } = geometry.boundingSphere;
+        const middle = center.clone().applyQuaternion(new THREE.Quaternion(...orientation));
+        this.reach[body] = Math.max(this.reach[body], middle.add(new THREE.Vector3(...position)).length() + radius);
+        if (set.fixed) return new THREE.Color(FIXED);
+        const i = seen.get(set.kind) ?? 0;
+        seen.set(set.kind, i + 1);
+        return bodyColour(set.kind, k, i, count);
+      });
+      mesh.userData = { ...set, colours };
+      this.meshes.push(mesh);
+      this.group.add(mesh);
+    }
+    for (const look of this.sim.driver?.looks() ?? []) {
+      const geometry = geometryOf({ info: { kind: `carom.${look.shape}` }, params: look.params }),
+        mesh = new THREE.InstancedMesh(geometry, bodyMaterial(), 1);
+      mesh.setColorAt(0, bodyColour(look.kind, 0, 0, 1));
+      Object.assign(mesh, { castShadow: true, receiveShadow: true, frustumCulled: false, userData: { driven: true } });
       this.meshes.push(mesh);
       this.group.add(mesh);
     }
@@ -110,7 +157,8 @@ export class Picture {
   }
 
   update() {
-    if (this.structure !== this.sim.structure) this.#rebuild();
+    const fresh = this.structure !== this.sim.structure;
+    if (fresh) this.#rebuild();
     const poses = this.sim.poses.update().array;
     const body = new THREE.Matrix4(),
       local = new THREE.Matrix4(),
@@ -118,18 +166,28 @@ export class Picture {
     const p = new THREE.Vector3(),
       q = new THREE.Quaternion(),
       colour = new THREE.Color();
-    const dim = this.shown.sleep && Number(this.sim.report?.asleep_bodies ?? 0) > 0;
+    const dim = this.shown.sleep && Number(this.sim.report?.asleep_bodies ?? 0) > 0,
+      paint = dim || this.dimmed || fresh;
+    this.dimmed = dim;
+    const driven = this.sim.driver?.poses();
+    for (const mesh of this.meshes.filter((m) => m.userData.driven)) {
+      const pose = driven.shift();
+      mesh.setMatrixAt(0, body.compose(p.fromArray(pose), q.fromArray(pose, 3), one));
+      mesh.instanceMatrix.needsUpdate = true;
+    }
     for (const mesh of this.meshes) {
+      if (mesh.userData.driven) continue;
       mesh.userData.parts.forEach((part, i) => {
         const at = 7 * part.body;
         body.compose(p.fromArray(poses, at), q.fromArray(poses, at + 3), one);
         local.compose(p.fromArray(part.position), q.fromArray(part.orientation), one);
         mesh.setMatrixAt(i, body.multiply(local));
+        if (!paint) return;
         const asleep = dim && !mesh.userData.fixed && this.sim.bodies[part.body].asleep;
-        mesh.setColorAt(i, colour.copy(mesh.userData.colour).multiplyScalar(asleep ? ASLEEP : 1));
+        mesh.setColorAt(i, colour.copy(mesh.userData.colours[i]).multiplyScalar(asleep ? ASLEEP : 1));
       });
       mesh.instanceMatrix.needsUpdate = true;
-      mesh.instanceColor.needsUpdate = true;
+      if (paint) mesh.instanceColor.needsUpdate = true;
       mesh.boundingSphere = null; // of before
     }
     if (this.ghosts) {
@@ -178,7 +236,10 @@ export class Picture {
   }
 
   dispose() {
-    for (const mesh of this.meshes ?? []) (mesh.dispose(), mesh.material.dispose());
+    for (const mesh of this.meshes ?? []) {
+      (mesh.dispose(), mesh.material.dispose());
+      if (mesh.userData.driven) mesh.geometry.dispose();
+    }
     this.ghosts?.dispose();
     for (const geometry of this.geometries.values()) geometry?.dispose();
     for (const object of [this.lines, this.points]) (object.geometry.dispose(), object.material.dispose());

@@ -1,9 +1,11 @@
-// Mouse, touch and pen on the picture: grab, throw, drop, delete, follow. What is done becomes an action; nothing
+// Mouse, touch and pen on the picture: grab, throw, drop, explode, cut, delete, follow. What is done becomes an action; nothing
 // else moves a body.
 import * as THREE from "three";
 import { rotate } from "./actions.js";
 
-const THROW = 20; // m/s, of a ball from the camera
+const THROW = { speed: 1.6, least: 8, most: 80, radius: 1 / 34 }; // of the camera's distance: m/s for 1 m, m for 1 m
+const HEAVY = 4; // a ball weighs so many bodies of the scene
+const BLAST = { reach: 0.3, speed: 0.9 }; // of the camera's distance
 
 export class Pointer {
   /** @param page  canvas, camera, controls, picture() => Picture under the pointer, act(action), follow(body),
@@ -35,21 +37,36 @@ export class Pointer {
     return this.page.picture().pick(ray);
   }
 
+  /** m: how far off the camera is from what it looks at. What is thrown is as large and fast as the scene asks. */
+  #far() {
+    return this.page.camera.position.distanceTo(this.page.controls.target);
+  }
+
+  /** A ball that is felt: heavier than what stands there.   @param ray  along which it flies */
+  #ball(ray) {
+    const far = this.#far(),
+      radius = far * THROW.radius,
+      { sim } = this.page.picture(),
+      masses = sim.bodies.filter((b) => b.type === "dynamic").map((b) => b.mass),
+      typical = masses.sort((a, b) => a - b)[masses.length >> 1] ?? 1,
+      speed = Math.min(THROW.most, Math.max(THROW.least, far * THROW.speed));
+    return {
+      do: "spawn",
+      shape: "sphere",
+      params: [radius],
+      position: ray.at(0.15 * far, new THREE.Vector3()).toArray(),
+      velocity: ray.direction.clone().multiplyScalar(speed).toArray(),
+      density: Math.min(2e4, (HEAVY * typical) / ((4 / 3) * Math.PI * radius ** 3)),
+    };
+  }
+
   #down(event) {
     if (event.button !== 0) return;
     const ray = this.#ray(event),
       { page } = this,
       hit = page.picture().pick(ray);
     if (this.tool === "throw") {
-      const from = ray.at(1, new THREE.Vector3()).toArray();
-      page.act({
-        do: "spawn",
-        shape: "sphere",
-        params: [0.25],
-        position: from,
-        velocity: ray.direction.clone().multiplyScalar(THROW).toArray(),
-        density: 2000,
-      });
+      page.act(this.#ball(ray));
       page.controls.enabled = false;
       return;
     }
@@ -58,9 +75,17 @@ export class Pointer {
     if (this.tool === "box" || this.tool === "shape") {
       page.act({
         do: "spawn",
-        ...(this.tool === "shape" ? this.shape : { shape: "box", params: [0.25, 0.25, 0.25] }),
-        position: [hit.point.x, hit.point.y + 1.5, hit.point.z],
+        ...(this.tool === "shape" ? this.shape : { shape: "box", params: Array(3).fill(this.#far() / 45) }),
+        position: [hit.point.x, hit.point.y + this.#far() / 8, hit.point.z],
       });
+    } else if (this.tool === "explode") {
+      const far = this.#far();
+      page.act({ do: "explode", at: hit.point.toArray(), speed: BLAST.speed * far, reach: BLAST.reach * far });
+    } else if (this.tool === "cut") {
+      const { handle } = sim.bodies[hit.body],
+        holds = ({ desc }) => desc.body_a === handle || desc.body_b === handle;
+      if (sim.world.joints().some(holds)) page.act({ do: "cut", body: hit.body });
+      else page.say("no joint holds this body");
     } else if (this.tool === "delete") {
       if (sim.bodies[hit.body].type === "dynamic") page.act({ do: "remove", body: hit.body });
       else page.say("only bodies that move can be deleted here");

@@ -28,6 +28,32 @@ export function extremes(points) {
   return [...kept].sort((a, b) => a - b).flatMap((i) => all[i]);
 }
 
+/** m: how far points are from one plane, about; 0: they have no volume.   @param points [3n] */
+export function thickness(points) {
+  const at = (i) => [points[3 * i], points[3 * i + 1], points[3 * i + 2]],
+    n = Math.floor(points.length / 3),
+    from = at(0);
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]],
+    off = (i) => at(i).map((x, k) => x - from[k]);
+  /** The point that is farthest by some measure, as a vector from the first. */
+  const farthest = (measure) => {
+    let best = [0, 0, 0],
+      most = 0;
+    for (let i = 1; i < n; ++i) {
+      const v = off(i),
+        far = Math.abs(measure(v));
+      if (far > most) ((most = far), (best = v));
+    }
+    return [best, most];
+  };
+  const [along, length] = farthest((v) => Math.hypot(...v));
+  if (!length) return 0;
+  const [aside, area] = farthest((v) => Math.hypot(...cross(along, v)));
+  if (!area) return 0;
+  const normal = cross(along, aside).map((x) => x / area);
+  return farthest((v) => v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2])[1];
+}
+
 /** @returns { low [3], high [3], size }   size: the longest edge, m */
 export function bounds(points) {
   const low = [Infinity, Infinity, Infinity],

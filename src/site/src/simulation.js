@@ -5,14 +5,16 @@
 // nearest snapshot before it and the same actions again, so it has the same bits.
 import { constants as C } from "carom";
 import { act } from "./actions.js";
+import { driverOf } from "./drive.js";
 
 const EVERY = 20; // steps from one snapshot to the next
 const MOST_BYTES = 96 << 20; // of snapshots; of older ones every second is dropped
 
 export class Simulation {
   /** @param start  Uint8Array: a whole snapshot   @param dt s   @param settings  actions before the first step:
-   * dials, presets   @param recording  a session that goes with it: its calls are made again, its steps are as long */
-  constructor(engine, start, dt, settings = [], recording = null) {
+   * dials, presets   @param recording  a session that goes with it: its calls are made again, its steps are as long
+   *  @param steered  what a visitor steers in it, for driverOf() */
+  constructor(engine, start, dt, settings = [], recording = null, steered = null) {
     Object.assign(this, { engine, dt, recording });
     this.actions = new Map(); // step -> actions
     this.lastAction = -1;
@@ -27,7 +29,13 @@ export class Simulation {
     this.#build(start);
     this.step = 0;
     this.settings = settings;
-    for (const action of settings) act(this, action);
+    try {
+      this.driver = steered && driverOf(this, steered);
+      for (const action of settings) act(this, action);
+    } catch (error) {
+      this.free(); // or the engine could not be freed, and would say that instead
+      throw error;
+    }
     this.#keep();
   }
 
@@ -57,22 +65,21 @@ export class Simulation {
 
   /** Do something now. What was to come after the present step is forgotten.   @throws then nothing has changed */
   do(action) {
-    if (
-      this.step === 0 &&
-      this.newest === 0 &&
-      !this.actions.size &&
-      (action.do === "dial" || action.do === "preset")
-    ) {
+    const isSetting = action.do === "dial" || action.do === "preset";
+    if (this.step < this.newest) this.#forgetFuture();
+    if (isSetting && this.step === 0 && !this.actions.size) {
       act(this, action);
+      const before = this.settings.findIndex((a) => a.do === "dial" && action.do === "dial" && a.name === action.name);
+      if (before >= 0) this.settings.splice(before, 1);
       this.settings.push(action); // the scene as it starts
       this.#keep();
       return;
     }
-    if (this.step < this.newest) this.#forgetFuture();
     act(this, action); // throws before it is written down
     const done = this.actions.get(this.step) ?? [];
-    // Of a slider that is drawn along, the last value counts.
-    const before = done.findIndex((a) => a.do === "dial" && action.do === "dial" && a.name === action.name);
+    // Of a slider that is drawn along, and of what is asked of a driver, the last value counts.
+    const isLater = { dial: (a) => a.name === action.name, input: () => true }[action.do] ?? (() => false),
+      before = done.findIndex((a) => a.do === action.do && isLater(a));
     if (before >= 0) done.splice(before, 1);
     this.actions.set(this.step, [...done, action]);
     this.lastAction = Math.max(this.lastAction, this.step);
@@ -94,7 +101,9 @@ export class Simulation {
   advance() {
     if (this.recording?.perform(this.world, this.step)) this.refresh();
     this.dt = this.recording?.steps[this.step]?.dt ?? this.dt;
+    this.driver?.before(this.dt);
     this.world.step(this.dt);
+    this.driver?.after(this.dt);
     const report = this.world.report();
     this.energy[this.step] = report.linear_energy + report.angular_energy;
     this.seconds[this.step] = report.total_seconds;
@@ -123,9 +132,11 @@ export class Simulation {
   }
 
   #keep() {
-    this.snapshots.set(this.step, this.world.save({ whole: true }));
+    const kept = this.world.save({ whole: true });
+    kept.driver = this.driver?.save();
+    this.snapshots.set(this.step, kept);
     let bytes = 0;
-    for (const kept of this.snapshots.values()) bytes += kept.length;
+    for (const { length } of this.snapshots.values()) bytes += length;
     if (bytes < MOST_BYTES) return;
     [...this.snapshots.keys()]
       .sort((a, b) => a - b)
@@ -138,7 +149,9 @@ export class Simulation {
   seek(step) {
     if (step < this.step) {
       const from = Math.max(...[...this.snapshots.keys()].filter((s) => s <= step));
-      this.#build(this.snapshots.get(from));
+      const kept = this.snapshots.get(from);
+      this.#build(kept);
+      this.driver?.restore(kept.driver);
       this.step = from;
       // The first snapshot was taken after the settings, but before what was done at step 0.
       for (const action of this.actions.get(from) ?? []) act(this, action);
@@ -173,6 +186,7 @@ export class Simulation {
   }
 
   free() {
+    this.driver?.free();
     this.poses.free();
     this.world.free();
   }

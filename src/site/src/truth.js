@@ -61,7 +61,7 @@ export class Ghosts {
   }
 
   static #look() {
-    const material = new THREE.MeshStandardMaterial({ color: COLOUR, transparent: true, opacity: 0.45 });
+    const material = new THREE.MeshLambertMaterial({ color: COLOUR, transparent: true, opacity: 0.45 });
     // Nearer by a little, so that a ghost is seen where its body is in the very same place.
     return Object.assign(material, {
       depthWrite: false,

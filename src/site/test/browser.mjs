@@ -56,8 +56,8 @@ export class Browser {
 }
 
 /** Of the panel: what a part of it is headed by, and a row of it. */
-export const title = (page, text) => page.locator("#panel .lil-title", { hasText: text });
-export const field = (page, text) => page.locator("#panel .lil-controller", { hasText: text });
+export const title = (page, text) => page.locator("#panel summary", { hasText: text });
+export const field = (page, text) => page.locator("#panel .row", { hasText: text });
 
 export const now = (page) =>
   page.evaluate(() => ({

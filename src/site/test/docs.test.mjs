@@ -125,7 +125,38 @@ test(
     await page.locator("iframe.live").scrollIntoViewIfNeeded();
     const frame = await (await page.waitForSelector("iframe.live")).contentFrame();
     await frame.waitForFunction(() => globalThis.caromViewer?.state.row.name === "pyramid", null, { timeout: 60000 });
-    assert.equal(await frame.evaluate(() => document.getElementById("native").dataset.same), "true");
+    await frame.waitForFunction(() => document.getElementById("native").dataset.same === "true");
+    await context.close();
+  },
+);
+
+test(
+  "every frame of the documentation plays by itself, in sight alone",
+  { skip: skip || unbuilt, timeout: 300000 },
+  async (t) => {
+    const context = await browser.browser.newContext({ viewport: { width: 1000, height: 700 } });
+    const page = await context.newPage();
+    page.on("console", (m) => m.type() === "error" && browser.errors.push(m.text()));
+    page.on("pageerror", (e) => browser.errors.push(e.message));
+    let frames = 0;
+    for (const folder of ["start", "topics"])
+      for (const name of readdirSync(join(DOCS, folder), { withFileTypes: true }).filter((entry) =>
+        entry.isDirectory(),
+      )) {
+        await page.goto(new URL(`docs/${folder}/${name.name}/`, browser.base).href, { waitUntil: "domcontentloaded" });
+        for (const element of await page.locator("iframe.live").all()) {
+          await element.scrollIntoViewIfNeeded();
+          const frame = await (await element.elementHandle()).contentFrame();
+          await frame.waitForFunction(() => globalThis.caromViewer?.step > 3, null, { timeout: 60000 });
+          assert.ok(await frame.evaluate(() => document.getElementById("message").hidden), name.name);
+          ++frames;
+          await page.evaluate(() => scrollTo(0, 0));
+          if (await element.evaluate((e) => e.getBoundingClientRect().top > innerHeight))
+            await frame.waitForFunction(() => !caromViewer.state.inSight);
+        }
+      }
+    t.diagnostic(`${frames} frames`);
+    assert.ok(frames >= 10);
     await context.close();
   },
 );

@@ -86,6 +86,86 @@ test("a glTF file without physics: a body for each mesh", { skip, timeout: 12000
   await page.close();
 });
 
+test(
+  "a glTF file with motion: what moves falls, parts of it are one body, a level mesh is the ground",
+  { skip, timeout: 120000 },
+  async () => {
+    const page = await browser.visit("?scene=stacks&step=1", small);
+    const motion = (node) => ({
+      samplers: [{ input: 2, output: 3 }],
+      channels: [{ sampler: 0, target: { node, path: "translation" } }],
+    });
+    const parts = JSON.parse(
+      cube(0.5, [
+        { name: "floor", mesh: 0, scale: [40, 0, 40] },
+        { name: "shelf", mesh: 0, translation: [0, 1, 0] },
+        { name: "hammer", children: [3, 4], translation: [0, 4, 0] },
+        { name: "head", mesh: 0 },
+        { name: "handle", mesh: 0, translation: [1.5, 0, 0], scale: [2, 0.2, 0.2] },
+        { name: "sign", mesh: 0, translation: [5, 2, 0], scale: [1, 1, 0] },
+      ]),
+    );
+    parts.scenes[0].nodes = [0, 1, 2, 5];
+    parts.animations = [motion(2)];
+    const times = Buffer.from(Float32Array.of(0, 1, 0, 4, 0, 0, 4, 0).buffer);
+    parts.accessors.push(
+      { bufferView: 2, componentType: 5126, count: 2, type: "SCALAR", min: [0], max: [1] },
+      { bufferView: 2, byteOffset: 8, componentType: 5126, count: 2, type: "VEC3" },
+    );
+    parts.bufferViews.push({ buffer: 1, byteLength: 32 });
+    parts.buffers.push({ byteLength: 32, uri: `data:application/octet-stream;base64,${times.toString("base64")}` });
+    const said = await open(page, "hammer.gltf", JSON.stringify(parts));
+    for (const told of [/what the file moves falls/, /lowest level mesh is the ground/, /flat meshes have no volume/])
+      assert.match(said, told);
+    const { bodies } = await state(page);
+    // The shelf, the sign and the ground stand; the floor is the ground.
+    assert.deepEqual(bodies.map((b) => b.type).sort(), ["dynamic", "static", "static", "static"]);
+    const mass = Math.max(...bodies.map((b) => b.mass));
+    assert.ok(Math.abs(mass - 1080) < 1e-3, `${mass}`); // a cube of 1 m and 2 x 0.2 x 0.2 m
+    await page.evaluate(() => caromViewer.seek(240));
+    const lowest = await page.evaluate(() => {
+      const { sims } = caromViewer.state,
+        hammer = sims[0].bodies.find((b) => b.type === "dynamic");
+      return hammer.position[1];
+    });
+    assert.ok(lowest > 1.4 && lowest < 2.2, `${lowest}`); // on the shelf, whose top is at 1.5 m
+    await page.close();
+  },
+);
+
+test("a mesh without volume that should move is told of by its name", { skip, timeout: 60000 }, async () => {
+  const page = await browser.visit("?scene=stacks&step=1", small);
+  const { hash } = await now(page);
+  for (const scale of [
+    [1, 0, 1],
+    [1e-9, 1, 3],
+    [1, 1, 1e-8],
+  ]) {
+    const said = await open(
+      page,
+      "sheet.gltf",
+      cube(
+        0.5,
+        [
+          {
+            name: "sheet",
+            mesh: 0,
+            scale,
+            rotation: [0.18257418583505536, 0.3651483716701107, 0.5477225575051661, 0.7302967433402214],
+            extensions: {
+              KHR_physics_rigid_bodies: { motion: {}, collider: { geometry: { node: 0, convexHull: true } } },
+            },
+          },
+        ],
+        { extensionsUsed: ["KHR_physics_rigid_bodies"] },
+      ),
+    );
+    assert.match(said, /"sheet" is flat and has no volume.*thickness/, `${scale}`);
+    assert.equal((await now(page)).hash, hash);
+  }
+  await page.close();
+});
+
 test("a glTF file with physics: masses, shapes, places, materials", { skip, timeout: 120000 }, async () => {
   const page = await browser.visit("?scene=stacks&step=1", small);
   const physics = (more) => ({ extensions: { KHR_physics_rigid_bodies: more } });
@@ -146,6 +226,20 @@ test(
     assert.match(said, /carom view/);
     assert.ok((await state(page)).bodies.length > 30);
 
+    // README's own: an animation without physics. Ten dominoes stand, and all of it stays on the ground.
+    execFileSync(carom, ["run", "seesaw", "--quiet", "--gltf", join(folder, "seesaw.gltf")]);
+    assert.match(await open(page, "seesaw.gltf"), /18 bodies.*lowest level mesh is the ground/);
+    const dominoes = await page.evaluate(() => {
+      caromViewer.seek(240);
+      const { sims, row } = caromViewer.state;
+      return sims[0].bodies.filter((_, i) => row.bodies[i]?.[1] === "domino").map((b) => b.position[1]);
+    });
+    assert.equal(dominoes.length, 10);
+    assert.ok(
+      dominoes.every((y) => y > 0.02),
+      `${dominoes}`,
+    );
+
     execFileSync(carom, ["run", "bullet", "--seconds", "0.5", "--quiet", "--record", join(folder, "bullet.rec")]);
     assert.match(await open(page, "bullet.rec"), /30 steps/);
     assert.equal((await now(page)).step, 0);
@@ -176,6 +270,20 @@ test(
   { skip: skip || (!carom && "no native carom is built"), timeout: 120000 },
   async () => {
     const { spawn } = await import("node:child_process");
+    // README's own: an animation without physics. Ten dominoes stand, and all of it stays on the ground.
+    execFileSync(carom, ["run", "seesaw", "--quiet", "--gltf", join(folder, "seesaw.gltf")]);
+    assert.match(await open(page, "seesaw.gltf"), /18 bodies.*lowest level mesh is the ground/);
+    const dominoes = await page.evaluate(() => {
+      caromViewer.seek(240);
+      const { sims, row } = caromViewer.state;
+      return sims[0].bodies.filter((_, i) => row.bodies[i]?.[1] === "domino").map((b) => b.position[1]);
+    });
+    assert.equal(dominoes.length, 10);
+    assert.ok(
+      dominoes.every((y) => y > 0.02),
+      `${dominoes}`,
+    );
+
     execFileSync(carom, ["run", "bullet", "--seconds", "0.2", "--quiet", "--record", join(folder, "served.rec")]);
     const server = spawn(carom, [
       "view",
@@ -201,8 +309,9 @@ test(
       // Scenes of other numbers are made by the command.
       await page.selectOption("#scene", "stacks");
       await page.waitForFunction(() => caromViewer.state.row.name === "stacks");
+      await title(page, "Settings").click();
       await title(page, "its own numbers").click();
-      await field(page, /^n$/).locator("input").first().fill("2");
+      await field(page, /^n\b/).locator('[type="number"]').fill("2");
       await page.keyboard.press("Enter");
       await page.locator("#panel button", { hasText: "Make the scene anew" }).click();
       await page.waitForFunction(() => caromViewer.state.row.made?.n === 2);

@@ -57,6 +57,11 @@ void pack(const PackOptions& options, Context& context) {
     write_file(options.folder + "/" + packed.file, packed.content);
     if (!packed.truth.empty())
       write_file(options.folder + "/" + packed.row["truth"]["file"].get<std::string>(), packed.truth);
+    if (packed.row.contains("meshes")) {  // apart: a page wants them only with their scene
+      const std::string file = packed.row["name"].get<std::string>() + ".meshes";
+      write_file(options.folder + "/" + file, packed.row["meshes"].dump());
+      packed.row["meshes"] = file;
+    }
     index.push_back(std::move(packed.row));
     share.clear();
     std::printf("%s\n", name.c_str());

@@ -1,6 +1,7 @@
 #include "cli/packed_scene.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -42,14 +43,31 @@ nlohmann::json hashes_of(World& world, double dt, const HashedSteps& steps) {
   return hashes;
 }
 
-/// Of a body that touches nothing, and so has no collider that a page could find.
+/// What a page cannot find by asking for colliders: a body that touches nothing, and a mesh that is drawn in place of
+/// the shape that collides.
 nlohmann::json looks_of(std::size_t body, const Part& part) {
   const auto& turn = part.orientation.coeffs();
-  return {{"body", body},
-          {"shape", part.shape},
-          {"params", part.params},
-          {"position", three(part.position)},
-          {"orientation", {turn.x(), turn.y(), turn.z(), turn.w()}}};
+  nlohmann::json look = {
+      {"body", body}, {"position", three(part.position)}, {"orientation", {turn.x(), turn.y(), turn.z(), turn.w()}}};
+  if (part.mesh >= 0) return look["mesh"] = part.mesh, look;
+  look["shape"] = part.shape, look["params"] = part.params;
+  return look;
+}
+
+/// A mesh for the eye, in whole numbers of `unit`.
+nlohmann::json drawn_mesh(const Mesh& mesh) {
+  constexpr double kCells = 25;    // along the longest edge: more is not seen of a body among others
+  constexpr double kUnits = 4000;  // likewise
+  Vec half = Vec::Zero();          // the bounding box is centred on the origin
+  for (const Vec& p : mesh.points) half = half.cwiseMax(p.cwiseAbs());
+  const double size = 2 * half.maxCoeff(), unit = size / kUnits;
+  const Mesh thin = thinned(mesh, size / kCells);
+  nlohmann::json points = nlohmann::json::array(), faces = nlohmann::json::array();
+  for (const Vec& p : thin.points)
+    for (int k = 0; k < 3; ++k) points.push_back(std::lround(p[k] / unit));
+  for (const auto& face : thin.faces)
+    for (const std::uint32_t corner : face) faces.push_back(corner);
+  return {{"unit", unit}, {"points", std::move(points)}, {"faces", std::move(faces)}};
 }
 
 /// The scene's own numbers, with the values that it was made of.
@@ -102,7 +120,8 @@ PackedScene packed_scene(const SceneChoice& choice, const HashedSteps& steps, Co
     if (actor.particles == CAROM_NULL_HANDLE) packed.row["bodies"].push_back({actor.name, actor.kind});
   for (std::size_t i = 0; i < stage.actors.size(); ++i)
     for (const Part& part : stage.actors[i].parts)
-      if (part.collider == CAROM_NULL_HANDLE) packed.row["looks"].push_back(looks_of(i, part));
+      if (part.collider == CAROM_NULL_HANDLE || part.mesh >= 0) packed.row["looks"].push_back(looks_of(i, part));
+  for (const Mesh& mesh : stage.meshes) packed.row["meshes"].push_back(drawn_mesh(mesh));
   if (has_truth) {
     PackedTruth truth = packed_truth(stage, *observer, dt, packed.row["seconds"]);
     packed.truth = std::move(truth.content);

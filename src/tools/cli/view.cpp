@@ -77,7 +77,11 @@ std::string made_scene(const serve::Question& question, Context& context) {
 
 void view(ViewOptions& options, Context& context) {
   serve::Site site;
-  if (!options.choice.scene.empty() && !is_recording(options.choice.scene)) chosen_scene(options.choice.scene);
+  const std::string& scene = options.choice.scene;  // a wrong name is told before a missing page is
+  if (is_accuracy_scene(scene))
+    accuracy_scene(scene);
+  else if (!scene.empty() && !is_recording(scene))
+    chosen_scene(scene);
   site.folder = site_folder(options.site);
   if (!options.choice.scene.empty()) {
     PackedScene packed = is_recording(options.choice.scene) ? packed_recording(options.choice.scene)

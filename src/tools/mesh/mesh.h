@@ -21,6 +21,10 @@ Mesh read_obj(const std::string& path);
 /// Centre the bounding box on the origin and scale uniformly until it is `height` tall along y.
 void fit_to_height(Mesh& mesh, double height);
 
+/// The mesh with one corner for all that lie in a cell of a grid, at their mean; faces that shrink to a line are gone.
+/// @param cell  m, > 0
+Mesh thinned(const Mesh& mesh, double cell);
+
 /// Convex hull by qhull: hull vertices and triangulated facets, outward.
 /// @param points  at least 4, not all in one plane
 /// @throws Error with qhull's reason

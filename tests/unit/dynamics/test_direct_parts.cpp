@@ -26,7 +26,8 @@ struct System {
     products = eliminate(0, nodes, edges, {}, ~std::uint64_t{0}, elimination);
     dense = Eigen::MatrixXd::Identity(6 * nodes, 6 * nodes);
     factor.diagonal.assign(nodes, Block{});
-    factor.below.assign(elimination.rows.size(), Block{});
+    factor.beside.assign(elimination.rows.size(), Block{});
+    factor.is_filled.assign(elimination.rows.size(), 1);
     for (const Edge& e : edges) {
       // J^T J for a random J keeps the sum definite.
       Eigen::MatrixXd j = Eigen::MatrixXd::Zero(3, 6 * nodes);
@@ -39,7 +40,7 @@ struct System {
       fill(factor.diagonal[elimination.place[a]], a, a);
       for (std::uint32_t b = 0; b < nodes; ++b)
         if (elimination.place[a] > elimination.place[b] && dense.block(6 * a, 6 * b, 6, 6).norm() > 0)
-          fill(factor.below[factor.at(elimination, elimination.place[a], elimination.place[b])], a, b);
+          fill(factor.beside[factor.at(elimination, elimination.place[a], elimination.place[b])], b, a);
     }
   }
   void fill(Block& to, std::uint32_t a, std::uint32_t b) const {

@@ -39,10 +39,11 @@ class Scene {
     eliminate(0, count, edges_, forest_, ~std::uint64_t{0}, order_);
     nodes_.resize(count), scratch_.resize(count);
     plant(nodes_, forest_, order_, 0);
-    factor_.diagonal.resize(count), factor_.below.resize(order_.rows.size());
+    factor_.diagonal.resize(count), factor_.beside.resize(order_.rows.size());
+    factor_.is_filled.resize(order_.rows.size());
     for (ConeContact& c : contacts_) {
       const std::uint32_t a = order_.place[c.a], b = order_.place[c.b];
-      c.a_later = a > b, c.below = static_cast<std::uint32_t>(factor_.at(order_, std::max(a, b), std::min(a, b)));
+      c.a_later = a > b, c.beside = static_cast<std::uint32_t>(factor_.at(order_, std::max(a, b), std::min(a, b)));
     }
     problem = {.contacts = contacts_,
                .bodies = bodies_.data(),

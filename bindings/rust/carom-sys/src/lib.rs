@@ -751,7 +751,7 @@ pub const CAROM_STAGE_COUNT: u32 = 8;
 pub const CAROM_REASON_ORDINARY: u32 = 0;
 /// bodies that touch have masses further apart than CAROM_DIAL_DIRECT_RATIO
 pub const CAROM_REASON_MASS_RATIO: u32 = 1;
-/// soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK
+/// soft contacts would let it sink by more than CAROM_DIAL_DIRECT_SINK, or did before it lay still
 pub const CAROM_REASON_SINK: u32 = 2;
 /// too many bodies for the direct solver, or it exceeded its work limit recently
 pub const CAROM_REASON_TOO_MUCH: u32 = 3;

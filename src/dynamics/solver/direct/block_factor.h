@@ -1,4 +1,5 @@
-// A symmetric positive definite matrix of 6x6 blocks, one row of blocks a body, and its Cholesky factor in place.
+// A symmetric positive definite matrix of 6x6 blocks, one row of blocks a body, from its diagonal on, and its Cholesky factor
+// in place.
 #pragma once
 
 #include "dynamics/solver/direct/elimination.h"
@@ -8,28 +9,38 @@ namespace carom::dynamics {
 
 /// Of a matrix that has its blocks where a factor has them.
 struct Blocks {
-  Block *diagonal, *below;
+  Block *diagonal, *beside;
+  std::uint8_t* is_filled;  // of those beside the diagonal: others are zero, and no one reads them
+
+  /// What is to be added to.
+  Block& filled(std::size_t at) const {
+    if (!is_filled[at]) is_filled[at] = 1, set_zero(beside[at]);
+    return beside[at];
+  }
 };
 
 struct BlockFactor {
-  explicit BlockFactor(Memory* m) : diagonal(m), below(m) {}
+  explicit BlockFactor(Memory* m) : diagonal(m), beside(m), is_filled(m) {}
   // Of all systems; then, where there are joints, as many of what their matrices have in common: @see common()
   Array<Block> diagonal;  // by place
-  Array<Block> below;     // [Elimination::rows]
+  Array<Block> beside;    // [Elimination::rows]: rows are of the place eliminated first
 
-  Blocks all() { return {diagonal.data(), below.data()}; }
-  Blocks common(const Elimination& e) { return {diagonal.data() + e.place.size(), below.data() + e.rows.size()}; }
+  Array<std::uint8_t> is_filled;  // by block beside the diagonal
 
-  /// Where the block (row, column) below the diagonal is. Both are places, row > column, and the block is in the
-  /// factor.
-  std::size_t at(const Elimination& e, std::uint32_t row, std::uint32_t column) const;
+  Blocks all() { return {diagonal.data(), beside.data(), is_filled.data()}; }
+  Blocks common(const Elimination& e) {
+    return {diagonal.data() + e.place.size(), beside.data() + e.rows.size(), is_filled.data() + e.rows.size()};
+  }
+
+  /// Where the block of two places is, the later one first. It is in the factor.
+  std::size_t at(const Elimination& e, std::uint32_t later, std::uint32_t earlier) const;
 };
 
 /// Factor the columns [first, last) of one system.
-/// @param tree  by place, from `first` on, or none: a child is what its joint leaves free, and its parent takes it along
+/// @param tree  by place, from `first` on, or none: a child is what its joint leaves free, and its parent takes it along.
+///              What is not stale stays as it was factored last
 /// @return false: a pivot was not positive, the matrix was not definite within rounding; the factor is of no use
-bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<const TreeNode> tree,
-            BlockFactor& f);
+bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<TreeNode> tree, BlockFactor& of);
 
 /// Solve with a factor, in place.
 /// @param x  by place

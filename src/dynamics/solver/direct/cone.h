@@ -61,6 +61,7 @@ inline Mat3 slope_of_projection(const Vec3& z, const Vec3& n, Real mu) {
 /// @param most  N s, radius
 inline Vec3 project_on_cylinder(const Vec3& z, const Vec3& n, Real most) {
   const Real along = z.dot(n);
+  if (most == 0) return std::max(along, Real(0)) * n;
   const Vec3 across = z - along * n;
   const Real size = across.norm();
   if (along >= 0 && size <= most) return z;

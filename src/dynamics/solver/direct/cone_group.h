@@ -21,6 +21,8 @@ class ConeGroup {
   void solve(Velocities& to, Real h, int substeps);
   /// A group that overlaps more than the tolerance is parted, to half of it, so that what rests keeps in touch.
   void part(Poses& to, Real h);
+  /// Once more, from where that has led.
+  void part_again(Poses& to, Real h);
   /// Whether a sweep has led one of its bodies elsewhere in this substep.
   bool is_swept() const;
   /// Displacements that lead it back onto its joints, as far as it moves in a substep: what was swept stays where it is.
@@ -61,7 +63,8 @@ class ConeGroup {
   void take_along(Real h);
   bool turns_far(const ConeBody& b, Real h) const;
   void lead_back(Real h);
-  void hold_forest();
+  enum class Forest { as_it_began, anew };
+  void hold_forest(Forest forest);
   void hold_forest_again();
   void follow_impulses();
   void find(Real goal, std::uint32_t most_steps);
@@ -91,7 +94,7 @@ class ConeGroup {
   bool may_contradict() const;
   Real tolerable_gap() const;
   Real asked() const;
-  void part(Poses& to, Real h, Real most_closed);
+  void part(Poses& to, Real h, Real most_closed, Forest forest);
   Real displacement_share(Real asked, Real most_closed) const;
   void let_locks_yield();
   void turn_frames();

@@ -13,8 +13,8 @@
 namespace carom::dynamics {
 
 struct ConeLink {
-  std::uint32_t a, b;   // bodies of the problem, or kInvalid
-  std::uint32_t below;  // as of a contact
+  std::uint32_t a, b;    // bodies of the problem, or kInvalid
+  std::uint32_t beside;  // as of a contact
   bool a_later;
   Vec3 d_a, d_b;   // world; u = d_b.v_b - d_a.v_a + w_b.omega_b - w_a.omega_a
   Vec3 w_a, w_b;   // m or 1; zero where the body does not rotate

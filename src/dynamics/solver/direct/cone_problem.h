@@ -27,14 +27,14 @@ struct ConeLine {
 };
 
 struct ConeContact {
-  std::uint32_t a, b;   // bodies of the problem, or kInvalid: not moved by impulses
-  std::uint32_t below;  // in BlockFactor::below: the block that couples a and b; kInvalid where there is none
-  bool a_later;         // a is eliminated after b
-  bool is_curved;       // a shape is not known to be a polytope: @see ConeGroup::follow_bodies()
-  bool is_spread;       // of a patch that slides: its friction acts beside its normal impulses, @see spread()
-  Vec3 n;               // unit, world, A to B
-  Vec3 r_a, r_b;        // m, world axes: where friction acts; zero where the body does not rotate
-  Vec3 n_a, n_b;        // m, moment about there of a unit of normal impulse; set only where it is spread
+  std::uint32_t a, b;    // bodies of the problem, or kInvalid: not moved by impulses
+  std::uint32_t beside;  // in BlockFactor::beside: the block that couples a and b; kInvalid where there is none
+  bool a_later;          // a is eliminated after b
+  bool is_curved;        // a shape is not known to be a polytope: @see ConeGroup::follow_bodies()
+  bool is_spread;        // of a patch that slides: its friction acts beside its normal impulses, @see spread()
+  Vec3 n;                // unit, world, A to B
+  Vec3 r_a, r_b;         // m, world axes: where friction acts; zero where the body does not rotate
+  Vec3 n_a, n_b;         // m, moment about there of a unit of normal impulse; set only where it is spread
   Real friction;
   Vec3 surface;        // m/s, of the point on B relative to A where impulses do not change the bodies' velocities
   Real want;           // m/s
@@ -59,6 +59,7 @@ struct ConeContact {
   Vec3 p0, u0;                                    // as it began
   Vec3 du;                                        // m/s, of a Newton step
   ConeCurvature curvature = ConeCurvature::none;  // of the factor
+  Mat3 slope;                                     // kg, of its impulse by -u, where it is neither nought nor alike
   ConeLine line;
 };
 
@@ -106,6 +107,8 @@ struct ConeProblem {
 
   /// The body of a node.
   std::uint32_t body_at(std::uint32_t node) const { return nodes[first + node]; }
+  /// Whether a place is to be factored anew.
+  bool is_stale(std::uint32_t place) const { return tree.empty() || tree[place - first].is_stale; }
   /// Rows of all joints: `links`, then `locks`.
   std::span<ConeLink> joint_rows() const { return {links.data(), links.size() + locks.size()}; }
 };
@@ -206,12 +209,13 @@ inline Real slip_of(const ConeContact& c) {
   return c.friction > 0 ? c.friction * (c.u - c.u.dot(c.n) * c.n).norm() : Real(0);
 }
 
-inline Block mass_block(const ConeBody& b) {
-  Block m = {};
-  for (int k = 0; k < 3; ++k) m.x[k][k] = b.mass;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m.x[3 + i][3 + j] = b.inertia(i, j);
-  return m;
+/// Its masses, as a block.
+inline void put_masses(const ConeBody& b, Block& to) {
+  const Vec3 none = Vec3::zero();
+  for (int k = 0; k < 3; ++k) {
+    RowOfTwos(Vec3(b.mass * Vec3::unit(k)), none).store(to.x[k]);
+    RowOfTwos(none, Vec3(b.inertia(k, 0), b.inertia(k, 1), b.inertia(k, 2))).store(to.x[3 + k]);
+  }
 }
 
 /// (m/s)^2, of the points of a body that has velocity v, in the mean.

@@ -49,16 +49,14 @@ class QuotientGraph {
   /// Eliminate a node. @return nodes that it was coupled to, directly or through nodes eliminated before
   std::span<const std::uint32_t> remove(std::uint32_t node) {
     const auto begin = static_cast<std::uint32_t>(s_.member.size());
-    each_neighbour(node, [&](std::uint32_t i) { s_.member.push_back(i); });
+    const std::uint32_t parent = parent_of(node);
+    each_left(node, [&](std::uint32_t i) { s_.member.push_back(i); });
     const auto end = static_cast<std::uint32_t>(s_.member.size());
     for (std::uint32_t k = s_.first[node]; k != kNoParent; k = s_.link[2 * k])
       s_.begin[2 * s_.link[2 * k + 1]] = kNoParent;  // absorbed
     s_.begin[2 * node] = begin, s_.begin[2 * node + 1] = end;
     set_degree(node, kNoParent);
-    if (const std::uint32_t k = joint_of(node); k != kInvalid) {
-      const std::uint32_t other = (forest_[k].a - first_ == node ? forest_[k].b : forest_[k].a);
-      if (other != kInvalid) --s_.joints[other - first_], s_.joint[other - first_] ^= k;
-    }
+    if (parent != kNoParent) --s_.joints[parent], s_.joint[parent] ^= s_.joint[node];
     for (std::uint32_t k = begin; k < end; ++k) {
       const std::uint32_t i = s_.member[k];
       s_.link.push_back(s_.first[i]);
@@ -66,6 +64,7 @@ class QuotientGraph {
       s_.first[i] = static_cast<std::uint32_t>(s_.link.size() / 2 - 1);
     }
     for (std::uint32_t k = begin; k < end; ++k) set_degree(s_.member[k], rank_of(s_.member[k]));
+    if (parent != kNoParent && begin == end) set_degree(parent, rank_of(parent));
     return {s_.member.data() + begin, end - begin};
   }
 
@@ -79,6 +78,14 @@ class QuotientGraph {
   void set_degree(std::uint32_t node, std::uint32_t degree) {
     s_.degree[node] = degree;
     for (std::uint32_t i = (count_ + node) / 2; i >= 1; i /= 2) best(i) = better(best(2 * i), best(2 * i + 1));
+  }
+
+  /// Once one joint of the forest is left.
+  std::uint32_t parent_of(std::uint32_t node) const {
+    if (s_.joints[node] != 1) return kNoParent;
+    const std::uint32_t k = s_.joint[node];
+    const std::uint32_t other = forest_[k].a - first_ == node ? forest_[k].b : forest_[k].a;
+    return other == kInvalid ? kNoParent : other - first_;
   }
 
   bool gone(std::uint32_t i) const { return s_.begin[2 * i + 1] != kNoParent; }
@@ -100,9 +107,18 @@ class QuotientGraph {
     }
   }
 
+  /// Nodes that it is coupled to as it goes, one by one.
+  template <class F>
+  void each_left(std::uint32_t node, F&& f) {
+    const std::uint32_t parent = parent_of(node);
+    bool any = false, with_parent = parent == kNoParent;
+    each_neighbour(node, [&](std::uint32_t i) { f(i), any = true, with_parent |= i == parent; });
+    if (any && !with_parent) f(parent);
+  }
+
   std::uint32_t degree_of(std::uint32_t node) {
     std::uint32_t n = 0;
-    each_neighbour(node, [&](std::uint32_t) { ++n; });
+    each_left(node, [&](std::uint32_t) { ++n; });
     return n;
   }
 

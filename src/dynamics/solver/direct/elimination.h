@@ -7,7 +7,7 @@
 
 namespace carom::dynamics {
 
-/// Two nodes whose block is not zero.
+/// Two nodes whose block is not zero, but for what a joint of the forest makes of it.
 struct Edge {
   std::uint32_t a, b;
   friend bool operator==(const Edge&, const Edge&) = default;
@@ -42,19 +42,26 @@ struct Elimination {
           joints(m),
           joint(m),
           node_at(m),
-          joint_at(m) {}
+          joint_at(m),
+          ordered_edges(m),
+          ordered_begin(m) {}
     Array<std::uint32_t> neighbour_begin, neighbour, degree, mark, first, link, begin, member;
     Array<std::uint32_t> joints,
         joint;  // by node: joints of the forest that are left, and all of their numbers by exclusive or
     // Of the order that was found last, by place: the node; and the joint of its system's forest that holds it to one
     // eliminated later, or kInvalid.
     Array<std::uint32_t> node_at, joint_at;
+    Array<Edge> ordered_edges;           // of all systems, as they were ordered last
+    Array<std::uint32_t> ordered_begin;  // where those of a system begin
   };
   /// Made when first asked for: most worlds eliminate nothing.
   Scratch& scratch() {
     if (!scratch_) scratch_ = make_owned<Scratch>(memory_, memory_);
     return *scratch_;
   }
+
+  /// Whether nothing is below the diagonal of a place: of a joint's child that none but its parent takes along.
+  bool is_bare(std::uint32_t at) const { return column[at] == column[at + 1]; }
 
   void clear() { place.clear(), column.assign(1, 0), rows.clear(); }
 
@@ -66,7 +73,8 @@ struct Elimination {
 /// Add a system: minimum degree on the quotient graph, ties to the lowest node.
 /// @param first, count  nodes of the system; nodes of earlier systems are below first
 /// @param edges  within the system; repeats are harmless
-/// @param forest  joints, without loops: a node goes only once all its neighbours there but one are gone
+/// @param forest  joints, without loops: a node goes only once all its neighbours there but one are gone. That one is coupled
+///                to whatever it is coupled to; if that is nothing else, it takes the node along and there is no block
 /// @param most  block products: what takes more is not completed, and its columns are empty
 /// @return block products that a factorisation takes; more than `most` where it was not completed
 /// @source [George1989]

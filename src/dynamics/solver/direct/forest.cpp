@@ -10,20 +10,12 @@ namespace {
 Real size_of(const ConeBody& b) { return std::sqrt(b.inertia.trace() * b.inv_mass / 2); }
 
 /// How fast the child makes a row go.
-Vec6 row_of_child(const ConeLink& c, bool child_is_a) { return child_is_a ? Vec6(-c.d_a, -c.w_a) : Vec6(c.d_b, c.w_b); }
+RowOfTwos row_of_child(const ConeLink& c, bool child_is_a) {
+  return child_is_a ? RowOfTwos(-c.d_a, -c.w_a) : RowOfTwos(c.d_b, c.w_b);
+}
 
 std::span<ConeLink> locks_of(ConeProblem& problem, const TreeNode& node) {
   return problem.locks.subspan(node.first_row, node.rows);
-}
-
-Vec6 operator*(const Block& m, const Vec6& v) {
-  Vec6 y;
-  for (int r = 0; r < kDof; ++r) {
-    Real s = 0;
-    for (int c = 0; c < kDof; ++c) s += m.x[r][c] * v[c];
-    y[r] = s;
-  }
-  return y;
 }
 
 /// Backwards over a forest: momentum of each node in scratch, what is left of it for the parent. ConeBody::step: y.
@@ -33,22 +25,17 @@ void gather_momentum(ConeProblem& problem, const Shift& shift) {
   for (std::uint32_t j = 0; j < problem.tree.size(); ++j) {
     const TreeNode& node = problem.tree[j];
     if (node.is_alone()) continue;
-    Vec6& momentum = problem.scratch[problem.first + j];
+    const Vec6& gathered = problem.scratch[problem.first + j];
     Vec6& y = problem.bodies[problem.body_at(j)].step;
     if (!node.is_held()) {
-      y = momentum;
-      solve_lower(node.factor, y);
+      y = gathered;
+      solve_lower(node.by_mass.factor, y);
       continue;
     }
-    if (const Vec6* const t = shift(j)) momentum -= node.inertia * *t;
-    with_freedom(node.freedom, [&](auto n) {
-      y = freely(node, momentum, n);
-      solve_lower(node.factor, y, n);
-      if (node.parent == kInvalid) return;
-      for (int k = 0; k < n; ++k)
-        for (int r = 0; r < kDof; ++r) momentum[r] -= node.coupling.x[r][k] * y[k];
-      problem.scratch[node.parent] += handed_over(node, momentum);
-    });
+    RowOfTwos momentum = row_of(gathered);
+    if (const Vec6* const t = shift(j)) momentum.subtract(product(node.inertia, *t));
+    with_freedom(node.freedom, [&](auto n) { y = take_freely(node, node.by_mass, momentum, n); });
+    if (node.parent != kInvalid) add_to(problem.scratch[node.parent], handed_over(node, momentum));
   }
 }
 
@@ -60,20 +47,17 @@ void spread_velocities(ConeProblem& problem, const Shift& shift) {
     if (node.is_alone()) continue;
     Vec6& v = problem.bodies[problem.body_at(j)].step;
     if (!node.is_held()) {
-      solve_upper(node.factor, v);
+      solve_upper(node.by_mass.factor, v);
       continue;
     }
     with_freedom(node.freedom, [&](auto n) {
-      Vec6 y = v, along = Vec6::zero();
-      if (node.parent != kInvalid) {
-        along = with_parent(node, problem.bodies[problem.body_at(node.parent - problem.first)].step);
-        for (int r = 0; r < kDof; ++r)
-          for (int k = 0; k < n; ++k) y[k] -= node.coupling.x[r][k] * along[r];
-      }
-      solve_upper(node.factor, y, n);
-      if (const Vec6* const t = shift(j)) along += *t;
-      add_free(node, y, along, n);
-      v = along;
+      RowOfTwos along = RowOfTwos::zero();
+      if (node.parent != kInvalid)
+        along = with_parent(node, row_of(problem.bodies[problem.body_at(node.parent - problem.first)].step));
+      const Vec6 q = go_freely(node.by_mass, v, along, n);
+      if (const Vec6* const t = shift(j)) along.add(row_of(*t));
+      add_free(node, q, along, n);
+      along.store(v.at);
     });
   }
 }
@@ -84,7 +68,8 @@ constexpr auto kNoShift = [](std::uint32_t) -> const Vec6* { return nullptr; };
 
 void plant(std::span<TreeNode> nodes, std::span<const TreeJoint> joints, Elimination& order, std::uint32_t first) {
   for (TreeNode& node : nodes)
-    node.parent = kInvalid, node.rows = node.drives = 0, node.freedom = kDof, node.has_children = false;
+    node.parent = kInvalid, node.rows = node.drives = 0, node.freedom = kDof, node.has_children = false,
+    node.is_stale = true;
   const Elimination::Scratch& of = order.scratch();
   for (std::uint32_t j = 0; j < nodes.size(); ++j) {
     const std::uint32_t k = of.joint_at[first + j];
@@ -111,19 +96,21 @@ void act_at_child(ConeLink& c, const TreeNode& node) {
     c.d_a = c.d_b, c.w_a = c.w_b + node.arm.cross(c.d_b);
 }
 
-/// S, and how fast limits and drives go along it.
-void free_child(ConeProblem& problem, TreeNode& node) {
-  node.freedom = node.locks.freedom();
-  for (int k = 0; k < node.freedom; ++k) {
-    const Vec6 free = node.locks.free(k);
-    std::copy(free.at, free.at + kDof, node.basis.x[k]);
-  }
+/// How fast limits and drives go along S.
+void free_drives(ConeProblem& problem, TreeNode& node) {
   for (ConeLink& c : problem.links.subspan(node.first_drive, node.drives)) {
     c.is_of_child = true;
     if (node.parent != kInvalid) act_at_child(c, node);
     c.of_child = freely(node, row_of_child(c, node.child_is_a), node.freedom);
   }
-  node.driven = {};
+  set_zero(node.driven);
+}
+
+/// S, from what is locked.
+void free_child(ConeProblem& problem, TreeNode& node) {
+  node.freedom = node.locks.freedom();
+  for (int k = 0; k < node.freedom; ++k) node.locks.free(k, node.basis.x[k]);
+  free_drives(problem, node);
 }
 
 }  // namespace
@@ -131,13 +118,13 @@ void free_child(ConeProblem& problem, TreeNode& node) {
 void articulate(ConeProblem& problem) {
   const std::span<TreeNode> tree = problem.tree;
   for (std::uint32_t j = 0; j < tree.size(); ++j)
-    if (!tree[j].is_alone()) tree[j].inertia = mass_block(problem.bodies[problem.body_at(j)]);
+    if (!tree[j].is_alone()) put_masses(problem.bodies[problem.body_at(j)], tree[j].inertia);
   for (std::uint32_t j = 0; j < tree.size(); ++j) {
     TreeNode& node = tree[j];
     if (node.is_alone()) continue;
     if (!node.is_held()) {
-      node.factor = node.inertia;
-      factor_in_place(node.factor);  // of masses alone it can't fail
+      copy(node.inertia, node.by_mass.factor);
+      factor_in_place(node.by_mass.factor);  // of masses alone it can't fail
       continue;
     }
     const ConeBody& body = problem.bodies[problem.body_at(j)];
@@ -146,10 +133,17 @@ void articulate(ConeProblem& problem) {
     if (node.parent != kInvalid)
       node.arm = body.place - problem.bodies[problem.body_at(node.parent - problem.first)].place;
     free_child(problem, node);
-    couple(node);
-    if (node.parent == kInvalid) continue;
-    add_left(node, tree[node.parent - problem.first].inertia);
+    with_freedom(node.freedom, [&](auto n) {
+      free_column(node.inertia, node.basis, nullptr, node.by_mass, n);
+      if (node.parent != kInvalid)
+        add_left(node.inertia, node.by_mass, node.arm, tree[node.parent - problem.first].inertia, n);
+    });
   }
+}
+
+void free_drives(ConeProblem& problem) {
+  for (TreeNode& node : problem.tree)
+    if (node.is_held()) free_drives(problem, node);
 }
 
 void respond(ConeProblem& problem) {
@@ -177,9 +171,10 @@ void obey_locks(ConeProblem& problem) {
     shift.set_zero();
     if (!node.is_held()) continue;
     const std::span<const ConeLink> locks = locks_of(problem, node);
-    shift = node.locks.velocity([&](std::uint32_t i) {
+    const RowOfTwos asked = node.locks.velocity([&](std::uint32_t i) {
       return locks[i].low - locks[i].surface - relative<&ConeBody::v>(problem.bodies, locks[i]);
     });
+    asked.store(shift.at);
   }
   const auto shift = [&](std::uint32_t j) { return &problem.bodies[problem.body_at(j)].change; };
   gather_momentum(problem, shift);
@@ -198,12 +193,12 @@ void find_lock_impulses(ConeProblem& problem) {
   for (std::uint32_t j = 0; j < problem.tree.size(); ++j) {
     const TreeNode& node = problem.tree[j];
     if (!node.is_held()) continue;
-    const Vec6& wrench = problem.scratch[problem.first + j];
+    const RowOfTwos wrench = row_of(problem.scratch[problem.first + j]);
     node.locks.find_impulses(wrench, [&](std::uint32_t i, Real p) {
       ConeLink& lock = problem.locks[node.first_row + i];
       lock.p = p, lock.u = lock.low;
     });
-    if (node.parent != kInvalid) problem.scratch[node.parent] += handed_over(node, wrench);
+    if (node.parent != kInvalid) add_to(problem.scratch[node.parent], handed_over(node, wrench));
   }
 }
 

@@ -12,6 +12,9 @@ void plant(std::span<TreeNode> nodes, std::span<const TreeJoint> joints, Elimina
 /// What the forest is made of, where bodies and their masses are now.
 void articulate(ConeProblem& problem);
 
+/// Of articulate(), limits and drives alone: their rows are new, and bodies have hardly turned since.
+void free_drives(ConeProblem& problem);
+
 /// Lead velocities of bodies to the nearest, by their masses, at which all locks of the forest have what is asked.
 void obey_locks(ConeProblem& problem);
 

@@ -18,11 +18,11 @@ void reserve_groups(DirectGroups& d) {
   if (d.contacts.capacity() >= kSome) return;
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
   Elimination& e = d.elimination;
-  reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.ordered_edges, d.ordered_begin, d.scratch, d.products,
-          d.solution, d.rest, d.factor.diagonal, d.factor.below, e.place, e.column, e.rows);
+  reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.scratch, d.products, d.solution, d.rest, d.factor.diagonal,
+          d.factor.beside, d.factor.is_filled, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch();
-  reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.member, s.joints, s.joint, s.node_at,
-          s.joint_at);
+  reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.member, s.joints, s.joint, s.node_at, s.joint_at,
+          s.ordered_edges, s.ordered_begin);
   s.link.reserve(2 * kSome), s.begin.reserve(2 * kSome);
 }
 
@@ -76,7 +76,9 @@ void gather(const World& world, DirectGroups& d) {
 
 /// Find an order of elimination, unless the bodies hang together as they did in the last step.
 void order(DirectGroups& d, std::uint64_t most_factor) {
-  if (d.edges == d.ordered_edges && std::ranges::equal(d.begin, d.ordered_begin, {}, &DirectGroups::Begin::edge) &&
+  Elimination::Scratch& last = d.elimination.scratch();
+  if (d.edges == last.ordered_edges &&
+      std::ranges::equal(d.begin, last.ordered_begin, {}, &DirectGroups::Begin::edge) &&
       (!d.has_forest() || d.forest().joints == d.forest().ordered) && d.bodies.size() == d.elimination.place.size())
     return;
   d.elimination.clear();
@@ -86,8 +88,8 @@ void order(DirectGroups& d, std::uint64_t most_factor) {
                               {d.edges.data() + d.begin[g].edge, d.begin[g + 1].edge - d.begin[g].edge}, d.forest_of(g),
                               most_factor, d.elimination);
   d.scratch.resize(d.bodies.size());
-  d.ordered_edges = d.edges, d.ordered_begin.resize(d.begin.size());
-  std::ranges::transform(d.begin, d.ordered_begin.begin(), &DirectGroups::Begin::edge);
+  last.ordered_edges = d.edges, last.ordered_begin.resize(d.begin.size());
+  std::ranges::transform(d.begin, last.ordered_begin.begin(), &DirectGroups::Begin::edge);
   if (d.has_forest()) d.forest().ordered = d.forest().joints;
 }
 
@@ -115,11 +117,12 @@ void plant_forests(DirectGroups& d, std::uint64_t most_factor) {
 /// factored that is nowhere, and nothing reads it.)
 void place_contacts(DirectGroups& d) {
   const auto place = [&](auto& c) {
-    c.below = kInvalid;
+    c.beside = kInvalid;
     if (c.a == kInvalid || c.b == kInvalid) return;
     const std::uint32_t a = d.elimination.place[c.a], b = d.elimination.place[c.b];
     c.a_later = a > b;
-    c.below = static_cast<std::uint32_t>(d.factor.at(d.elimination, std::max(a, b), std::min(a, b)));
+    if (d.elimination.is_bare(std::min(a, b))) return;  // a joint's own limit or drive
+    c.beside = static_cast<std::uint32_t>(d.factor.at(d.elimination, std::max(a, b), std::min(a, b)));
   };
   std::ranges::for_each(d.contacts, place);
   std::ranges::for_each(d.links, place);
@@ -133,7 +136,8 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   order(d, most_factor);
   plant_forests(d, most_factor);
   const std::size_t matrices = d.links.empty() ? 1 : 2;
-  remake(d.factor.diagonal, matrices * d.bodies.size()), remake(d.factor.below, matrices * d.elimination.rows.size());
+  remake(d.factor.diagonal, matrices * d.bodies.size()), remake(d.factor.beside, matrices * d.elimination.rows.size());
+  d.factor.is_filled.resize(matrices * d.elimination.rows.size());
   place_contacts(d);
   load_groups(world, memory, d);
   d.solution.resize(d.groups());

@@ -158,11 +158,8 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
           {first + r, place.lane, place.lanes, drives, drives ? lanes_of(i).layout.drive[r].kind : DriveKind::limit});
     }
   };
-  for (const std::uint32_t i : joints) {
-    const Link& link = c.links[i];
-    const std::uint32_t a = d.node(link.moves_a, link.a), b = d.node(link.moves_b, link.b);
-    if (a != kInvalid && b != kInvalid) d.edges.push_back({a, b});
-  }
+  for (const std::uint32_t i : joints)
+    d.node(c.links[i].moves_a, c.links[i].a), d.node(c.links[i].moves_b, c.links[i].b);
   // What locks most is of the forest first: fewer rows are left.
   Roots roots(d.forest().root, begin.body, static_cast<std::uint32_t>(d.bodies.size()) - begin.body);
   Array<std::uint32_t>& of_forest = d.elimination.scratch().member;
@@ -177,10 +174,12 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
   std::ranges::sort(of_forest);
   for (const std::uint32_t i : joints) {
     const JointLanes& joint = lanes_of(i);
+    const Link& link = c.links[i];
     if (!std::ranges::binary_search(of_forest, i)) {
       add_rows(i, joint.first, joint.layout.equalities, false);
+      const std::uint32_t a = d.node(link.moves_a, link.a), b = d.node(link.moves_b, link.b);
+      if (a != kInvalid && b != kInvalid) d.edges.push_back({a, b});
     } else {
-      const Link& link = c.links[i];
       d.forest().joints.push_back({.a = d.node(link.moves_a, link.a),
                                    .b = d.node(link.moves_b, link.b),
                                    .first_row = 0,
@@ -235,7 +234,9 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
       if (b.locks) return locked_response(b, d, turn);
       return b.inv_mass * d.squared_norm() + turn.dot(b.inv_inertia * turn);
     };
-    c.k = response(c.a, c.d_a, c.w_a) + response(c.b, c.d_b, c.w_b);
+    const bool is_of_forest = i >= problem.links.size();
+    c.k = is_of_forest ? 1
+                       : response(c.a, c.d_a, c.w_a) + response(c.b, c.d_b, c.w_b);  // locks there hold, whatever it is
     c.bends = false;
     c.p = c.start_p = phase == LinkPhase::move ? get(row.p, lane) : 0;
     if (at_row.is_drive)

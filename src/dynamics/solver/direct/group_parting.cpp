@@ -76,9 +76,13 @@ void ConeGroup::let_locks_yield() {
     if (c.is_lock()) c.give = kGiveOfDisplacements * c.k;
 }
 
-void ConeGroup::part(Poses& to, Real h) { part(to, h, kJointPush * h); }
+void ConeGroup::part(Poses& to, Real h) {
+  part(to, h, kJointPush * h, may_contradict() ? Forest::as_it_began : Forest::anew);
+}
 
-void ConeGroup::part(Poses& to, Real h, Real most_closed) {
+void ConeGroup::part_again(Poses& to, Real h) { part(to, h, kJointPush * h, Forest::anew); }
+
+void ConeGroup::part(Poses& to, Real h, Real most_closed, Forest forest) {
   if (rest_.lasts || rest_.is_too_large) return;
   Real tolerance = world_.scene.dials[Dial::position_tolerance];
   const Real most = world_.scene.dials[Dial::push_speed] * h;
@@ -95,7 +99,7 @@ void ConeGroup::part(Poses& to, Real h, Real most_closed) {
   });
   for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
   load_links(world_, problem_, link_row_, LinkPhase::part, h, most_closed);
-  hold_forest();
+  hold_forest(forest);
   for (ConeContact& c : problem_.contacts) c.u = relative<&ConeBody::v>(problem_.bodies, c);
   measure_links(problem_);
   const Real most_asked = asked();
@@ -104,6 +108,7 @@ void ConeGroup::part(Poses& to, Real h, Real most_closed) {
   const auto most_steps = static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>(kLeastWork / work_, 2 * kAlways.value, kStepsOfYielding.value));
   solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
+  rest_.has_parted = true;
   const Real share = displacement_share(most_asked, most_closed);
   for (const ConeBody& b : bodies_of(problem_)) {
     Vec3 turn = share * b.v.angular();
@@ -133,7 +138,7 @@ void ConeGroup::follow_swept(Poses& to, Real h) {
     b.mass *= kHeavier, b.inertia = kHeavier * b.inertia;
     b.inv_mass /= kHeavier, b.inv_inertia = b.inv_inertia / kHeavier;
   }
-  part(to, h, std::sqrt(fastest2) * h);
+  part(to, h, std::sqrt(fastest2) * h, Forest::anew);
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b);
 }
 
@@ -143,7 +148,7 @@ void ConeGroup::settle(Velocities& to, Real h) {
   turn_frames();
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);
-  hold_forest();
+  hold_forest(Forest::anew);
   measure_links(problem_);
   const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
   solution_.factorisations += solution.factorisations;

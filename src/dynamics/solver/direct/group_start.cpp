@@ -126,9 +126,13 @@ void ConeGroup::lead_back(Real h) {
 }
 
 /// Velocities at which joints of the forest hold, and nothing else acts.
-void ConeGroup::hold_forest() {
+/// @param forest  as it began: what its joints let go is that of the substep's beginning
+void ConeGroup::hold_forest(Forest forest) {
   for (ConeBody& b : bodies_of(problem_)) b.unheld = b.v, b.place = s_.x[b.slot];
-  articulate(problem_);
+  if (forest == Forest::anew)
+    articulate(problem_);
+  else
+    free_drives(problem_);
   obey_locks(problem_);
   for (ConeBody& b : bodies_of(problem_)) b.before = b.v;
 }
@@ -183,7 +187,7 @@ Real ConeGroup::start(Real h) {
   });
   if (is_joined()) stiffen(world_, problem_, link_row_, h);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
-  hold_forest();
+  hold_forest(Forest::anew);
   for (ConeLink& link : problem_.links)  // `gained` is, as yet, minus what the substep before ended with
     if (link.is_spring()) link.p = link.start_p = link.given(-relative<&ConeBody::gained>(problem_.bodies, link));
   for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);

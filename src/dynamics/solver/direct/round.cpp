@@ -69,7 +69,7 @@ void Round::trace(Real length) {
   for (ConeContact& c : problem_.contacts) {
     Vec3 next = c.p;
     if (c.curvature == ConeCurvature::alike) next -= c.du / resistance(c);
-    if (c.curvature == ConeCurvature::slope) next -= slope(c) * c.du;
+    if (c.curvature == ConeCurvature::slope) next -= c.slope * c.du;
     c.traced_p += length * (next - c.traced_p);
   }
   for (ConeLink& c : problem_.links) {
@@ -89,7 +89,7 @@ Real Round::find_gradient() {
   for (ConeBody& b : bodies_of(problem_)) b.gradient = momentum_of(b, b.change);
   for (ConeContact& c : problem_.contacts) {
     c.p = project(c, pull(c, c.u));
-    add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
+    if (c.p != c.p0) add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
   for (ConeLink& c : problem_.links) {
     c.p = c.k > 0 ? c.pulled(c.u, resistance(c), c.p0) : 0;
@@ -98,7 +98,7 @@ Real Round::find_gradient() {
   respond(problem_);
   Real most = 0;
   for (const ConeContact& c : problem_.contacts)
-    most = std::max(most, relative<&ConeBody::step>(problem_.bodies, c).squared_norm());
+    if (c.p != c.p0) most = std::max(most, relative<&ConeBody::step>(problem_.bodies, c).squared_norm());
   for (const ConeLink& c : problem_.links) {
     const Real u = relative<&ConeBody::step>(problem_.bodies, c);
     most = std::max(most, u * u);
@@ -107,8 +107,9 @@ Real Round::find_gradient() {
 }
 
 Round::NextFactor Round::find_factor(Real still) {
-  const bool is_same = find_curvatures(still);
-  if (is_same && problem_.factored == factored_as()) return NextFactor::same;
+  const bool is_same = find_curvatures(still), is_as_soft = problem_.factored == factored_as();
+  if (is_same && is_as_soft) return NextFactor::same;
+  spread_stale(!is_as_soft);
   problem_.factored = 0;
   assemble();
   if (!factor(*problem_.elimination, problem_.first, problem_.last, problem_.tree, *problem_.factor))
@@ -126,17 +127,44 @@ ConeCurvature Round::curvature_of(const ConeContact& c, Real still) const {
 
 bool Round::find_curvatures(Real still) {
   bool is_same = true;
+  for (TreeNode& node : problem_.tree) node.is_stale = false;
+  const auto change = [&](const auto& c) {
+    is_same = false;
+    if (!problem_.tree.empty()) mark_stale(c.a), mark_stale(c.b);
+  };
   for (ConeContact& c : problem_.contacts) {
     const ConeCurvature now = curvature_of(c, still);
-    is_same &= now == c.curvature && now != ConeCurvature::slope;
+    if (now != c.curvature || now == ConeCurvature::slope) change(c);
     c.curvature = now;
   }
   for (ConeLink& c : problem_.links) {
     const bool is_held = c.k > 0 && c.follows(c.u, resistance(c), c.p0);
-    is_same &= is_held == c.is_held;
+    if (is_held != c.is_held) change(c);
     c.is_held = is_held;
   }
   return is_same;
+}
+
+// What a node leaves is taken from those after it: they are stale with it. What they are left by others is to be found again:
+// of what goes along with its parent alone it is known, others are factored once more.
+void Round::spread_stale(bool changed) {
+  const Elimination& e = *problem_.elimination;
+  const auto nodes = static_cast<std::uint32_t>(problem_.tree.size());
+  const auto of = [&](std::uint32_t place) -> bool& { return problem_.tree[place - problem_.first].is_stale; };
+  for (TreeNode& node : problem_.tree) node.is_stale |= changed;
+  for (std::uint32_t j = 0; j < nodes; ++j) {
+    const TreeNode& node = problem_.tree[j];
+    if (!node.is_stale) continue;
+    if (node.is_held() && node.parent != kInvalid) of(node.parent) = true;
+    for (std::uint32_t k = e.column[problem_.first + j]; k < e.column[problem_.first + j + 1]; ++k)
+      of(e.rows[k]) = true;
+  }
+  for (std::uint32_t j = nodes; j-- > 0;) {
+    TreeNode& node = problem_.tree[j];
+    if (node.is_stale || (node.is_held() && node.is_bare)) continue;
+    for (std::uint32_t k = e.column[problem_.first + j]; k < e.column[problem_.first + j + 1]; ++k)
+      node.is_stale |= of(e.rows[k]);
+  }
 }
 
 void Round::find_step() {
@@ -146,6 +174,12 @@ void Round::find_step() {
 }
 
 namespace {
+
+/// Where nothing has friction: most of what bears nothing.
+void find_frictionless_line(ConeContact& c, const Vec3& z0, Real r) {
+  c.line.n0 = z0.dot(c.n), c.line.u_n = c.du.dot(c.n), c.line.n1 = -c.line.u_n / r;
+  c.line.start = c.du.dot(c.p0);
+}
 
 /// @param z1  change of z with the step
 ConeLine line_of(const ConeContact& c, const Vec3& z0, const Vec3& z1) {
@@ -170,7 +204,9 @@ Real gain_in_cone(const ConeLine& line, Real mu, Real length) {
 
 /// As project_on_cylinder() has it.
 Real gain_in_cylinder(const ConeLine& line, Real most, Real length) {
-  const Real n = line.n0 + length * line.n1, u_t = line.ut0 + length * line.ut1;
+  const Real n = line.n0 + length * line.n1;
+  if (most == 0) return line.u_n * std::max(n, Real(0)) - line.start;
+  const Real u_t = line.ut0 + length * line.ut1;
   const Real t = std::sqrt(std::max(Real(0), line.t00 + length * (2 * line.t01 + length * line.t11)));
   return line.u_n * std::max(n, Real(0)) + (t <= most ? u_t : most / t * u_t) - line.start;
 }
@@ -191,8 +227,15 @@ Round::Slope Round::find_slope() {
   slope.rounding = std::fabs(slope.start);
   for (ConeContact& c : problem_.contacts) {
     const Real r = resistance(c);
-    c.line = line_of(c, pull(c, c.u), c.du / -r);
-    slope.rounding += c.du.norm() * (c.p.norm() + c.p0.norm() + (c.u.norm() + std::fabs(c.want - c.slip)) / r);
+    if (is_known_ && c.most_friction == 0) {
+      find_frictionless_line(c, pull(c, c.u), r);
+      if (std::max(c.line.n0, c.line.n0 + c.line.n1) <= 0 && c.p0 == Vec3::zero()) continue;  // it bears nothing
+    } else {
+      c.line = line_of(c, pull(c, c.u), c.du / -r);
+    }
+    const Real asked = c.want - c.slip;
+    slope.rounding += std::sqrt(c.du.squared_norm() * (c.p.squared_norm() + c.p0.squared_norm() +
+                                                       (c.u.squared_norm() + asked * asked) / (r * r)));
   }
   for (const ConeLink& c : problem_.links) {
     if (!(c.k > 0)) continue;

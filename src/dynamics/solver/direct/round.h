@@ -57,8 +57,13 @@ class Round {
   /// What a host has just built touches and bears nothing yet: all its contacts are at the tips of their cones, where
   /// dP/dz jumps. Taken as off the cones they would be found one layer a step.
   /// @param still  m/s: contacts that bear nothing and move no faster are taken to stick
-  /// @return whether the factor is that of these curvatures
+  /// @return whether the factor is that of these curvatures; what is not has stale nodes
   bool find_curvatures(Real still);
+  /// Nodes of the forest that are to be factored anew.   @param changed  the softness, so all
+  void spread_stale(bool changed);
+  void mark_stale(std::uint32_t body) {
+    if (body != kInvalid) problem_.tree[problem_.elimination->place[body] - problem_.first].is_stale = true;
+  }
   ConeCurvature curvature_of(const ConeContact& c, Real still) const;
   /// M + sum J^T (dP/dz / R) J. Locks are always in it, and hardly a round resists them otherwise than the last: with
   /// the masses they are assembled once a solve.

@@ -77,56 +77,66 @@ void add_outer(Block& b, Real w, const LinkArms& r, const LinkArms& c) {
     for (int j = 0; j < kDof; ++j) b.x[i][j] += row[i] * column[j];
 }
 
+/// Where what couples two bodies is added to: the block is of the one eliminated first.
+template <class C>
+bool is_stale_beside(const ConeProblem& problem, const C& c) {
+  return c.beside != kInvalid && problem.is_stale(problem.elimination->place[c.a_later ? c.b : c.a]);
+}
+
 /// J^T w J of a row.
-void add_link(const Elimination& e, const Blocks& f, const ConeLink& c, Real w) {
+void add_link(const ConeProblem& problem, const Blocks& f, const ConeLink& c, Real w) {
+  const Array<std::uint32_t>& place = problem.elimination->place;
   const LinkArms a = {c.d_a, c.w_a}, b = {c.d_b, c.w_b};
-  if (c.a != kInvalid) add_outer(f.diagonal[e.place[c.a]], w, a, a);
-  if (c.b != kInvalid) add_outer(f.diagonal[e.place[c.b]], w, b, b);
-  if (c.below == kInvalid) return;
-  add_outer(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
+  if (c.a != kInvalid && problem.is_stale(place[c.a])) add_outer(f.diagonal[place[c.a]], w, a, a);
+  if (c.b != kInvalid && problem.is_stale(place[c.b])) add_outer(f.diagonal[place[c.b]], w, b, b);
+  if (is_stale_beside(problem, c)) add_outer(f.filled(c.beside), -w, c.a_later ? b : a, c.a_later ? a : b);
 }
 
 }  // namespace
 
 void assemble_masses(const ConeProblem& problem, const Blocks& f) {
   const Elimination& e = *problem.elimination;
-  for (std::uint32_t i = problem.first; i < problem.last; ++i) f.diagonal[e.place[i]] = mass_block(problem.bodies[i]);
-  std::fill(f.below + e.column[problem.first], f.below + e.column[problem.last], Block{});
+  for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+    const std::uint32_t j = e.place[i];
+    if (!problem.is_stale(j)) continue;
+    put_masses(problem.bodies[i], f.diagonal[j]);
+    std::fill(f.is_filled + e.column[j], f.is_filled + e.column[j + 1], 0);
+  }
 }
 
 void add_sticking(ConeProblem& problem, const ConeContact& c, Real w) {
   const Elimination& e = *problem.elimination;
-  BlockFactor& f = *problem.factor;
+  const Blocks f = problem.factor->all();
   const auto add = [&](Block& d, Real by, const ContactArms& a, const ContactArms& b) {
     add_isotropic(d, by, a.r, b.r);
     if (c.is_spread) add_moments(d, by, c.n, a, b);
   };
   const ContactArms a = {c.r_a, c.n_a}, b = {c.r_b, c.n_b};
-  if (c.a != kInvalid) add(f.diagonal[e.place[c.a]], w, a, a);
-  if (c.b != kInvalid) add(f.diagonal[e.place[c.b]], w, b, b);
-  if (c.below == kInvalid) return;
-  add(f.below[c.below], -w, c.a_later ? a : b, c.a_later ? b : a);
+  if (c.a != kInvalid && problem.is_stale(e.place[c.a])) add(f.diagonal[e.place[c.a]], w, a, a);
+  if (c.b != kInvalid && problem.is_stale(e.place[c.b])) add(f.diagonal[e.place[c.b]], w, b, b);
+  if (is_stale_beside(problem, c)) add(f.filled(c.beside), -w, c.a_later ? b : a, c.a_later ? a : b);
 }
 
 void hold_locked(ConeProblem& problem) {
   const auto locked = [](const ConeBody& b) { return b.locks != 0; };
   if (std::ranges::none_of(bodies_of(problem), locked)) return;
   const Elimination& e = *problem.elimination;
-  BlockFactor& f = *problem.factor;
+  const Blocks f = problem.factor->all();
   for (std::uint32_t i = problem.first; i < problem.last; ++i) {
+    if (!problem.is_stale(e.place[i])) continue;
     const ConeBody& b = problem.bodies[i];
     Block& d = f.diagonal[e.place[i]];
     strike_out(d, b.locks, b.locks);
     for (int k = 0; k < kDof; ++k)
       if (b.locks >> k & 1) d.x[k][k] = k < 3 ? b.mass : b.inertia(k - 3, k - 3);
   }
-  const auto hold_below = [&](const auto& c) {
-    if (c.below == kInvalid) return;
+  const auto hold_beside = [&](const auto& c) {
+    if (!is_stale_beside(problem, c) || !f.is_filled[c.beside]) return;
     const std::uint32_t later = c.a_later ? c.a : c.b, other = c.a_later ? c.b : c.a;
-    strike_out(f.below[c.below], problem.bodies[later].locks, problem.bodies[other].locks);
+    strike_out(f.beside[c.beside], problem.bodies[other].locks, problem.bodies[later].locks);
   };
-  std::ranges::for_each(problem.contacts, hold_below);
-  std::ranges::for_each(problem.links, hold_below);
+  std::ranges::for_each(problem.contacts, hold_beside);
+  std::ranges::for_each(problem.links, hold_beside);
 }
 
 void solve_for_steps(ConeProblem& problem, Real sign) {
@@ -146,13 +156,13 @@ void Round::assemble_locked() {
   const Blocks common = problem_.factor->common(e);
   assemble_masses(problem_, common);
   for (const ConeLink& c : problem_.links)
-    if (c.k > 0 && c.is_lock() && !c.is_of_child) add_link(e, common, c, 1 / resistance(c));
+    if (c.k > 0 && c.is_lock() && !c.is_of_child) add_link(problem_, common, c, 1 / resistance(c));
   problem_.locked_softness = softness_of_locks();
 }
 
 void Round::add_driven(TreeNode& node) const {
-  if (node.drives == 0) return;
-  node.driven = {};
+  if (node.drives == 0 || !node.is_stale) return;
+  set_zero(node.driven);
   for (const ConeLink& c : problem_.links.subspan(node.first_drive, node.drives)) {
     if (!c.is_held) continue;
     const Real w = 1 / (resistance(c) + c.give);
@@ -169,33 +179,34 @@ void Round::assemble() {
   } else {
     assemble_locked();
     const Blocks common = problem_.factor->common(e);
-    const auto copy = [](const Block* from, std::size_t begin, std::size_t end, Block* to) {
-      std::copy(from + begin, from + end, to + begin);
-    };
-    copy(common.diagonal, problem_.first, problem_.last, f.diagonal);
-    copy(common.below, e.column[problem_.first], e.column[problem_.last], f.below);
+    for (std::uint32_t j = problem_.first; j < problem_.last; ++j) {
+      if (!problem_.is_stale(j)) continue;
+      copy(common.diagonal[j], f.diagonal[j]);
+      for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
+        if ((f.is_filled[k] = common.is_filled[k])) copy(common.beside[k], f.beside[k]);
+    }
   }
-  for (const ConeContact& c : problem_.contacts) {
+  for (ConeContact& c : problem_.contacts) {
     if (c.curvature == ConeCurvature::none) continue;
     if (c.curvature == ConeCurvature::alike) {
       add_sticking(problem_, c, 1 / resistance(c));
       continue;
     }
-    const Mat3 w = slope(c);
+    const Mat3 w = c.slope = slope(c);
     const Turning on_a(c, c.r_a, c.n_a), on_b(c, c.r_b, c.n_b);
     const Mat3 w_a = w * on_a.x, w_b = w * on_b.x;
-    if (c.a != kInvalid) add_own(f.diagonal[e.place[c.a]], w, on_a, w_a);
+    if (c.a != kInvalid) add_own(f.diagonal[e.place[c.a]], w, on_a, w_a);  // where it slides it is stale
     if (c.b != kInvalid) add_own(f.diagonal[e.place[c.b]], w, on_b, w_b);
-    if (c.below == kInvalid) continue;
-    Block& d = f.below[c.below];
-    const Mat3 &back = c.a_later ? on_a.back : on_b.back, &other = c.a_later ? w_b : w_a;
+    if (c.beside == kInvalid) continue;
+    Block& d = f.filled(c.beside);
+    const Mat3 &back = c.a_later ? on_b.back : on_a.back, &later = c.a_later ? w_a : w_b;
     add(d, 0, 0, -w);
-    add(d, 0, 3, other);
+    add(d, 0, 3, later);
     add(d, 3, 0, -(back * w));
-    add(d, 3, 3, back * other);
+    add(d, 3, 3, back * later);
   }
   for (const ConeLink& c : problem_.links)
-    if (c.is_held && !c.is_lock() && !c.is_of_child) add_link(e, f, c, 1 / (resistance(c) + c.give));
+    if (c.is_held && !c.is_lock() && !c.is_of_child) add_link(problem_, f, c, 1 / (resistance(c) + c.give));
   for (TreeNode& node : problem_.tree) add_driven(node);
   hold_locked(problem_);
 }

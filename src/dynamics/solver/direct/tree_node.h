@@ -20,6 +20,12 @@
 
 namespace carom::dynamics {
 
+/// Unknowns of a child, in a matrix a: S^T a S = L L^T.
+struct FreedColumn {
+  Block factor;    // L, freedom x freedom, @see factor_in_place()
+  Block coupling;  // L^-1 S^T a, freedom x 6
+};
+
 /// A body, by its place in the order of elimination.
 struct TreeNode {
   std::uint32_t parent;               // place: kInvalid where it is free, or held by what impulses do not move
@@ -34,11 +40,13 @@ struct TreeNode {
   LockedRows locks{1};
   Vec3 arm;  // m, from the parent's centre of mass to its own: X
   // with the masses there
-  Block inertia;   // 6x6, its own and of what it carries
-  Block factor;    // freedom x freedom: Cholesky's, of S^T inertia S
-  Block coupling;  // 6 x freedom: inertia S factor^-T
+  Block inertia;        // 6x6, its own and of what it carries
+  FreedColumn by_mass;  // of it; of what is free the factor alone
   // of a round
-  Block driven;  // freedom x freedom: what limits and drives add to S^T M S
+  Block driven;        // freedom x freedom: what limits and drives add to S^T M S
+  FreedColumn by_all;  // of Newton's matrix
+  bool is_bare;        // nothing but its joint couples it to what is eliminated later
+  bool is_stale;       // to be factored anew: what acts on it has changed, or on what it carries
 
   bool is_held() const { return rows > 0; }
   bool is_alone() const { return !is_held() && !has_children; }
@@ -49,99 +57,113 @@ template <class F>
 auto with_freedom(int n, const F& f) {
   switch (n) {
     case 1:
-      return f(std::integral_constant<int, 1>());
+      return f(Size<1>());
     case 2:
-      return f(std::integral_constant<int, 2>());
+      return f(Size<2>());
     case 3:
-      return f(std::integral_constant<int, 3>());
+      return f(Size<3>());
     default:
       return f(n);
   }
 }
 
 /// X v: of the child, as if it were one body with its parent.
-inline Vec6 with_parent(const TreeNode& node, const Vec6& v) {
+inline RowOfTwos with_parent(const TreeNode& node, const RowOfTwos& v) {
   return {v.linear() + v.angular().cross(node.arm), v.angular()};
 }
 /// X^T m: of the parent, from momentum of the child.
-inline Vec6 handed_over(const TreeNode& node, const Vec6& m) {
+inline RowOfTwos handed_over(const TreeNode& node, const RowOfTwos& m) {
   return {m.linear(), m.angular() + node.arm.cross(m.linear())};
 }
 /// S^T v
 template <class N>
-Vec6 freely(const TreeNode& node, const Vec6& v, N n) {
+Vec6 freely(const TreeNode& node, const RowOfTwos& v, N n) {
   Vec6 y;
-  for (int k = 0; k < n; ++k) {
-    Real s = 0;
-    for (int c = 0; c < kDof; ++c) s += node.basis.x[k][c] * v[c];
-    y[k] = s;
-  }
+  for (int k = 0; k < n; ++k) y[k] = row_of(node.basis, k).dot(v);
   return y;
 }
 /// to += S q
 template <class N>
-void add_free(const TreeNode& node, const Vec6& q, Vec6& to, N n) {
-  for (int k = 0; k < n; ++k)
-    for (int c = 0; c < kDof; ++c) to[c] += q[k] * node.basis.x[k][c];
+void add_free(const TreeNode& node, const Vec6& q, RowOfTwos& to, N n) {
+  for (int k = 0; k < n; ++k) to.add(q[k], row_of(node.basis, k));
 }
-/// a := a X, @see with_parent().
-inline void take_along(Block& a, const Vec3& arm) {
-  for (Real* const row : a.x) {
-    const Vec3 turns = Vec3::from(row).cross(arm);
-    row[3] -= turns.x(), row[4] -= turns.y(), row[5] -= turns.z();
-  }
-}
-
-/// a := X^T a, @see handed_over().
-inline void hand_over(Block& a, const Vec3& arm) {
-  for (int j = 0; j < kDof; ++j) {
-    const Vec3 moment = arm.cross(Vec3(a.x[0][j], a.x[1][j], a.x[2][j]));
-    a.x[3][j] += moment.x(), a.x[4][j] += moment.y(), a.x[5][j] += moment.z();
-  }
-}
-
-/// a S factor^-T, in the first columns.
+/// Of momentum on a child: y of its unknowns; what they leave is its parent's.
 template <class N>
-void free_columns(const Block& a, const Block& basis, const Block& factor, Block& to, N n) {
-  for (int i = 0; i < kDof; ++i)
-    for (int k = 0; k < n; ++k) {
-      Real s = 0;
-      for (int c = 0; c < kDof; ++c) s += a.x[i][c] * basis.x[k][c];
-      for (int l = 0; l < k; ++l) s -= factor.x[k][l] * to.x[i][l];
-      to.x[i][k] = s / factor.x[k][k];
-    }
+Vec6 take_freely(const TreeNode& node, const FreedColumn& column, RowOfTwos& momentum, N n) {
+  Vec6 y = freely(node, momentum, n);
+  solve_lower(column.factor, y, n);
+  for (int k = 0; k < n; ++k) momentum.subtract(y[k], row_of(column.coupling, k));
+  return y;
+}
+/// q of its unknowns, from y and the velocity at which its parent takes it along.
+template <class N>
+Vec6 go_freely(const FreedColumn& column, Vec6 y, const RowOfTwos& along, N n) {
+  for (int k = 0; k < n; ++k) y[k] -= row_of(column.coupling, k).dot(along);
+  solve_upper(column.factor, y, n);
+  return y;
+}
+/// Row by row: a X, @see with_parent().
+inline RowOfTwos taken_along(const RowOfTwos& row, const Vec3& arm) {
+  return {row.linear(), row.angular() - row.linear().cross(arm)};
+}
+/// to += X^T a, @see handed_over().   @param row  (index) -> of a
+template <class Row>
+void add_handed_over(const Row& row, const Vec3& arm, Block& to) {
+  const RowOfTwos x = row(0), y = row(1), z = row(2);
+  add_to_row(to, 0, x), add_to_row(to, 1, y), add_to_row(to, 2, z);
+  const auto add_moment = [&](int i, const RowOfTwos& next, Real by_next, const RowOfTwos& last, Real by_last) {
+    RowOfTwos moment = row(3 + i);
+    moment.add(by_next, last), moment.subtract(by_last, next);
+    add_to_row(to, 3 + i, moment);
+  };
+  add_moment(0, y, arm.y(), z, arm.z()), add_moment(1, z, arm.z(), x, arm.x()), add_moment(2, x, arm.x(), y, arm.y());
 }
 
-/// S^T m S + more, factored.   @return whether it was definite
+/// S^T a, in the first rows.
 template <class N>
-bool factor_freed(const Block& m, const Block& basis, const Block* more, Block& to, N n) {
+void free_rows(const Block& a, const Block& basis, Block& to, N n) {
   for (int k = 0; k < n; ++k) {
-    Real row[kDof] = {};
-    for (int r = 0; r < kDof; ++r)
-      for (int c = 0; c < kDof; ++c) row[c] += basis.x[k][r] * m.x[r][c];
-    for (int l = 0; l <= k; ++l) {
-      Real s = more ? more->x[k][l] : 0;
-      for (int c = 0; c < kDof; ++c) s += row[c] * basis.x[l][c];
-      to.x[k][l] = s;
-    }
+    RowOfTwos row = row_of(a, 0);
+    row.multiply(basis.x[k][0]);
+    for (int i = 1; i < kDof; ++i) row.add(basis.x[k][i], row_of(a, i));
+    row.store(to.x[k]);
   }
-  return factor_in_place(to, n);
 }
 
-/// Of a child: the factor of S^T inertia S, and inertia S factor^-T. Of masses it can't fail.
-inline void couple(TreeNode& node) {
-  with_freedom(node.freedom, [&](auto n) {
-    factor_freed(node.inertia, node.basis, nullptr, node.factor, n);
-    free_columns(node.inertia, node.basis, node.factor, node.coupling, n);
-  });
+/// Unknowns of a child in a symmetric matrix.
+/// @param more  freedom x freedom, that S^T a S has beside   @return whether it was definite: of masses it is
+template <class N>
+bool free_column(const Block& a, const Block& basis, const Block* more, FreedColumn& to, N n) {
+  free_rows(a, basis, to.coupling, n);
+  for (int k = 0; k < n; ++k)
+    for (int l = 0; l <= k; ++l)
+      to.factor.x[k][l] = row_of(to.coupling, k).dot(row_of(basis, l)) + (more ? more->x[k][l] : 0);
+  if (!factor_in_place(to.factor, n)) return false;
+  solve_rows(to.factor, to.coupling, n);
+  return true;
 }
 
-/// What a child leaves to its parent: to += X^T (inertia - coupling coupling^T) X.
-inline void add_left(const TreeNode& node, Block& to) {
-  Block left = node.inertia;
-  with_freedom(node.freedom, [&](auto n) { subtract_product(left, node.coupling, transposed(node.coupling, n), n); });
-  take_along(left, node.arm), hand_over(left, node.arm);
-  add(to, left);
+/// What a child leaves of a symmetric matrix to its parent: to += X^T (a - coupling^T coupling) X.
+template <class N>
+void add_left(const Block& a, const FreedColumn& column, const Vec3& arm, Block& to, N n) {
+  const auto left = [&](int i) {
+    RowOfTwos row = row_of(a, i);
+    for (int k = 0; k < n; ++k) row.subtract(column.coupling.x[k][i], row_of(column.coupling, k));
+    return row;
+  };
+  const RowOfTwos x = left(0), y = left(1), z = left(2);
+  Vec3 moment[3];  // of linear velocities; across the diagonal forces of angular ones
+  const auto add_moment = [&](int i, const RowOfTwos& next, Real by_next, const RowOfTwos& last, Real by_last) {
+    RowOfTwos row = left(3 + i);
+    row.add(by_next, last), row.subtract(by_last, next);
+    moment[i] = row.linear();
+    add_to_row(to, 3 + i, taken_along(row, arm));
+  };
+  add_moment(0, y, arm.y(), z, arm.z()), add_moment(1, z, arm.z(), x, arm.x()), add_moment(2, x, arm.x(), y, arm.y());
+  const auto forces = [&](int i) { return Vec3(moment[0][i], moment[1][i], moment[2][i]); };
+  add_to_row(to, 0, {x.linear(), forces(0)});
+  add_to_row(to, 1, {y.linear(), forces(1)});
+  add_to_row(to, 2, {z.linear(), forces(2)});
 }
 
 }  // namespace carom::dynamics

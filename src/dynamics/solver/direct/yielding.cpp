@@ -121,8 +121,9 @@ Real share_that_helps(ConeProblem& problem) {
 // pulls into a contact would else have its energy from there. What a drive gives is its business. What bends give by a
 // turn t of an arm in a substep is t^2/4 of the energy, and comes back after the move.
 bool gives_energy(ConeProblem& problem, Real residual) {
-  find_lock_impulses(problem);
-  Real before = 0, after = 0;  // J
+  const auto moves = [](const ConeLink& c) { return c.surface != 0 || c.bends; };
+  if (std::ranges::any_of(problem.locks, moves)) find_lock_impulses(problem);  // else nothing asks for them
+  Real before = 0, after = 0;                                                  // J
   for (const ConeBody& b : bodies_of(problem)) {
     before += b.unheld.dot(momentum_of(b, b.unheld)) / 2;
     after += b.v.dot(momentum_of(b, b.v)) / 2;
@@ -136,7 +137,8 @@ bool gives_energy(ConeProblem& problem, Real residual) {
   for (const ConeLink& c : problem.links) {
     inexact += std::fabs(c.p) * residual, driven += given_by_drive(problem, c);
   }
-  for (const ConeLink& c : problem.joint_rows()) gained += c.p * c.surface, bends |= c.bends;
+  for (const ConeLink& c : problem.joint_rows())
+    if (moves(c)) gained += c.p * c.surface, bends |= c.bends;
   const Real turns = bends ? kBends * kBends / 2 : 0;
   // Loads without bound, as of a taut chain, would let any residual give any energy.
   return gained > driven + std::min(inexact, before) + (turns + 2e3 * kEpsilon) * (before + after);

@@ -262,6 +262,27 @@ static void flat_thin_and_needle_shapes(void**) {
   assert_true(ask(point, at(0, 1, 1e-9), Vec3(0, -1, 0), point, at(0, 0.3, 0)).outcome == CastOutcome::miss);
 }
 
+/// What slides flush over ground and comes to the next piece just as it ends is not stopped, as if it went on; what comes
+/// head-on and ends as it touches is a hit.
+static void motions_that_end_as_they_touch(void**) {
+  const Shape tile = box(Vec3(0.5, 1, 0.5));
+  const Shape all[] = {box(Vec3(0.25, 0.5, 0.125)), sphere(0.5),     capsule(0.25, 0.25),
+                       cylinder(0.25, 0.5),         cone(0.25, 0.5), ellipsoid(Vec3(0.25, 0.5, 0.375))};
+  for (const Shape& a : all) {
+    for (const bool along_z : {false, true})
+      for (const Real aside : {0.0, 0.5, 0.125, -0.3125}) {
+        // The tile's near edge is 1.5 m ahead, at the height of the lowest point.
+        const auto turned = [&](Real ahead, Real y) { return along_z ? at(aside, y, ahead) : at(ahead, y, aside); };
+        const Vec3 way = along_z ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
+        const Real foremost = way.dot(support_point(a, way)), lowest = way.dot(support_point(a, Vec3(0, -1, 0)));
+        for (const Real length : {1.5 - foremost, 1.5 - lowest, 1.5, 4.0})
+          assert_true(ask(a, at(0, 0, 0), length * way, tile, turned(2, -1.5)).outcome == CastOutcome::miss);
+      }
+    const CastResult down = ask(a, at(0, 2, 0), Vec3(0, -1.5, 0), tile, at(0, -1, 0));
+    assert_true(down.outcome == CastOutcome::hit && down.upper > 1 - 1e-6);
+  }
+}
+
 static void half_spaces_stop_everything_in_time(void**) {
   const Shape floor = half_space(Vec3(0, 1, 0), 0);
   Random random(56);
@@ -315,6 +336,7 @@ int main() {
       cmocka_unit_test(grazes_terminate_and_are_never_called_wrongly),
       cmocka_unit_test(far_from_the_origin_and_at_any_scale),
       cmocka_unit_test(flat_thin_and_needle_shapes),
+      cmocka_unit_test(motions_that_end_as_they_touch),
       cmocka_unit_test(half_spaces_stop_everything_in_time),
       cmocka_unit_test(wild_poses_give_no_nan),
       cmocka_unit_test(a_failing_support_function_is_named),

@@ -1,0 +1,44 @@
+"""What a model has that nothing else here looks at."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .links import name_of
+from .problems import Problems
+
+
+def note_unread(m: Any, problems: Problems) -> None:
+    def some(values: Any) -> bool:
+        return bool(np.any(values))
+
+    def named(kind: str, values: Any, reason: str) -> None:
+        names = [name_of(m, kind, k) for k in range(len(values)) if some(values[k])]
+        if names:
+            problems.add("joint" if kind == "jnt" else kind, names, reason)
+
+    for tendon in range(m.ntendon):
+        has = [word for word, values in (("stiffness", m.tendon_stiffness), ("damping", m.tendon_damping), ("frictionloss", m.tendon_frictionloss),
+                                         ("a limit", m.tendon_limited), ("armature", m.tendon_armature))
+               if some(values[tendon])]
+        if has:
+            problems.add("tendon", name_of(m, "tendon", tendon),
+                         f"{' and '.join(has)}: the library has no tendon, only what pulls through a fixed one")
+    named("pair", m.pair_margin, "margin: contacts begin where those of its geoms do")
+    named("jnt", m.jnt_stiffnesspoly, "stiffnesspoly: springs here are straight")
+    named("jnt", m.jnt_springyield, "springyield: springs here do not yield")
+    bent = [v for v in range(m.nv) if some(m.dof_dampingpoly[v])]
+    if bent:
+        problems.add("joint", [name_of(m, "jnt", int(m.dof_jntid[v])) for v in bent], "dampingpoly: dampers here are straight")
+    for values, reason in ((m.geom_adhesion, "adhesion: contacts here do not pull"),
+                           (m.geom_surfacevel, "surfacevel: the surface rests")):
+        named("geom", values, reason)
+    if m.nflex:
+        problems.add("flex", [name_of(m, "flex", k) for k in range(m.nflex)], "the library has no soft bodies")
+    if m.nplugin:
+        problems.add("plugin", [name_of(m, "plugin", k) for k in range(m.nplugin)], "what a plugin of MuJoCo's does")
+    if (m.opt.density or m.opt.viscosity) and np.any(m.body_mass):
+        problems.add("option", ["density", "viscosity"], "drag of a fluid: bodies here have carom.Body.drag")
+    if int(m.opt.disableactuator):
+        problems.add("option", ["actuatorgroupdisable"], "all actuators act")
