@@ -146,6 +146,18 @@ export class Module {
     });
   }
 
+  /** Handles that a getter lists of a world.   @returns BigUint64Array */
+  handles(getter, world) {
+    return this.frame((room) => {
+      const count = room(8);
+      this.call(getter, world, 0, 0n, count);
+      const n = Number(this.view.getBigUint64(count, true)),
+        at = room(8 * n);
+      if (n) this.call(getter, world, at, BigInt(n), count);
+      return new BigUint64Array(this.buffer, at, n).slice();
+    });
+  }
+
   /** Records that a call copies out: call(dst, stride, capacity, count). */
   list(name, call, doing) {
     const size = this.structs.size(name);

@@ -6,12 +6,8 @@ export function particlePositions(world) {
   const m = world.module;
   return m.frame((room) => {
     const count = room(8);
-    m.call("carom_world_get_particles", world.pointer, 0, 0n, count);
-    const n = Number(m.view.getBigUint64(count, true)),
-      at = room(8 * n);
-    if (n) m.call("carom_world_get_particles", world.pointer, at, BigInt(n), count);
     const parts = [];
-    for (const set of Array.from(new BigUint64Array(m.buffer, at, n))) {
+    for (const set of m.handles("carom_world_get_particles", world.pointer)) {
       m.call("carom_particles_get_count", world.pointer, set, count);
       const k = Number(m.view.getBigUint64(count, true)),
         to = room(12 * k);

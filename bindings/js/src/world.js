@@ -135,26 +135,11 @@ export class World {
   }
 
   bodies() {
-    const m = this.module,
-      n = this.bodyCount();
-    return m.frame((room) => {
-      const at = room(8 * n),
-        count = room(8);
-      m.call("carom_world_get_bodies", this.pointer, at, BigInt(n), count);
-      return Array.from(new BigUint64Array(m.buffer, at, n), (handle) => new Body(this, handle));
-    });
+    return Array.from(this.module.handles("carom_world_get_bodies", this.pointer), (handle) => new Body(this, handle));
   }
 
   joints() {
-    const m = this.module;
-    return m.frame((room) => {
-      const count = room(8);
-      m.call("carom_world_get_joints", this.pointer, 0, 0n, count);
-      const n = Number(m.view.getBigUint64(count, true)),
-        at = room(8 * n);
-      m.call("carom_world_get_joints", this.pointer, at, BigInt(n), count);
-      return Array.from(new BigUint64Array(m.buffer, at, n), (handle) => new Joint(this, handle));
-    });
+    return Array.from(this.module.handles("carom_world_get_joints", this.pointer), (handle) => new Joint(this, handle));
   }
 
   /** A field of all bodies, or of some, without copies: see BodyView. */

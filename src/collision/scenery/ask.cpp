@@ -264,9 +264,8 @@ void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, co
     // Later than the first so far is no matter: a shorter question is a cheaper one.
     time_of_impact(a, motion_a, at.shape.shape(), of_triangle, first.end(duration), settings, one, fault);
     sum.add(one);
-    const Quat turned =
-        motion.omega == Vec3::zero() ? motion.at.q : normalized(exp_map(one.time * motion.omega) * motion.at.q);
-    first.take(one, triangle, turned.conjugate() * one.normal);
+    if (one.outcome == CastOutcome::miss) return;
+    first.take(one, triangle, motion.after(one.time).q.conjugate() * one.normal);
   });
   sum.write(result);
 }

@@ -27,6 +27,14 @@ const Vec3& spin_of(const World& world, std::uint32_t collider) {
   return world.state.omega[world.scene.colliders.body[collider]];
 }
 
+/// Whether points of a pair leave the tangent of their way so far within a step.   @param spin  (collider), @see leaves_tangent()
+template <class Spin>
+bool leave_tangent(const World& world, const Pair& pair, const StepTime& time, const Spin& spin) {
+  const Real leaves =
+      leaves_tangent(world, pair.a, spin(pair.a), time.dt) + leaves_tangent(world, pair.b, spin(pair.b), time.dt);
+  return leaves > 0 && leaves > kAskedAgain * tolerable_depth(world, pair);
+}
+
 /// Whether contacts are asked again at all: at the end of a step they are found anyway.
 bool has_substeps(const World& world) { return world.plan->substeps > 1 || world.accuracy; }
 
@@ -76,25 +84,32 @@ class Asking {
     return frame(collider, body, world_.state.q[body].matrix());
   }
 
-  Manifold found(std::uint32_t record, const Frames& f, NarrowSettings settings, StepReport& report) const {
+  struct Shapes {
+    const Shape &a, &b;
+  };
+
+  /// Points of two shapes, which stand for those of a pair.
+  Manifold found(const Pair& pair, const Shapes& of, const Frames& f, QueryMemory memory, NarrowSettings settings,
+                 StepReport& report) const {
     const Colliders& table = world_.scene.colliders;
-    const Pair& pair = world_.pairs.place(record).pair;
     settings.manifold.contact_distance += table.reach[pair.a] + table.reach[pair.b];
-    QueryMemory memory = world_.pairs[record].memory;
     SupportFault fault;
     Manifold manifold;
     manifold.count = 0;
-    find_manifold({*table.shape[pair.a], *table.shape[pair.b], f.a, f.b, shells(settings.query) / 2}, settings, memory,
-                  manifold, report.narrow, fault);
+    find_manifold({of.a, of.b, f.a, f.b, shells(settings.query) / 2}, settings, memory, manifold, report.narrow, fault);
     if (fault.kind != SupportFault::none) manifold.count = 0;
     return manifold;
+  }
+  Manifold found(std::uint32_t record, const Frames& f, const NarrowSettings& settings, StepReport& report) const {
+    const Pair& pair = world_.pairs.place(record).pair;
+    return found(pair, {shape(pair.a), shape(pair.b)}, f, world_.pairs[record].memory, settings, report);
   }
 
   const Shape& shape(std::uint32_t collider) const { return *world_.scene.colliders.shape[collider]; }
 
   /// Scenery is as it was met: the plane of its patch, through the highest of the rows' points. Beyond an edge of it the plane goes on,
   /// as long as the step.
-  Manifold found_on_plane(NarrowSettings settings, StepReport& report) const {
+  Manifold found_on_plane(const NarrowSettings& settings, StepReport& report) const {
     const Contacts& c = *world_.contacts;
     const bool is_a = is_scenery(shape(pair_.a));
     const Frame& frame = is_a ? frame_a_ : frame_b_;
@@ -109,16 +124,8 @@ class Asking {
       const RowGeometry& g = c.geometry[m_.row + k];
       plane.offset = std::max(plane.offset, plane.normal.dot(local.apply_inverse(is_a ? g.l_a : g.l_b)));
     }
-    settings.manifold.contact_distance += world_.scene.colliders.reach[pair_.a] + world_.scene.colliders.reach[pair_.b];
-    QueryMemory memory;
-    SupportFault fault;
-    Manifold manifold;
-    manifold.count = 0;
-    find_manifold(
-        {is_a ? plane : shape(pair_.a), is_a ? shape(pair_.b) : plane, frame_a_, frame_b_, shells(settings.query) / 2},
-        settings, memory, manifold, report.narrow, fault);
-    if (fault.kind != SupportFault::none) manifold.count = 0;
-    return manifold;
+    return found(pair_, {is_a ? plane : shape(pair_.a), is_a ? shape(pair_.b) : plane}, {frame_a_, frame_b_}, {},
+                 settings, report);
   }
 
   /// Whether a point looks as the rows do.
@@ -231,10 +238,8 @@ class Asking {
 }  // namespace
 
 bool may_be_asked_again(const World& world, const Pair& pair, const StepTime& time) {
-  if (!has_substeps(world)) return false;
-  const Real leaves = leaves_tangent(world, pair.a, spin_of(world, pair.a), time.dt) +
-                      leaves_tangent(world, pair.b, spin_of(world, pair.b), time.dt);
-  return leaves > 0 && leaves > kAskedAgain * tolerable_depth(world, pair);
+  return has_substeps(world) &&
+         leave_tangent(world, pair, time, [&](std::uint32_t collider) { return spin_of(world, collider); });
 }
 
 void find_asked_again(const World& world, const StepTime& time) {
@@ -244,9 +249,8 @@ void find_asked_again(const World& world, const StepTime& time) {
   for (const ContactPair& m : c.contact_pairs) {
     const Pair& pair = pair_of(world, m);
     const Vec3& n = c.rows[m.row].n;
-    const Real leaves = leaves_tangent(world, pair.a, spin_of(world, pair.a).cross(n), time.dt) +
-                        leaves_tangent(world, pair.b, spin_of(world, pair.b).cross(n), time.dt);
-    if (!(leaves > kAskedAgain * tolerable_depth(world, pair))) continue;
+    const auto across = [&](std::uint32_t collider) -> Vec3 { return spin_of(world, collider).cross(n); };
+    if (!leave_tangent(world, pair, time, across)) continue;
     for (std::uint32_t k = 0; k < m.count; ++k) c.geometry[m.row + k].is_asked_again = true;
     c.any_asked_again = true;
   }

@@ -111,6 +111,14 @@ void part_groups(const World& world, Poses& to, StepReport& report, Real h) {
   for (const ConeSolution& solution : d.solution) report.position_moves += solution.factorisations;
 }
 
+/// Joints where they are by now, if any group has parted since they were placed.
+static void place_parted(const World& world) {
+  Array<GroupRest>& rest = world.direct->rest;
+  if (std::ranges::none_of(rest, &GroupRest::has_parted)) return;
+  place_joints(world);
+  for (GroupRest& of : rest) of.has_parted = false;
+}
+
 /// Groups that part, pass by pass: parting follows tangents, so that a second pass begins where the first has led.
 /// @param group  (index) -> ConeGroup   @param part  (group): a pass
 template <class Group, class Part>
@@ -118,16 +126,15 @@ static void part_again(const World& world, const Group& group, const Part& part)
   constexpr int kPasses = 8;
   DirectGroups& d = *world.direct;
   for (int k = 0; k < kPasses; ++k) {
-    if (std::ranges::any_of(d.rest, &GroupRest::has_parted)) place_joints(world);
+    place_parted(world);
     bool any = false;
-    for (GroupRest& rest : d.rest) rest.has_parted = false;
     for (std::size_t g = 0; g < d.groups(); ++g) any |= d.rest[g].parts = d.rest[g].parts && group(g).is_nearer();
     if (!any) return;
     in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
       if (d.rest[g].parts) part(group(g));
     });
   }
-  place_joints(world);
+  place_parted(world);
 }
 
 /// Joints of some groups closed, heeding contacts; then what these hinder by joints alone, whatever that does to contacts.

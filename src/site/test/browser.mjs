@@ -31,12 +31,18 @@ export class Browser {
     return b;
   }
 
-  /** A tab of the page, once it runs.   @param options  of a browser context: viewport, isMobile, colorScheme, ... */
-  async visit(query, options = {}) {
-    const context = await this.browser.newContext({ viewport: { width: 1000, height: 640 }, ...options });
+  /** An empty tab whose errors count. */
+  async tab(context) {
     const page = await context.newPage();
     page.on("console", (m) => m.type() === "error" && this.errors.push(m.text()));
     page.on("pageerror", (e) => this.errors.push(e.message));
+    return page;
+  }
+
+  /** A tab of the page, once it runs.   @param options  of a browser context: viewport, isMobile, colorScheme, ... */
+  async visit(query, options = {}) {
+    const context = await this.browser.newContext({ viewport: { width: 1000, height: 640 }, ...options });
+    const page = await this.tab(context);
     await page.goto(new URL(query, this.base).href);
     await page.waitForFunction(() => globalThis.caromViewer, null, { timeout: 60000 });
     const close = page.close.bind(page);

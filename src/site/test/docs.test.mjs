@@ -89,9 +89,7 @@ test(
   async () => {
     for (const width of [360, 800, 1600]) {
       const context = await browser.browser.newContext({ viewport: { width, height: 800 } });
-      const page = await context.newPage();
-      page.on("console", (m) => m.type() === "error" && browser.errors.push(m.text()));
-      page.on("pageerror", (e) => browser.errors.push(e.message));
+      const page = await browser.tab(context);
       for (const path of [
         "docs/",
         "docs/include/pages/body/",
@@ -135,9 +133,7 @@ test(
   { skip: skip || unbuilt, timeout: 300000 },
   async (t) => {
     const context = await browser.browser.newContext({ viewport: { width: 1000, height: 700 } });
-    const page = await context.newPage();
-    page.on("console", (m) => m.type() === "error" && browser.errors.push(m.text()));
-    page.on("pageerror", (e) => browser.errors.push(e.message));
+    const page = await browser.tab(context);
     let frames = 0;
     for (const folder of ["start", "topics"])
       for (const name of readdirSync(join(DOCS, folder), { withFileTypes: true }).filter((entry) =>
@@ -170,9 +166,7 @@ test(
   { skip: skip || unbuilt, timeout: 600000 },
   async (t) => {
     const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
-    const page = await context.newPage();
-    page.on("console", (m) => m.type() === "error" && browser.errors.push(m.text()));
-    page.on("pageerror", (e) => browser.errors.push(e.message));
+    const page = await browser.tab(context);
     // The scenes beside the curves are other tests' business: here they would share the processor.
     await page.route(/\?scene=/, (route) => route.fulfill({ body: "", contentType: "text/html" }));
     assert.ok(topics.length >= 6);

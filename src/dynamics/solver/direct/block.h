@@ -17,6 +17,7 @@ struct alignas(16) Block {
 
 /// Two numbers side by side. Each goes through the operations that it would go through alone, so bits are the same.
 using TwoReals = double __attribute__((vector_size(2 * sizeof(double))));
+
 /// A row of a block, or six numbers of a body, in registers: members by name, since compilers keep no array there. What was
 /// written number by number is not to be read two at a time at once: that waits until it is in memory.
 struct RowOfTwos {

@@ -106,17 +106,24 @@ Vec6 go_freely(const FreedColumn& column, Vec6 y, const RowOfTwos& along, N n) {
 inline RowOfTwos taken_along(const RowOfTwos& row, const Vec3& arm) {
   return {row.linear(), row.angular() - row.linear().cross(arm)};
 }
-/// to += X^T a, @see handed_over().   @param row  (index) -> of a
+/// Of X^T a the last three rows, @see handed_over(); the first three are those of a: x, y, z.
+/// @param row  (index) -> of a   @param f  (index from 0, row)
+template <class Row, class F>
+void each_moment(const Row& row, const RowOfTwos& x, const RowOfTwos& y, const RowOfTwos& z, const Vec3& arm,
+                 const F& f) {
+  const auto moment = [&](int i, const RowOfTwos& next, Real by_next, const RowOfTwos& last, Real by_last) {
+    RowOfTwos sum = row(3 + i);
+    sum.add(by_next, last), sum.subtract(by_last, next);
+    f(i, sum);
+  };
+  moment(0, y, arm.y(), z, arm.z()), moment(1, z, arm.z(), x, arm.x()), moment(2, x, arm.x(), y, arm.y());
+}
+/// to += X^T a   @param row  (index) -> of a
 template <class Row>
 void add_handed_over(const Row& row, const Vec3& arm, Block& to) {
   const RowOfTwos x = row(0), y = row(1), z = row(2);
   add_to_row(to, 0, x), add_to_row(to, 1, y), add_to_row(to, 2, z);
-  const auto add_moment = [&](int i, const RowOfTwos& next, Real by_next, const RowOfTwos& last, Real by_last) {
-    RowOfTwos moment = row(3 + i);
-    moment.add(by_next, last), moment.subtract(by_last, next);
-    add_to_row(to, 3 + i, moment);
-  };
-  add_moment(0, y, arm.y(), z, arm.z()), add_moment(1, z, arm.z(), x, arm.x()), add_moment(2, x, arm.x(), y, arm.y());
+  each_moment(row, x, y, z, arm, [&](int i, const RowOfTwos& moment) { add_to_row(to, 3 + i, moment); });
 }
 
 /// S^T a, in the first rows.
@@ -153,13 +160,10 @@ void add_left(const Block& a, const FreedColumn& column, const Vec3& arm, Block&
   };
   const RowOfTwos x = left(0), y = left(1), z = left(2);
   Vec3 moment[3];  // of linear velocities; across the diagonal forces of angular ones
-  const auto add_moment = [&](int i, const RowOfTwos& next, Real by_next, const RowOfTwos& last, Real by_last) {
-    RowOfTwos row = left(3 + i);
-    row.add(by_next, last), row.subtract(by_last, next);
+  each_moment(left, x, y, z, arm, [&](int i, const RowOfTwos& row) {
     moment[i] = row.linear();
     add_to_row(to, 3 + i, taken_along(row, arm));
-  };
-  add_moment(0, y, arm.y(), z, arm.z()), add_moment(1, z, arm.z(), x, arm.x()), add_moment(2, x, arm.x(), y, arm.y());
+  });
   const auto forces = [&](int i) { return Vec3(moment[0][i], moment[1][i], moment[2][i]); };
   add_to_row(to, 0, {x.linear(), forces(0)});
   add_to_row(to, 1, {y.linear(), forces(1)});
