@@ -8,6 +8,7 @@
 // unless something strikes it (an impact sends the direct solver through all of a heap, and passes), it is too large, or
 // could not be solved within direct_work lately: then it moves so much that soft contacts will do. So it is with few
 // couplings without joints that could not be solved, until something sinks in another by more than tolerable_depth.
+// Joints hold either way: velocities that soft contacts leave are led onto them.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -86,23 +87,6 @@ Real weight_if_new(const World& world, std::size_t group, Real h, Seen& seen) {
     is_new &= may_move || world.state.v[body].norm() <= 2 * (pull * gravity) * h;
   });
   return is_new ? mass * gravity : 0;
-}
-
-/// Of bodies that joints hold, the heaviest over the lightest: what hangs on what is light is as hard to hold over some
-/// links as over one.
-void look_at_joints(const World& world, std::size_t group, GroupView& view) {
-  const Contacts& c = *world.contacts;
-  if (!c.has_joints(group)) return;
-  Real least = kInfinity, most = 0;
-  const auto meet = [&](bool moves, std::uint32_t body) {
-    if (!moves) return;
-    least = std::min(least, world.scene.mass[body]), most = std::max(most, world.scene.mass[body]);
-  };
-  for (std::uint32_t k = c.group_link_begin[group]; k < c.group_link_begin[group + 1]; ++k) {
-    const Link& link = c.links[c.group_links[k]];
-    meet(link.moves_a, link.a), meet(link.moves_b, link.b);
-  }
-  view.mass_ratio = std::max(view.mass_ratio, most / least);
 }
 
 /// Of the thickness of what touches, that soft contacts may let it sink: no substeps lessen that, so it is part of what
@@ -207,9 +191,9 @@ GroupReason reason_for(const GroupView& view, bool is_under_impact, const GroupM
                        Real most_ratio) {
   const bool unlike = view.mass_ratio > most_ratio;
   if (!unlike && !memory.bears) return GroupReason::ordinary;
-  if (unlike && joined) return GroupReason::mass_ratio;  // soft joints would tear
   const bool held_softly = view.sink < kTolerableDepth;  // else they would throw about what is light
-  if (memory.cools_down && (!unlike || held_softly || view.bodies > kMostUnlike)) return GroupReason::too_much;
+  if (memory.cools_down && (!unlike || joined || held_softly || view.bodies > kMostUnlike))
+    return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   return is_under_impact ? GroupReason::impact : GroupReason::sink;
 }
@@ -258,9 +242,8 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
     view.reason = rests ? GroupReason::too_much : GroupReason::few;
     return view;
   }
-  look_at_joints(world, group, view);
   if (view.points == 0) {
-    view.reason = view.mass_ratio > most_ratio ? GroupReason::mass_ratio : GroupReason::ordinary;
+    view.reason = GroupReason::ordinary;
     return view;
   }
   Seen seen;
@@ -316,6 +299,7 @@ void go_on_lying(const World& world, SolverMemory& memory) {
 void start_cooldowns(const World& world, SolverMemory& memory) {
   const DirectGroups& d = *world.direct;
   for (std::size_t g = 0; g < d.groups(); ++g) {
+    if (d.rest[g].in_lanes) continue;
     const bool joined = d.is_joined(g);
     const bool gives_up = !(d.is_few(g) && joined) && !d.rest[g].waits && !d.rest[g].lies && d.rest[g].is_far_off;
     if (!gives_up && !joined) continue;
@@ -367,6 +351,10 @@ void auto_velocities(const World& world, Solver::Solves to, const StepTime& time
   heed_impacts(world, wide);
   begin_far_turns(world, to, wide, time.h);
   solve_softly(world, to, time);
+  for (bool again = hold_joints(world, to, time.h, false); again; again = hold_joints(world, to, time.h, true)) {
+    sweep_again(world, time.h);
+    store_velocities(world, to, wide, time.h);
+  }
   const auto work = steps_worth(world) * static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
   solve_groups(world, to, to, time.h, 1 + work, world.plan->substeps);
   end_far_turns(world, to, wide, time.h);
@@ -383,7 +371,9 @@ void auto_positions(const World& world, Solver::Relaxes to, const StepTime& time
 
 void auto_end(const World& world, Poses& to, const StepTime& time) {
   kSoftStep.end(world, to, time);
-  if (world.direct->groups() > 0) end_groups(world);
+  if (world.direct->groups() == 0) return;
+  return_lanes_to_joints(world, to, time.h);
+  end_groups(world);
 }
 
 }  // namespace

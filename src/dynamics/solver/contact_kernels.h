@@ -27,6 +27,8 @@ struct ContactSweeps {
   void (*solve)(const Run& run, double inv_h, double push_speed);
   /// The same sweep over those pairs alone that gravity moves by more than a share of their thickness within a substep.
   void (*solve_thin)(const Run& run, double inv_h, double push_speed, double share);
+  /// Likewise over those of which a body is marked.   @param bodies  [solver bodies], 1 or 0; that of none is 0
+  void (*solve_of)(const Run& run, double inv_h, double push_speed, const std::uint8_t* bodies);
   /// Separations at the present poses, then the same sweep without the push: what it gave to velocities is taken back.
   void (*relax)(const Run& run, double inv_h);
   /// Likewise, but what will bounce in the next substep is not slowed down now.

@@ -264,18 +264,17 @@ class Unvisited {
   Lanes p_n_[kPairPoints], p_t_, p_s_, p_w_;
 };
 
-template <class Number>
-void solve_thin(const LaneRunOf<Number>& run, double per_substep, double most_push, double share) {
-  const Number way = static_cast<Number>(1 / (per_substep * per_substep));  // s^2
+/// @param which  (four pairs) -> a bit for each that is visited
+template <class Number, class Which>
+void solve_some(const LaneRunOf<Number>& run, double per_substep, double most_push, const Which& which) {
+  constexpr unsigned kAll = (1u << kLanes) - 1;
   for (std::size_t i = 0; i < run.count; ++i) {
     const PairLanesOf<Number>& pair = run.pairs[i];
-    const auto is_thin = way * pair.pull > static_cast<Number>(share) * pair.thickness;
-    int thin = 0;
-    for (int lane = 0; lane < kLanes; ++lane) thin += is_thin[lane] != 0;
-    if (thin == 0) continue;
+    const unsigned visited = which(pair);
+    if (visited == 0) continue;
     LaneRunOf<Number> four = run;
     four.pairs += i, four.count = 1;
-    if (thin == kLanes) {
+    if (visited == kAll) {
       solve(four, per_substep, most_push);
       continue;
     }
@@ -283,8 +282,28 @@ void solve_thin(const LaneRunOf<Number>& run, double per_substep, double most_pu
     const Unvisited<Number> unvisited(four, points);
     solve(four, per_substep, most_push);
     for (int lane = 0; lane < kLanes; ++lane)
-      if (!is_thin[lane]) unvisited.put_back(lane, points);
+      if (!(visited >> lane & 1u)) unvisited.put_back(lane, points);
   }
+}
+
+template <class Number>
+void solve_thin(const LaneRunOf<Number>& run, double per_substep, double most_push, double share) {
+  const Number way = static_cast<Number>(1 / (per_substep * per_substep));  // s^2
+  solve_some(run, per_substep, most_push, [&](const PairLanesOf<Number>& pair) {
+    const auto is_thin = way * pair.pull > static_cast<Number>(share) * pair.thickness;
+    unsigned thin = 0;
+    for (int lane = 0; lane < kLanes; ++lane) thin |= static_cast<unsigned>(is_thin[lane] != 0) << lane;
+    return thin;
+  });
+}
+
+template <class Number>
+void solve_of(const LaneRunOf<Number>& run, double per_substep, double most_push, const std::uint8_t* bodies) {
+  solve_some(run, per_substep, most_push, [&](const PairLanesOf<Number>& pair) {
+    unsigned of = 0;
+    for (int lane = 0; lane < kLanes; ++lane) of |= unsigned(bodies[pair.a[lane]] | bodies[pair.b[lane]]) << lane;
+    return of;
+  });
 }
 
 /// Separations at all points of four pairs, at the present poses.
@@ -392,9 +411,9 @@ void measure(const LaneRunOf<Number>& run) {
 
 template <class Number>
 constexpr ContactSweeps<Number> all_sweeps() {
-  return {lay_out<Number>, read_back<Number>,  prepare<Number>,      warm_start<Number>,
-          solve<Number>,   solve_thin<Number>, relax<false, Number>, relax<true, Number>,
-          sweep<Number>,   accumulate<Number>, part<Number>,         measure<Number>};
+  return {lay_out<Number>,    read_back<Number>, prepare<Number>,      warm_start<Number>,  solve<Number>,
+          solve_thin<Number>, solve_of<Number>,  relax<false, Number>, relax<true, Number>, sweep<Number>,
+          accumulate<Number>, part<Number>,      measure<Number>};
 }
 
 constexpr ContactKernels kernels_named(const char* name) {

@@ -82,8 +82,9 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
   for (const Impact& at : world.contacts->impacts)
     if (GroupRest* const rest = at.concerns_solver() ? d.rest_of(world.contacts->rows[at.row]) : nullptr)
       rest->lasts = false;
-  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart,
-              [&](std::uint32_t g) { ConeGroup(world, g).begin(to, h, work); });
+  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
+    if (!d.rest[g].in_lanes) ConeGroup(world, g).begin(to, h, work);
+  });
   if (work > 0 && std::ranges::any_of(d.rest, [](const GroupRest& rest) { return rest.is_first && rest.asks; }))
     share_out(d, work);
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
@@ -94,20 +95,34 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
     for (std::size_t g = 0; g < d.groups(); ++g) ConeGroup(world, g).lead_on(to, h, one);
   }
   for (std::size_t g = 0; g < d.groups(); ++g) {
-    if (d.rest[g].repeats > 0) continue;
+    if (d.rest[g].repeats > 0 || d.rest[g].in_lanes) continue;
     report.velocity_impulses += d.solution[g].factorisations;
     report.wedged_groups += d.solution[g].is_wedged, report.rejected_solutions += d.solution[g].is_rejected;
     report.solver_residual = std::max<double>(report.solver_residual, d.solution[g].residual);
   }
 }
 
+bool hold_joints(const World& world, Velocities& to, Real h, bool again) {
+  DirectGroups& d = *world.direct;
+  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
+    GroupRest& rest = d.rest[g];
+    if (!rest.in_lanes || rest.is_too_large || (again && !rest.is_swept_again)) return;
+    if (!again) rest.waits = static_cast<int>(++rest.substeps) < world.plan->substeps;
+    if (!rest.is_dear || !rest.waits) ConeGroup(world, g).follow_lanes(to, h, again);
+  });
+  return std::ranges::any_of(d.rest, &GroupRest::is_swept_again);
+}
+
 void part_groups(const World& world, Poses& to, StepReport& report, Real h) {
   DirectGroups& d = *world.direct;
+  if (std::ranges::none_of(d.rest, &GroupRest::parts_now)) return;
   if (!d.links.empty()) place_joints(world);
   for (GroupRest& rest : d.rest) rest.has_parted = false;
-  if (std::ranges::all_of(d.rest, [](const GroupRest& rest) { return rest.lasts; })) return;
+  if (std::ranges::all_of(d.rest, &GroupRest::lasts)) return;
   refresh_rotations(world);
-  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).part(to, h); });
+  in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
+    if (d.rest[g].parts_now()) ConeGroup(world, g).part(to, h);
+  });
   for (const ConeSolution& solution : d.solution) report.position_moves += solution.factorisations;
 }
 
@@ -158,9 +173,17 @@ void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h)
   DirectGroups& d = *world.direct;
   if (d.links.empty()) return;
   close(
-      world, [](const ConeGroup&) { return true; }, [&](ConeGroup group) { group.part_again(poses, h); });
+      world, [](const ConeGroup& group) { return group.parts_now(); },
+      [&](ConeGroup group) { group.part_again(poses, h); });
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart,
               [&](std::uint32_t g) { ConeGroup(world, g).settle(motion, h); });
+}
+
+void return_lanes_to_joints(const World& world, Poses& poses, Real h) {
+  for (GroupRest& rest : world.direct->rest)
+    rest.gap = kInfinity, rest.parts = rest.has_parted = rest.in_lanes && !rest.is_too_large;
+  part_again(
+      world, [&](std::size_t g) { return ConeGroup(world, g); }, [&](ConeGroup group) { group.part_again(poses, h); });
 }
 
 void close_joints(const World& world, Poses& poses, const StepTime& time) {

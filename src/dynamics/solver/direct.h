@@ -31,35 +31,43 @@ inline bool is_few(const Contacts& c, std::size_t group) {
 
 /// What is known within a step of whether a group lies still.
 struct GroupRest {
-  bool is_few = false;         // @see dynamics::is_few()
-  bool is_first = true;        // substep
-  std::uint32_t substeps = 0;  // that were solved in this step
-  bool is_too_large = false;   // to be factored
-  bool asks = false;           // for a solve, in this substep
-  bool at_once = false;        // it takes its work in the first substep: at rest, or so large that a share would not do
-  bool is_close = false;       // a solution of this step was, to what is right
-  bool waits = false;          // for the next step with it
-  bool stood = false;          // @see ConeProblem::stood
-  Real load = 0;               // m/s, the fastest that loads alone make a body in a substep
-  bool lies = false;           // all its contacts move less than anybody sees
-  Real gap = 0;                // m or rad, of joints, before they were parted
-  bool parts = false;          // it is parted once more
-  bool has_parted = false;     // since joints were placed
-  Real least = 0;              // separation, in tolerable depths
-  Real goal = 0;               // m/s, residual that is good enough
-  bool lasts = false;          // contacts were found at rest
-  bool has_moved = false;      // a little, since its separations were measured
-  bool resists = false;        // some of them resist rolling or spinning
-  std::uint32_t repeats = 0;   // substeps that repeated its impulses and are not added yet
-  bool is_bounded = false;     // in what it may take
-  std::uint64_t share = 0;     // block products that it may take in this step, if so
-  std::uint64_t work = 0;      // of them, those that it may still take
-  bool is_far_off = false;     // what was found last came nowhere near the law
-  bool gave_up = false;        // that did not do for a substep: nor will it for the next
+  bool is_few = false;          // @see dynamics::is_few()
+  bool in_lanes = false;        // its velocities are found there; here are its joints alone
+  bool is_swept_again = false;  // in lanes, @see WideContacts::swept_again
+  bool is_dear = false;         // joined: one factor with its loops is more than there is for a step
+  bool is_first = true;         // substep
+  std::uint32_t points = 0;     // of contacts in lanes
+  std::uint32_t substeps = 0;   // that were solved in this step
+  bool is_too_large = false;    // to be factored
+  bool asks = false;            // for a solve, in this substep
+  bool at_once = false;       // it takes its work in the first substep: at rest, or so large that a share would not do
+  bool is_close = false;      // a solution of this step was, to what is right
+  bool waits = false;         // for the next step with it; in lanes for the last substep
+  bool stood = false;         // @see ConeProblem::stood
+  Real load = 0;              // m/s, the fastest that loads alone make a body in a substep
+  bool lies = false;          // all its contacts move less than anybody sees
+  Real gap = 0;               // m or rad, of joints, before they were parted
+  bool parts = false;         // it is parted once more
+  bool has_parted = false;    // since joints were placed
+  Real least = 0;             // separation, in tolerable depths
+  Real goal = 0;              // m/s, residual that is good enough
+  bool lasts = false;         // contacts were found at rest
+  bool has_moved = false;     // a little, since its separations were measured
+  bool resists = false;       // some of them resist rolling or spinning
+  std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not added yet
+  bool is_bounded = false;    // in what it may take
+  std::uint64_t share = 0;    // block products that it may take in this step, if so
+  std::uint64_t work = 0;     // of them, those that it may still take
+  bool is_far_off = false;    // what was found last came nowhere near the law
+  bool gave_up = false;       // that did not do for a substep: nor will it for the next
+
+  /// Whether its overlaps and joints are put right in this substep.
+  bool parts_now() const { return !is_too_large && !(in_lanes && waits); }
 };
 
 /// The stages of the direct solver over the groups it solves, for it and for what chooses among solvers.
-/// Allocates.   @param most_factor  block products of a factorisation; a group that takes more is solved by sweeps
+/// What lanes solve is here with the joints of its forest alone. Allocates.
+/// @param most_factor  block products of a factorisation; a group that takes more is solved by sweeps
 void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor = ~std::uint64_t{0});
 /// Velocities.
 /// @param work      most block products that all groups may take in the step, for velocities and overlaps together,
@@ -67,11 +75,17 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
 /// @param substeps  that share it, where a group moves. Where it lies still the first takes what it needs: one that is
 ///                  solved, which the others repeat, is worth more than all of them solved in part.
 void solve_groups(const World& world, Velocities& to, StepReport& report, Real h, std::uint64_t work, int substeps);
+/// Velocities that sweeps in lanes have found, led onto joints.
+/// @param again  what was swept again, in the same substep
+/// @return whether contacts of some, WideContacts::swept_again, are to be swept once more
+bool hold_joints(const World& world, Velocities& to, Real h, bool again);
 /// Overlaps.
 void part_groups(const World& world, Poses& to, StepReport& report, Real h);
 /// Velocities after the move, of groups that hang together by joints alone; places of all that have joints come first.
 /// Rows are those of where the bodies are. Nothing to do where no group has joints.
 void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h);
+/// What lanes have parted, led back onto joints.
+void return_lanes_to_joints(const World& world, Poses& poses, Real h);
 /// Stage function of the page: what a sweep has led elsewhere stays there, and what hangs on it by joints of the direct solver
 /// is led back onto them. Velocities are left to the next substep.
 void close_joints(const World& world, Poses& poses, const StepTime& time);

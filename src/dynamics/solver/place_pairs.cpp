@@ -105,6 +105,7 @@ void number_bodies(WideContacts& wide) {
 void save_poses(const World& world, WideContacts& wide) {
   const std::size_t n = wide.slot.size();
   wide.velocity.assign(n, {});
+  wide.swept_again.assign(n, 0);
   wide.shift.assign(n, {});
   wide.start_x.resize(n), wide.start_q.resize(n);
   in_parallel(world.jobs, n, kBodiesAPart, [&](std::uint32_t i) {

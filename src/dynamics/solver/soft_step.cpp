@@ -138,6 +138,13 @@ void solve_softly(const World& world, Solver::Solves to, const StepTime& time) {
   report.velocity_impulses += world.contacts->rows.size();
 }
 
+void sweep_again(const World& world, Real h) {
+  const WideContacts& wide = *world.wide;
+  const Real inv_h = 1 / h, push_speed = world.scene.dials[Dial::push_speed];
+  sweep_contacts(world,
+                 [&](const auto& s, const auto& run) { s.solve_of(run, inv_h, push_speed, wide.swept_again.data()); });
+}
+
 Real soft_give(Real give, Real pull, Real thickness) {
   return pull * give > kSoftSink * thickness ? kSoftSink * thickness / pull : give;
 }

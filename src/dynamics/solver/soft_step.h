@@ -35,5 +35,7 @@ void start_sweeps(const World& world, Real h);
 /// Velocities of a substep, of what the direct solver does not solve; bodies that turn far are led back before and on
 /// after.
 void solve_softly(const World& world, Solver::Solves to, const StepTime& time);
+/// Contacts of bodies in WideContacts::swept_again once more, from the velocities that they have there.
+void sweep_again(const World& world, Real h);
 
 }  // namespace carom::dynamics

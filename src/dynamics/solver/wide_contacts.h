@@ -78,6 +78,7 @@ struct WideContacts {
         far_turn(m),
         one_turner(m),
         body(m),
+        swept_again(m),
         start_x(m),
         start_q(m),
         manifolds(m),
@@ -104,8 +105,9 @@ struct WideContacts {
   Array<FarTurn> far_turn;    // @see far_turns.h
   Participants one_turner;    // scratch, for rotation methods
 
-  Array<std::uint32_t> body;  // by slot: solver body, 0 where it does not matter
-  Array<Vec3> start_x;        // m, by solver body: as the step began
+  Array<std::uint32_t> body;        // by slot: solver body, 0 where it does not matter
+  Array<std::uint8_t> swept_again;  // by solver body: its joints were led back by more than contacts may do without
+  Array<Vec3> start_x;              // m, by solver body: as the step began
   Array<Quat> start_q;
 
   /// Rows of one pair, and where they went.

@@ -307,15 +307,21 @@ std::uint64_t ConeGroup::own_work(std::uint64_t most) const {
 
 /// It moves, and one step of Newton's method is more than there is for the step of the world.
 bool ConeGroup::takes_all_of(std::uint64_t work) const {
-  return rest_.is_bounded && !rest_.at_once && !is_few() && !is_joined() && work_ > work;
+  return rest_.is_bounded && !rest_.at_once && !is_few() && work_ > work;
 }
 
 /// Two a substep, as soft contacts take; those solve it from the next step on.
-void ConeGroup::go_on_by_sweeps(Velocities& to) {
+void ConeGroup::sweep_on() {
   sweep(problem_, 2);
-  solution_ = {};
+  find_lock_impulses(problem_);
   solution_.residual = residual(problem_);
   rest_.is_far_off = is_far_off();
+}
+
+void ConeGroup::go_on_by_sweeps(Velocities& to) {
+  rest_.gave_up = true;
+  solution_ = {};
+  sweep_on();
   finish(to);
 }
 
@@ -368,7 +374,10 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
   account_work();
   rest_.is_close = solution_.residual < world_.scene.dials[Dial::velocity_tolerance];
   rest_.is_far_off = is_far_off();
-  rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_few() && !is_joined() && rest_.is_far_off;
+  rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_few() && rest_.is_far_off;
+  if (!rest_.gave_up || !is_joined()) return;
+  return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
+  sweep_on();
 }
 
 bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && problem_.stood; }

@@ -31,6 +31,8 @@ class ConeGroup {
   /// the solved velocities were to make good, are not asked twice.
   void settle(Velocities& to, Real h);
   void end();
+  /// Velocities that lanes have found, led onto its joints.   @param again  @see hold_joints()
+  void follow_lanes(Velocities& to, Real h, bool again);
   /// Spins of bodies that turn far, and that the solution has changed, led on to the end of the substep.
   /// @param scratch  of one participant
   void lead_on(Velocities& to, Real h, Participants& scratch);
@@ -39,6 +41,7 @@ class ConeGroup {
   /// What joints and contacts bear is undetermined by the exact law.
   bool shares() const { return is_joined() && !problem_.contacts.empty(); }
   bool is_few() const { return rest_.is_few; }
+  bool parts_now() const { return rest_.parts_now(); }
   /// Whether joints gape still, by less than half of what they did before they were parted: once more is worth it.
   bool is_nearer() const;
   /// Whether they gape by more than anybody is to see.
@@ -79,6 +82,7 @@ class ConeGroup {
   std::uint64_t work_of_substep(std::uint32_t substeps) const;
   bool takes_all_of(std::uint64_t work) const;
   void go_on_by_sweeps(Velocities& to);
+  void sweep_on();
   void find_solution(Real h, std::uint32_t most_steps);
   void finish(Velocities& to);
   bool lies_still() const;
@@ -93,6 +97,8 @@ class ConeGroup {
   void keep(Velocities& to);
   bool may_contradict() const;
   Real tolerable_gap() const;
+  Real most_closed(Real h) const;
+  BodyVelocity& in_lanes(const ConeBody& b) const;
   Real asked() const;
   void part(Poses& to, Real h, Real most_closed, Forest forest);
   Real displacement_share(Real asked, Real most_closed) const;

@@ -55,10 +55,13 @@ void gather(const World& world, DirectGroups& d) {
                        .lock = size(d.links)});
   };
   for (std::size_t g = 0; g < c.groups(); ++g) {
-    if (!c.solved_directly(g)) continue;
+    const bool in_lanes = !c.solved_directly(g);
+    if (in_lanes && !c.has_joints(g)) continue;
     mark();
-    d.rest.emplace_back().is_few = is_few(c, g);
-    for (std::uint32_t k = c.group_begin[g]; k < c.group_begin[g + 1]; ++k) {
+    GroupRest& rest = d.rest.emplace_back();
+    rest.is_few = is_few(c, g), rest.in_lanes = in_lanes;
+    rest.points = in_lanes ? c.group_begin[g + 1] - c.group_begin[g] : 0;
+    for (std::uint32_t k = c.group_begin[g]; !in_lanes && k < c.group_begin[g + 1]; ++k) {
       const std::uint32_t i = c.group_rows[k];
       const Row& row = c.rows[i];
       ConeContact& contact = d.contacts[d.row.size()];
@@ -142,6 +145,9 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   load_groups(world, memory, d);
   d.solution.resize(d.groups());
   for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].is_too_large = d.newton_work(g) > most_factor;
+  const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
+  for (std::size_t g = 0; g < d.groups(); ++g)
+    d.rest[g].is_dear = d.is_joined(g) && d.begin[g].link < d.begin[g].lock && d.newton_work(g) > work;
   d.elimination.scratch().member.reserve(d.groups());  // @see share_out()
   if (world.plan->rotation_method && world.wide->one_turner.runs.empty()) world.wide->one_turner.add(0);
   for (const Resistance& r : world.contacts->resisting)

@@ -172,10 +172,12 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
         of_forest.push_back(i);
     }
   std::ranges::sort(of_forest);
+  const bool without_drives = d.rest.back().in_lanes;
   for (const std::uint32_t i : joints) {
     const JointLanes& joint = lanes_of(i);
     const Link& link = c.links[i];
-    if (!std::ranges::binary_search(of_forest, i)) {
+    const bool is_of_forest = std::ranges::binary_search(of_forest, i);
+    if (!is_of_forest) {
       add_rows(i, joint.first, joint.layout.equalities, false);
       const std::uint32_t a = d.node(link.moves_a, link.a), b = d.node(link.moves_b, link.b);
       if (a != kInvalid && b != kInvalid) d.edges.push_back({a, b});
@@ -185,9 +187,9 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
                                    .first_row = 0,
                                    .rows = joint.layout.equalities,
                                    .first_drive = static_cast<std::uint32_t>(d.links.size()) - begin.link,
-                                   .drives = joint.layout.drives});
+                                   .drives = without_drives ? 0 : joint.layout.drives});
     }
-    add_rows(i, joint.first_drive, joint.layout.drives, true);
+    if (!without_drives) add_rows(i, joint.first_drive, joint.layout.drives, true);
   }
   begin.lock = static_cast<std::uint32_t>(d.links.size());
   TreeJoint* of = d.forest().joints.data() + begin.forest;

@@ -15,19 +15,23 @@
 
 namespace carom::dynamics {
 
+BodyVelocity& ConeGroup::in_lanes(const ConeBody& b) const { return world_.wide->velocity[world_.wide->body[b.slot]]; }
+
 /// Where work counts, and contacts may be in the way of what joints ask for.
 bool ConeGroup::may_contradict() const { return rest_.is_bounded && !problem_.contacts.empty(); }
 
 /// m or rad, of a joint that needs no correction: in contact a share of what contacts are let overlap by.
 Real ConeGroup::tolerable_gap() const {
-  return may_contradict() ? std::max<Real>(kGap, kFineShare * world_.scene.dials[Dial::position_tolerance]) : kGap;
+  const Real tolerance = world_.scene.dials[Dial::position_tolerance];
+  if (rest_.is_dear) return tolerance;
+  return may_contradict() || rest_.in_lanes ? std::max<Real>(kGap, kFineShare * tolerance) : kGap;
 }
 
 bool ConeGroup::is_nearer() const {
   constexpr Real kNearer = 0.5;
   const Real gap = worst_error(world_, problem_, link_row_);
-  const bool is_hindered = may_contradict() && gap > world_.scene.dials[Dial::position_tolerance];
-  return gap > tolerable_gap() && (!is_hindered || gap < kNearer * rest_.gap);
+  const bool must_pay = (may_contradict() || rest_.is_dear) && gap > world_.scene.dials[Dial::position_tolerance];
+  return gap > tolerable_gap() && (!must_pay || gap < kNearer * rest_.gap);
 }
 
 bool ConeGroup::gapes() const {
@@ -76,14 +80,18 @@ void ConeGroup::let_locks_yield() {
     if (c.is_lock()) c.give = kGiveOfDisplacements * c.k;
 }
 
+/// m or rad, of a joint. What waits for the last substep has the whole step for it.
+Real ConeGroup::most_closed(Real h) const { return kJointPush * h * (rest_.in_lanes ? world_.plan->substeps : 1); }
+
 void ConeGroup::part(Poses& to, Real h) {
-  part(to, h, kJointPush * h, may_contradict() ? Forest::as_it_began : Forest::anew);
+  part(to, h, most_closed(h), may_contradict() || rest_.in_lanes ? Forest::as_it_began : Forest::anew);
 }
 
-void ConeGroup::part_again(Poses& to, Real h) { part(to, h, kJointPush * h, Forest::anew); }
+void ConeGroup::part_again(Poses& to, Real h) { part(to, h, most_closed(h), Forest::anew); }
 
 void ConeGroup::part(Poses& to, Real h, Real most_closed, Forest forest) {
   if (rest_.lasts || rest_.is_too_large) return;
+  if (is_joined() && rest_.gave_up) problem_.contacts = {};  // lanes part it, from the next step on
   Real tolerance = world_.scene.dials[Dial::position_tolerance];
   const Real most = world_.scene.dials[Dial::push_speed] * h;
   solution_ = {};
@@ -107,7 +115,8 @@ void ConeGroup::part(Poses& to, Real h, Real most_closed, Forest forest) {
   const Real goal = is_joined() ? std::max(0.1 * tolerable_gap(), kGiveOfDisplacements * most_asked) : 0.01 * tolerance;
   const auto most_steps = static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>(kLeastWork / work_, 2 * kAlways.value, kStepsOfYielding.value));
-  solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
+  if (!problem_.contacts.empty() || !problem_.links.empty())
+    solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
   rest_.has_parted = true;
   const Real share = displacement_share(most_asked, most_closed);
   for (const ConeBody& b : bodies_of(problem_)) {
@@ -142,8 +151,46 @@ void ConeGroup::follow_swept(Poses& to, Real h) {
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b);
 }
 
+// Joints that hold again take contacts along, so that those are swept once more where that is to be seen: at least once, and as
+// often as there is work for points of sweeps.
+void ConeGroup::follow_lanes(Velocities& to, Real h, bool again) {
+  constexpr Real kSeen = 0.1;  // of what contacts may overlap by
+  if (!again) {
+    turn_frames();
+    for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b);
+    rest_.work = kWorkOfPoint * rest_.points / static_cast<std::uint64_t>(world_.plan->substeps);
+  }
+  for (ConeBody& b : bodies_of(problem_)) {
+    const BodyVelocity& from = in_lanes(b);
+    b.v = again ? Vec6(Vec3(from.v[0], from.v[1], from.v[2]), Vec3(from.omega[0], from.omega[1], from.omega[2]))
+                : Vec6(s_.v[b.slot], s_.omega[b.slot]);
+  }
+  load_links(world_, problem_, link_row_, LinkPhase::settle, h);
+  hold_forest(again ? Forest::as_it_began : Forest::anew);
+  measure_links(problem_);
+  if (!problem_.links.empty()) solve_cones(problem_, tolerance(), kMostSteps);
+  find_lock_impulses(problem_);
+  accumulate_links(world_, problem_, link_row_);
+  Real most2 = 0;  // (m/s)^2
+  for (const ConeBody& b : bodies_of(problem_)) {
+    most2 = std::max(most2, speed2(b, b.v - b.unheld));
+    const Vec3 v = b.v.linear(), omega = b.v.angular();
+    BodyVelocity& in = in_lanes(b);
+    for (int k = 0; k < 3; ++k) in.v[k] = v[k], in.omega[k] = omega[k];
+    if (v == s_.v[b.slot] && omega == s_.omega[b.slot]) continue;
+    world_.plan->touched[b.slot] = 1;
+    to.v[b.slot] = v, to.omega[b.slot] = omega;
+  }
+  const std::uint64_t taken = work_ + kWorkOfContact * rest_.points;
+  const bool is_seen = std::sqrt(most2) * h > kSeen * world_.scene.dials[Dial::position_tolerance];
+  rest_.is_swept_again = rest_.points > 0 && is_seen && (!again || rest_.work >= taken);
+  rest_.work -= std::min(rest_.work, taken);
+  for (const ConeBody& b : bodies_of(problem_))
+    world_.wide->swept_again[world_.wide->body[b.slot]] = rest_.is_swept_again;
+}
+
 void ConeGroup::settle(Velocities& to, Real h) {
-  if (!is_joined() || !problem_.contacts.empty()) return;
+  if (rest_.in_lanes || !is_joined() || !problem_.contacts.empty()) return;
   const Real tolerance = this->tolerance();
   turn_frames();
   for (ConeBody& b : bodies_of(problem_)) load_mass(world_, b), load(b);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/yielding_constants.h"
 
 namespace carom::dynamics {
@@ -38,6 +39,16 @@ struct Responses {
   }
 };
 
+/// 1/kg or 1/(kg m^2)
+Real response(const ConeProblem& problem, const ConeLink& c) {
+  const auto of = [&](std::uint32_t body, const Vec3& d, const Vec3& w) {
+    if (body == kInvalid) return Real(0);
+    const ConeBody& b = problem.bodies[body];
+    return b.inv_mass * d.squared_norm() + w.dot(b.inv_inertia * w);
+  };
+  return of(c.a, c.d_a, c.w_a) + of(c.b, c.d_b, c.w_b);
+}
+
 void visit(ConeProblem& problem, ConeContact& c) {
   const Responses response(problem, c);
   if (!(response.normal > 0)) return;
@@ -65,10 +76,14 @@ void visit(ConeProblem& problem, ConeLink& c) {
 }  // namespace
 
 void sweep(ConeProblem& problem, int times) {
+  for (ConeLink& c : problem.locks) c.k = response(problem, c);
   for (int i = 0; i < times; ++i) {
+    for (ConeLink& c : problem.locks) visit(problem, c);
     for (ConeLink& c : problem.links) visit(problem, c);
     for (ConeContact& c : problem.contacts) visit(problem, c);
   }
+  for (ConeLink& c : problem.locks) c.k = 1;
+  obey_locks(problem);
   for (ConeContact& c : problem.contacts) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
   for (ConeLink& c : problem.links) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
 }

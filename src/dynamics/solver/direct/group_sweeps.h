@@ -6,7 +6,7 @@
 namespace carom::dynamics {
 
 /// Row by row, from the impulses that act already: each takes energy or leaves it, with contacts as soft as those of
-/// solver soft_step.
+/// solver soft_step. Joints of a forest hold in the end.
 void sweep(ConeProblem& problem, int times);
 
 }  // namespace carom::dynamics
