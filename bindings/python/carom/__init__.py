@@ -12,6 +12,7 @@ SI units, radians, right-handed frames, quaternions x, y, z, w. `carom.raw` is t
 from . import errors, raw, records
 from ._c import VERSION as __version__
 from .attributes import Attributes, attribute_infos
+from .batch import Batch, Column
 from .body import Body, Collider, Material
 from .dials import dial_infos
 from .engine import Engine
@@ -29,6 +30,6 @@ from .tree import JointTree
 from .tune import Tuned, tune
 from .world import World
 
-__all__ = ["Attributes", "Body", "CaromError", "Character", "Closed", "Collider", "Engine", "ForceField", "Joint", "JointTree", "Material",
+__all__ = ["Attributes", "Batch", "Body", "CaromError", "Character", "Closed", "Collider", "Column", "Engine", "ForceField", "Joint", "JointTree", "Material",
            "Particles", "Shape", "Spring", "SupportPlugin", "Tuned", "Vehicle", "Water", "Wheel", "World", "attribute_infos", "dial_infos",
            "effects", "errors", "raw", "records", "run", "share", "tune", "__version__"]

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._values import Rows, Vector
+    from .batch import Batch
     from .records import DialKeywords, FormWord
 
 
@@ -33,7 +34,7 @@ def plugin_folders() -> list[Path]:
 
 
 class Engine(Root, PairQuestions):
-    """Owns plugins and shapes; makes worlds. Closing it closes its worlds.
+    """Owns plugins and shapes; makes worlds. Closing it closes its worlds and batches.
 
         with carom.Engine(threads=2) as engine, engine.world() as world: ...
 
@@ -64,6 +65,7 @@ class Engine(Root, PairQuestions):
         check(raw.carom_engine_create, ctypes.byref(desc), ctypes.byref(pointer))
         super().__init__(pointer.value, raw.carom_engine_destroy, *alive)
         self._worlds: weakref.WeakSet[World] = weakref.WeakSet()
+        self._batches: weakref.WeakSet[Batch] = weakref.WeakSet()
         self._plugins: dict[str, int] = {}
         self._threads = None if jobs is not None else max(threads, 1)
         if threads > 1 or jobs is not None:
@@ -80,6 +82,8 @@ class Engine(Root, PairQuestions):
 
     def close(self) -> None:
         if not self._closed:
+            for batch in list(self._batches):
+                batch.close()
             for world in list(self._worlds):
                 world.close()
         super().close()

@@ -22,16 +22,33 @@ struct SnapshotFault {
   char text[240] = {0};
 };
 
+/// Whose bytes they are: those that never left the library need no checksum.
+enum class Origin { host, own };
+
 /// All that a step reads and that is not structure, and what a host can set without changing structure. May be called
 /// by several threads at once, while nothing changes the world.
 /// @param to  [capacity] filled if it is large enough
 /// @return    bytes that it takes
-std::uint64_t save_state(const World& world, std::byte* to, std::uint64_t capacity);
+std::uint64_t save_state(const World& world, std::byte* to, std::uint64_t capacity, Origin origin = Origin::host);
 
 /// Put back what save_state() took from this world, or from another of the same structure. From here on both go on
 /// alike, bit for bit. Lists and residuals of the last step are empty until the next one.
 /// @throw std::bad_alloc  then nothing has changed
-bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault);
+bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault,
+                   Origin origin = Origin::host);
+
+/// A section of own bytes, for who keeps them in another form.
+struct SectionBytes {
+  std::uint32_t tag = 0;
+  const std::byte* begin = nullptr;
+  std::uint64_t size = 0;  // up to a multiple of 8 zeros follow
+};
+/// @param at  0 to begin with; goes on behind the section   @return  false: there is no other
+bool next_section(const std::byte* bytes, std::uint64_t n, std::uint64_t& at, SectionBytes& out);
+/// The reverse: what stands before the first section, of own bytes that will be n in all, and before each section.
+/// @return  bytes written
+std::uint64_t put_header(std::byte* to, std::uint64_t n);
+std::uint64_t put_section_header(std::byte* to, std::uint32_t tag, std::uint64_t size);
 
 /// What of a world is not as a snapshot of its structure says.
 struct Difference {
