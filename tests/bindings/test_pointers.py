@@ -65,9 +65,9 @@ class Said(unittest.TestCase):
 class Owners(unittest.TestCase):
     def test_of_every_handle(self):
         owners = {h["name"]: h["owner"] for h in API["handles"] + API["opaque"]}
-        self.assertEqual((owners["carom_engine"], owners["carom_world"]), ("caller", "caller"))
+        self.assertEqual((owners["carom_engine"], owners["carom_world"], owners["carom_batch"]), ("caller",) * 3)
         self.assertEqual((owners["carom_plugin"], owners["carom_shape"]), ("engine", "engine"))
-        roots = ("carom_engine", "carom_world", "carom_plugin", "carom_shape")
+        roots = ("carom_engine", "carom_world", "carom_batch", "carom_plugin", "carom_shape")
         self.assertEqual({owners[name] for name in owners if name not in roots}, {"world"})
 
     def test_what_makes_and_ends_them_exists(self):
