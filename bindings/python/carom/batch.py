@@ -82,7 +82,7 @@ class Batch(Root):
         self.engine._batches.add(self)
         self._columns: list[Column] = []
         self._ranges: list[range] = []
-        self._draws: Any = self._np.zeros(0, self._np.uint64)
+        self.draws: NDArray[np.uint64] = self._np.zeros(0, self._np.uint64)
         try:
             self.add_worlds(world, n)
         except BaseException:
@@ -93,7 +93,7 @@ class Batch(Root):
         return "<carom.Batch, closed>" if self._closed else f"<carom.Batch: {count_of(len(self), 'world')}, {count_of(len(self._columns), 'column')}>"
 
     def __len__(self) -> int:
-        return len(self._draws)
+        return len(self.draws)
 
     def add_worlds(self, world: World, n: int) -> range:
         """n more that are as this world is now, of any structure. @return their numbers"""
@@ -104,7 +104,7 @@ class Batch(Root):
         self._call(raw.carom_batch_add_worlds, world._pointer, n, ctypes.byref(first))
         made = range(first.value, first.value + n)
         self._ranges.append(made)
-        self._draws = self._np.concatenate([self._draws, self._np.zeros(n, self._np.uint64)])
+        self.draws = self._np.concatenate([self.draws, self._np.zeros(n, self._np.uint64)])
         return made
 
     # ---- columns ----
@@ -281,7 +281,8 @@ class Batch(Root):
 
     def random(self, width: int, kind: Literal["uniform", "normal"] = "uniform", mask: Mask = None, *, seeds: Any = None) -> NDArray[np.float64]:
         """(worlds, width) random numbers, the next of each world: they follow from (seed, number of the world, how often it has drawn)
-        alone. Rows that the mask leaves out are 0, and draw nothing. @param seeds  of each world, in place of the batch's"""
+        alone. Rows that the mask leaves out are 0, and draw nothing. `draws` has how often each did, and may be set.
+        @param seeds  of each world, in place of the batch's and of the world's number: equal seeds give equal numbers"""
         np = self._np
         width, which = whole(width, "width", 0, 2**24), enum("RANDOM", kind, "kind")
         chosen = np.arange(len(self))
@@ -289,11 +290,12 @@ class Batch(Root):
             chosen = np.flatnonzero(self._mask(mask)[1])
         keys = np.empty((len(chosen), 3), np.uint64)
         keys[:, 0] = self.seed if seeds is None else np.broadcast_to(np.asarray(seeds, np.uint64), (len(self),))[chosen]
-        keys[:, 1], keys[:, 2] = chosen.astype(np.uint64) + np.uint64(self.first), self._draws[chosen]
+        keys[:, 1] = chosen.astype(np.uint64) + np.uint64(self.first) if seeds is None else np.uint64(0)
+        keys[:, 2] = self.draws[chosen]
         rows = np.zeros((len(chosen), width))
         doubles, words = ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_uint64)
         check(raw.carom_random_fill, which, keys.ctypes.data_as(words), len(chosen), width, rows.ctypes.data_as(doubles))
-        self._draws[chosen] += np.uint64(1)
+        self.draws[chosen] += np.uint64(1)
         out = np.zeros((len(self), width))
         out[chosen] = rows
         return out  # type: ignore[no-any-return]
