@@ -64,18 +64,19 @@ typedef struct carom_batch carom_batch;
  *  the other, each of as many numbers as the source says; rows are those of the worlds of one structure, in order. */
 typedef struct carom_batch_column {
   uint32_t struct_size;
-  uint32_t source;         /**< CAROM_COLUMN_BODIES or what follows it */
-  uint32_t field;          /**< of BODIES CAROM_FIELD_*, of JOINTS CAROM_JOINT_BULK_*, else 0 */
-  uint32_t when;           /**< CAROM_WHEN_ON_CALL, BEFORE_STEP, AFTER_STEP; default ON_CALL */
-  uint32_t scalar;         /**< CAROM_SCALAR_*, default F64 */
-  uint32_t reserved;       /**< 0 */
-  uint64_t world;          /**< one of the structure: the first that carom_batch_add_worlds() gave, or any other */
-  uint64_t n;              /**< how many things, 1 or more; 1 of GRAVITY and TIME */
-  const uint64_t *handles; /**< [n] of the things; of RAYS bodies that the rays go with, or 0; NULL of GRAVITY and TIME */
-  const double *rays;      /**< [7 n] of RAYS: origin, m, direction, m, and max, in [0, 1e9], in the body's frame or the
+  uint32_t source;   /**< CAROM_COLUMN_BODIES or what follows it */
+  uint32_t field;    /**< of BODIES CAROM_FIELD_*, of JOINTS CAROM_JOINT_BULK_*, else 0 */
+  uint32_t when;     /**< CAROM_WHEN_ON_CALL, BEFORE_STEP, AFTER_STEP; default ON_CALL */
+  uint32_t scalar;   /**< CAROM_SCALAR_*, default F64 */
+  uint32_t reserved; /**< 0 */
+  uint64_t world;    /**< one of the structure: the first that carom_batch_add_worlds() gave, or any other */
+  uint64_t n;        /**< how many things, 1 or more; 1 of GRAVITY and TIME */
+  const uint64_t
+      *handles;       /**< [n] of the things; of RAYS bodies that the rays go with, or 0; NULL of GRAVITY and TIME */
+  const double *rays; /**< [7 n] of RAYS: origin, m, direction, m, and max, in [0, 1e9], in the body's frame or the
                                 world's; the body itself is passed over. NULL of others */
-  void *data;              /**< the first row; belongs to the host, and stays until the batch is destroyed */
-  uint64_t stride;         /**< bytes from one row to the next; 0: tightly packed */
+  void *data;         /**< the first row; belongs to the host, and stays until the batch is destroyed */
+  uint64_t stride;    /**< bytes from one row to the next; 0: tightly packed */
 } carom_batch_column;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
@@ -181,12 +182,12 @@ CAROM_API int32_t carom_batch_get_faults(carom_batch *batch, uint64_t world, car
 /** What a batch has, and what it costs. */
 typedef struct carom_batch_info {
   uint32_t struct_size;
-  uint32_t structures;   /**< kinds of worlds */
-  uint64_t worlds;       /**< in all */
-  uint64_t stopped;      /**< of them */
-  uint64_t columns;      /**< that were added */
-  uint64_t real_worlds;  /**< as many as threads were at work at once, at most, times structures */
-  uint64_t state_bytes;  /**< of all states: divided by worlds, what one more world takes */
+  uint32_t structures;  /**< kinds of worlds */
+  uint64_t worlds;      /**< in all */
+  uint64_t stopped;     /**< of them */
+  uint64_t columns;     /**< that were added */
+  uint64_t real_worlds; /**< as many as threads were at work at once, at most, times structures */
+  uint64_t state_bytes; /**< of all states: divided by worlds, what one more world takes */
 } carom_batch_info;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */

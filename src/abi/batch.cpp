@@ -52,14 +52,14 @@ class ChangingBatch {
 
 /// @param argument  that the batch does not take more of
 bool is_world(Call& call, int argument, const batch::Batch& batch, std::uint64_t world) {
-  return world < batch.size() || call.fail(CAROM_E_OUT_OF_RANGE, argument, "world is %llu, the batch has %llu",
-                                           static_cast<unsigned long long>(world),
-                                           static_cast<unsigned long long>(batch.size()));
+  return world < batch.size() ||
+         call.fail(CAROM_E_OUT_OF_RANGE, argument, "world is %llu, the batch has %llu",
+                   static_cast<unsigned long long>(world), static_cast<unsigned long long>(batch.size()));
 }
 bool is_count(Call& call, int argument, const batch::Batch& batch, std::uint64_t n) {
-  return n == batch.size() || call.fail(CAROM_E_OUT_OF_RANGE, argument, "n is %llu, the batch has %llu worlds",
-                                        static_cast<unsigned long long>(n),
-                                        static_cast<unsigned long long>(batch.size()));
+  return n == batch.size() ||
+         call.fail(CAROM_E_OUT_OF_RANGE, argument, "n is %llu, the batch has %llu worlds",
+                   static_cast<unsigned long long>(n), static_cast<unsigned long long>(batch.size()));
 }
 
 /// A refusal with the world and column that it is about.
@@ -123,9 +123,8 @@ bool check_source(Call& call, const carom_batch_column& d) {
   if (!known(call, 2, "desc->source", d.source, CAROM_COLUMN_COUNT)) return false;
   const std::uint32_t fields = d.source == CAROM_COLUMN_BODIES   ? CAROM_FIELD_COUNT
                                : d.source == CAROM_COLUMN_JOINTS ? CAROM_JOINT_BULK_COUNT
-                                                                : 1;
-  if (!known(call, 2, "desc->field", d.field, fields) ||
-      !known(call, 2, "desc->when", d.when, CAROM_WHEN_COUNT) ||
+                                                                 : 1;
+  if (!known(call, 2, "desc->field", d.field, fields) || !known(call, 2, "desc->when", d.when, CAROM_WHEN_COUNT) ||
       !known(call, 2, "desc->scalar", d.scalar, CAROM_SCALAR_F64 + 1) ||
       !only_bits(call, 2, "desc->reserved", d.reserved, 0) || !present(call, 2, "desc->data", d.data) ||
       (lists && !present(call, 2, "desc->handles", d.handles)) || (casts && !present(call, 2, "desc->rays", d.rays)))
@@ -134,7 +133,8 @@ bool check_source(Call& call, const carom_batch_column& d) {
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "desc->n is %llu, must be %s", static_cast<unsigned long long>(d.n),
                      lists ? "how many things the column lists" : "1: a world has one");
   if ((!lists && d.handles) || (!casts && d.rays))
-    return call.fail(CAROM_E_UNSUPPORTED, 2, "desc->%s belongs to another source", casts || !d.rays ? "handles" : "rays");
+    return call.fail(CAROM_E_UNSUPPORTED, 2, "desc->%s belongs to another source",
+                     casts || !d.rays ? "handles" : "rays");
   return true;
 }
 
@@ -148,8 +148,9 @@ void add_column(Call& call, const ChangingBatch& batch, const carom_batch_column
     return;
   }
   if (d.when == CAROM_WHEN_BEFORE_STEP && (!is_writable(d) || may_be_refused(d))) {
-    call.fail(CAROM_E_UNSUPPORTED, 2, is_writable(d) ? "desc->field moves joints: it can't be written before each step"
-                                                     : "the column is read only: it can't be written before each step");
+    call.fail(CAROM_E_UNSUPPORTED, 2,
+              is_writable(d) ? "desc->field moves joints: it can't be written before each step"
+                             : "the column is read only: it can't be written before each step");
     call.advise("let it be ON_CALL or AFTER_STEP; targets, efforts, forces and poses go before steps");
     return;
   }
@@ -374,8 +375,8 @@ int32_t carom_batch_get_stopped(carom_batch* batch, uint32_t* stopped, uint64_t 
   });
 }
 
-int32_t carom_batch_get_faults(carom_batch* batch, uint64_t world, carom_fault* dst, uint64_t stride,
-                               uint64_t capacity, uint64_t* count, carom_error* error) {
+int32_t carom_batch_get_faults(carom_batch* batch, uint64_t world, carom_fault* dst, uint64_t stride, uint64_t capacity,
+                               uint64_t* count, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const ChangingBatch changing(call, batch);
     if (!changing || !is_world(call, 2, *changing, world) || (capacity && !present(call, 3, "dst", dst)) ||
@@ -408,7 +409,8 @@ int32_t carom_random_fill(uint32_t kind, const uint64_t* keys, uint64_t n, uint6
   return guarded(error, [&](Call& call) {
     const std::uint64_t row = sizeof(double) * std::min<std::uint64_t>(width, std::uint64_t(1) << 32);
     if (!known(call, 1, "kind", kind, CAROM_RANDOM_COUNT) || (n && !present(call, 2, "keys", keys)) ||
-        !in_range(call, 4, "width", static_cast<double>(width), 0, static_cast<double>(kLargestStride / sizeof(double))) ||
+        !in_range(call, 4, "width", static_cast<double>(width), 0,
+                  static_cast<double>(kLargestStride / sizeof(double))) ||
         !spans(call, 3, 3, n, std::max<std::uint64_t>(row, 3 * sizeof(std::uint64_t)), row) ||
         (n && width && !present(call, 5, "dst", dst)))
       return;

@@ -108,7 +108,8 @@ class MassRows final : public Listed {
     return true;
   }
   bool write(World& world, const double* row, Why&) const override {
-    each(row, [&](std::uint32_t body, const double* mass, std::size_t) { batch::set_mass(world, model_, body, *mass); });
+    each(row,
+         [&](std::uint32_t body, const double* mass, std::size_t) { batch::set_mass(world, model_, body, *mass); });
     return true;
   }
 

@@ -513,8 +513,7 @@ bool write_joints(Call& call, World& world, std::uint32_t field, std::span<const
     return true;
   }
   dynamics::JointMoves all(memory);
-  for (std::size_t i = 0; i < slots.size(); ++i)
-    all.ask(world, move_of(world, slots[i], row, records + width * i));
+  for (std::size_t i = 0; i < slots.size(); ++i) all.ask(world, move_of(world, slots[i], row, records + width * i));
   const dynamics::MoveFault fault = all.find(world, moves_of(field).what == Moves::speeds);
   const auto at = static_cast<std::uint64_t>(std::ranges::find(slots, all.joint_at_fault()) - slots.begin());
   if (!say(call, fault, at)) return false;

@@ -185,7 +185,7 @@ Batch::Lane* Batch::take_lane() {
 
 void Batch::give_lane(Lane& lane) {
   const std::lock_guard lock(lanes_mutex_);
-  idle_.push_back(&lane);  // there is room for all
+  idle_.push_back(&lane);  // reserved for all
 }
 
 World& Batch::real_world(Lane& lane, std::uint32_t structure) {
@@ -348,14 +348,15 @@ void Batch::share(Jobs* jobs, bool on_host_thread, Mask mask, const Each& f) {
   };
   Array<std::uint8_t> left(n, 0, memory_);
   { LaneUse(*this).demand(); }
-  in_parts(jobs, n, std::clamp<std::uint64_t>(n / kParts, 1, kLargestPart), [&](std::uint32_t begin, std::uint32_t end) {
-    const LaneUse lane(*this);
-    for (std::uint32_t k = begin; k < end; ++k)
-      if (!lane)
-        left[k] = wanted(k);
-      else if (wanted(k))
-        f(*lane, k);
-  });
+  in_parts(jobs, n, std::clamp<std::uint64_t>(n / kParts, 1, kLargestPart),
+           [&](std::uint32_t begin, std::uint32_t end) {
+             const LaneUse lane(*this);
+             for (std::uint32_t k = begin; k < end; ++k)
+               if (!lane)
+                 left[k] = wanted(k);
+               else if (wanted(k))
+                 f(*lane, k);
+           });
   const LaneUse lane(*this);
   for (std::uint64_t k = 0; k < n; ++k)
     if (left[k]) f(*lane, k);
@@ -402,8 +403,8 @@ void Batch::step_one(Lane& lane, std::uint64_t k, Real dt, std::uint32_t steps) 
   tell(lane, k, world, dt);
 }
 
-bool Batch::write(std::span<const std::uint32_t> columns, Mask mask, std::uint64_t& at_fault, std::uint32_t& column_at_fault,
-                  Why& why) {
+bool Batch::write(std::span<const std::uint32_t> columns, Mask mask, std::uint64_t& at_fault,
+                  std::uint32_t& column_at_fault, Why& why) {
   struct Fresh {
     Array<std::byte> packed;
     Array<double> masses, told;
@@ -417,7 +418,8 @@ bool Batch::write(std::span<const std::uint32_t> columns, Mask mask, std::uint64
   bool out_of_memory = false;
   each(mask, [&](Lane& lane, std::uint64_t k) {
     const std::uint32_t structure = members_[k].structure;
-    if (std::none_of(columns.begin(), columns.end(), [&](auto number) { return columns_[number].structure == structure; }))
+    if (std::none_of(columns.begin(), columns.end(),
+                     [&](auto number) { return columns_[number].structure == structure; }))
       return;
     try {
       World& world = load(lane, structure, members_[k].packed, members_[k].masses);
@@ -464,7 +466,8 @@ void Batch::read(std::span<const std::uint32_t> columns, Mask mask) {
   bool out_of_memory = false;
   each(mask, [&](Lane& lane, std::uint64_t k) {
     const std::uint32_t structure = members_[k].structure;
-    if (std::none_of(columns.begin(), columns.end(), [&](auto number) { return columns_[number].structure == structure; }))
+    if (std::none_of(columns.begin(), columns.end(),
+                     [&](auto number) { return columns_[number].structure == structure; }))
       return;
     try {
       const World& world = load(lane, structure, members_[k].packed, members_[k].masses);
@@ -521,7 +524,8 @@ void Batch::reset(Mask mask, const std::uint32_t* starts) {
       Array<Array<double>> told(memory_);
       for (const std::uint32_t number : of.after) {
         columns_[number].rows->read(world, 0, lane.row.data());
-        told.emplace_back(lane.row.begin(), lane.row.begin() + static_cast<std::ptrdiff_t>(columns_[number].rows->width()));
+        told.emplace_back(lane.row.begin(),
+                          lane.row.begin() + static_cast<std::ptrdiff_t>(columns_[number].rows->width()));
       }
       start.told.swap(told);
     }
@@ -569,7 +573,8 @@ std::uint64_t Batch::stopped_count() const {
 std::uint64_t Batch::state_bytes() const {
   std::uint64_t n = members_.capacity() * sizeof(Member);
   for (const Member& member : members_)
-    n += member.packed.capacity() + sizeof(double) * member.masses.capacity() + sizeof(FaultView) * member.faults.capacity();
+    n += member.packed.capacity() + sizeof(double) * member.masses.capacity() +
+         sizeof(FaultView) * member.faults.capacity();
   return n;
 }
 

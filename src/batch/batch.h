@@ -126,8 +126,8 @@ class Batch {
           after(memory),
           massed(memory) {}
     Owned<World> model;
-    Array<std::byte> whole;       // a snapshot that real worlds are built of
-    Array<const Shape*> shapes;   // by their numbers in it
+    Array<std::byte> whole;      // a snapshot that real worlds are built of
+    Array<const Shape*> shapes;  // by their numbers in it
     PackingBase base;
     std::uint64_t first, n;
     Array<Start> starts;

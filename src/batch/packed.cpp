@@ -23,7 +23,7 @@ std::uint64_t word_at(const std::byte* at) {
   return word;
 }
 
-/// Writes as long as there is room, and counts on.
+/// Writes up to its capacity, and counts on.
 class Sink {
  public:
   Sink(std::byte* to, std::uint64_t capacity) : to_(to), capacity_(capacity) {}

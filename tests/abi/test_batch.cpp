@@ -82,7 +82,8 @@ uint64_t alone(const Scene& scene, uint64_t k, int steps) {
   for (int s = 0; s < steps; ++s) {
     double force[2][6] = {};
     for (int i = 0; i < 3; ++i) force[0][i] = push_of(k, s, i), force[1][i] = -push_of(k, s, i + 1);
-    assert_int_equal(carom_world_write(world, CAROM_FIELD_FORCE, CAROM_SCALAR_F64, own, 2, force, 0, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_write(world, CAROM_FIELD_FORCE, CAROM_SCALAR_F64, own, 2, force, 0, nullptr),
+                     CAROM_OK);
     assert_int_equal(bench_steps(world, 1, nullptr), CAROM_OK);
   }
   const uint64_t hash = bench_hash(world);
@@ -162,7 +163,8 @@ void worlds_of_two_structures(void**) {
   carom_body ball;
   carom_collider collider;
   assert_int_equal(carom_world_create(scene.b.engine, nullptr, &small, nullptr), CAROM_OK);
-  assert_int_equal(bench_body(small, scene.b.ball, 0, CAROM_BODY_DYNAMIC, 0, 5, 0, &ball, &collider, nullptr), CAROM_OK);
+  assert_int_equal(bench_body(small, scene.b.ball, 0, CAROM_BODY_DYNAMIC, 0, 5, 0, &ball, &collider, nullptr),
+                   CAROM_OK);
   uint64_t first = 0;
   assert_int_equal(carom_batch_add_worlds(batch.batch, small, 2, &first, nullptr), CAROM_OK);
   assert_int_equal(first, 3);
@@ -226,7 +228,8 @@ void parameters_of_each_world(void**) {
   double gravity[3][3] = {{0, -9.81, 0}, {0, -1.6, 0}, {1, -9.81, 0.5}}, mass[3] = {2, 0.5, 31}, material[3][2] = {},
          ground[3][7], motor[3][3] = {{1, 0.5, 1}, {1, -0.5, 2}, {0, 0, 0}};
   double usual = 0;
-  assert_int_equal(carom_world_read(b.world, CAROM_FIELD_MASS, CAROM_SCALAR_F64, &b.bodies[3], 1, &usual, 0, nullptr), CAROM_OK);
+  assert_int_equal(carom_world_read(b.world, CAROM_FIELD_MASS, CAROM_SCALAR_F64, &b.bodies[3], 1, &usual, 0, nullptr),
+                   CAROM_OK);
   mass[1] = usual;
   for (int k = 0; k < 3; ++k) {
     material[k][0] = 0.1 + 0.3 * k, material[k][1] = 0.2 * k;
@@ -253,8 +256,11 @@ void parameters_of_each_world(void**) {
     assert_int_equal(carom_world_set_gravity(world, gravity[k], nullptr), CAROM_OK);
     if (k != 1) assert_int_equal(carom_body_set_mass(world, own[0], mass[k], nullptr, nullptr, nullptr), CAROM_OK);
     assert_int_equal(carom_material_update(world, own[1], &desc, nullptr), CAROM_OK);
-    assert_int_equal(carom_world_write(world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, &own[2], 1, ground[k], 0, nullptr), CAROM_OK);
-    assert_int_equal(carom_world_write_joints(world, CAROM_JOINT_BULK_MOTOR, CAROM_SCALAR_F64, &own[3], 1, motor[k], 0, nullptr), CAROM_OK);
+    assert_int_equal(carom_world_write(world, CAROM_FIELD_POSE, CAROM_SCALAR_F64, &own[2], 1, ground[k], 0, nullptr),
+                     CAROM_OK);
+    assert_int_equal(
+        carom_world_write_joints(world, CAROM_JOINT_BULK_MOTOR, CAROM_SCALAR_F64, &own[3], 1, motor[k], 0, nullptr),
+        CAROM_OK);
     assert_int_equal(bench_steps(world, 80, nullptr), CAROM_OK);
     want.push_back(bench_hash(world));
     assert_int_equal(carom_world_destroy(world, nullptr), CAROM_OK);
@@ -275,9 +281,11 @@ void what_is_refused_changes_nothing(void**) {
   double force[3][6] = {}, place[3][1] = {}, mass[3] = {1, 1, 1}, broken[3] = {};
   const std::vector<uint64_t> of = {scene.b.bodies[0]};
   batch.column(CAROM_COLUMN_BODIES, CAROM_FIELD_FORCE, CAROM_WHEN_BEFORE_STEP, of, force[0]);
-  const uint32_t joint = batch.column(CAROM_COLUMN_JOINTS, CAROM_JOINT_BULK_POSITION, CAROM_WHEN_ON_CALL, {scene.b.joint}, place[0]);
+  const uint32_t joint =
+      batch.column(CAROM_COLUMN_JOINTS, CAROM_JOINT_BULK_POSITION, CAROM_WHEN_ON_CALL, {scene.b.joint}, place[0]);
   const uint32_t masses = batch.column(CAROM_COLUMN_MASSES, 0, CAROM_WHEN_ON_CALL, of, mass);
-  const uint32_t read_only = batch.column(CAROM_COLUMN_JOINTS, CAROM_JOINT_BULK_BROKEN, CAROM_WHEN_ON_CALL, {scene.b.joint}, broken);
+  const uint32_t read_only =
+      batch.column(CAROM_COLUMN_JOINTS, CAROM_JOINT_BULK_BROKEN, CAROM_WHEN_ON_CALL, {scene.b.joint}, broken);
   const std::vector<uint64_t> before = batch.hashes();
   carom_error e = CAROM_ERROR_INIT;
   force[2][4] = std::nan("");
@@ -352,7 +360,8 @@ void a_fault_stops_its_world_and_no_other(void**) {
   Batch batch(scene, 4), calm(scene, 4);
   double speed[4][3] = {};
   speed[2][0] = 1e12;  // beyond what a step allows
-  const uint32_t column = batch.column(CAROM_COLUMN_BODIES, CAROM_FIELD_LINEAR_VELOCITY, CAROM_WHEN_ON_CALL, {scene.b.bodies[1]}, speed[0]);
+  const uint32_t column =
+      batch.column(CAROM_COLUMN_BODIES, CAROM_FIELD_LINEAR_VELOCITY, CAROM_WHEN_ON_CALL, {scene.b.bodies[1]}, speed[0]);
   const uint8_t third[4] = {0, 0, 1, 0};
   assert_int_equal(carom_batch_write(batch.batch, &column, 1, third, nullptr), CAROM_OK);
   assert_int_equal(batch.step(3), 1);
@@ -385,8 +394,10 @@ void contact_forces_and_rays(void**) {
   carom_body ball, ground;
   carom_collider collider;
   assert_int_equal(carom_world_create(scene.b.engine, nullptr, &world, nullptr), CAROM_OK);
-  assert_int_equal(bench_body(world, scene.b.floor, 0, CAROM_BODY_STATIC, 0, 0, 0, &ground, &collider, nullptr), CAROM_OK);
-  assert_int_equal(bench_body(world, scene.b.ball, 0, CAROM_BODY_DYNAMIC, 0, 0.5, 0, &ball, &collider, nullptr), CAROM_OK);
+  assert_int_equal(bench_body(world, scene.b.floor, 0, CAROM_BODY_STATIC, 0, 0, 0, &ground, &collider, nullptr),
+                   CAROM_OK);
+  assert_int_equal(bench_body(world, scene.b.ball, 0, CAROM_BODY_DYNAMIC, 0, 0.5, 0, &ball, &collider, nullptr),
+                   CAROM_OK);
   uint64_t first = 0;
   assert_int_equal(carom_batch_add_worlds(batch.batch, world, 2, &first, nullptr), CAROM_OK);
   double force[2][2][3], distance[2][3], time[2], mass, place[2][3];
@@ -397,7 +408,8 @@ void contact_forces_and_rays(void**) {
   batch.column(CAROM_COLUMN_BODIES, CAROM_FIELD_POSITION, CAROM_WHEN_AFTER_STEP, {ball}, place[0], nullptr, first);
   batch.step(192);
   assert_int_equal(carom_world_read(world, CAROM_FIELD_MASS, CAROM_SCALAR_F64, &ball, 1, &mass, 0, nullptr), CAROM_OK);
-  assert_true(std::fabs(force[1][0][1] - 9.81 * mass) < 1e-6 * mass && std::fabs(force[1][1][1] + 9.81 * mass) < 1e-6 * mass);
+  assert_true(std::fabs(force[1][0][1] - 9.81 * mass) < 1e-6 * mass &&
+              std::fabs(force[1][1][1] + 9.81 * mass) < 1e-6 * mass);
   assert_true(std::fabs(distance[1][0] - place[1][1]) < 1e-9);  // 1e-9: half-spaces are met within rounding
   assert_true(std::fabs(distance[0][1] - 2) < 1e-9 && distance[0][2] == 8);
   assert_true(std::fabs(time[1] - 192 * kStep) < 1e-12);
@@ -427,8 +439,10 @@ void lack_of_memory(void**) {
   for (long k = 0; k < 400; ++k) {
     Batch batch(scene, 2);
     double place[2][3];
-    const uint32_t column = batch.column(CAROM_COLUMN_BODIES, CAROM_FIELD_POSITION, CAROM_WHEN_ON_CALL, {scene.b.bodies[0]}, place[0]);
-    const std::vector<uint64_t> before = k % 2 ? batch.hashes() : std::vector<uint64_t>{};  // with a real world, or without
+    const uint32_t column =
+        batch.column(CAROM_COLUMN_BODIES, CAROM_FIELD_POSITION, CAROM_WHEN_ON_CALL, {scene.b.bodies[0]}, place[0]);
+    const std::vector<uint64_t> before =
+        k % 2 ? batch.hashes() : std::vector<uint64_t>{};  // with a real world, or without
     uint64_t stopped = 0;
     memory.left = k;
     const int32_t r = carom_batch_step(batch.batch, nullptr, kStep, 1, &stopped, nullptr);
@@ -504,7 +518,8 @@ void calls_at_the_wrong_time(void**) {
   carom_collider collider;
   assert_int_equal(carom_plugin_register(scene.b.engine, &plugin, &handle, nullptr), CAROM_OK);
   assert_int_equal(carom_shape_create(scene.b.engine, handle, half, 3, &shape, nullptr), CAROM_OK);
-  assert_int_equal(bench_body(scene.b.world, shape, 0, CAROM_BODY_DYNAMIC, 0, 0.3, 3, &body, &collider, nullptr), CAROM_OK);
+  assert_int_equal(bench_body(scene.b.world, shape, 0, CAROM_BODY_DYNAMIC, 0, 0.3, 3, &body, &collider, nullptr),
+                   CAROM_OK);
   Batch batch(scene, 2);
   nosy.batch = batch.batch;
   assert_int_equal(batch.step(3), 0);
@@ -536,7 +551,8 @@ void host_thread_shapes_stay_on_the_calling_thread(void**) {
   assert_int_equal(carom_plugin_register(scene.b.engine, &plugin, &handle, nullptr), CAROM_OK);
   assert_int_equal(carom_shape_create(scene.b.engine, handle, half, 3, &shape, nullptr), CAROM_OK);
   Batch batch(scene, 40);
-  assert_int_equal(bench_body(scene.b.world, shape, 0, CAROM_BODY_DYNAMIC, 0, 0.3, 3, &body, &collider, nullptr), CAROM_OK);
+  assert_int_equal(bench_body(scene.b.world, shape, 0, CAROM_BODY_DYNAMIC, 0, 0.3, 3, &body, &collider, nullptr),
+                   CAROM_OK);
   uint64_t first;
   assert_int_equal(carom_batch_add_worlds(batch.batch, scene.b.world, 40, &first, nullptr), CAROM_OK);
   batch.n = 80;

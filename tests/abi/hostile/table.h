@@ -703,12 +703,11 @@ inline Argument batch_column(Context& c) {
   d.field = CAROM_FIELD_POSITION, d.when = c.source.below(3), d.scalar = c.source.below(2);
   d.n = 1, d.handles = static_cast<const uint64_t*>(static_cast<const void*>(c.keep(body)));
   d.data = c.take(48);
-  Argument a = in_struct(
-      c, d,
-      {HOSTILE_CHOICE(carom_batch_column, source, 8u), HOSTILE_CHOICE(carom_batch_column, field, 9u),
-       HOSTILE_CHOICE(carom_batch_column, when, 3u), HOSTILE_CHOICE(carom_batch_column, scalar, 2u),
-       HOSTILE_RESERVED(carom_batch_column, reserved), HOSTILE_POINTER(carom_batch_column, handles),
-       HOSTILE_POINTER(carom_batch_column, data)});
+  Argument a = in_struct(c, d,
+                         {HOSTILE_CHOICE(carom_batch_column, source, 8u), HOSTILE_CHOICE(carom_batch_column, field, 9u),
+                          HOSTILE_CHOICE(carom_batch_column, when, 3u), HOSTILE_CHOICE(carom_batch_column, scalar, 2u),
+                          HOSTILE_RESERVED(carom_batch_column, reserved), HOSTILE_POINTER(carom_batch_column, handles),
+                          HOSTILE_POINTER(carom_batch_column, data)});
   const auto worse = [&](const char* what, Codes codes, auto&& spoil) {
     carom_batch_column bad = d;
     spoil(bad);
@@ -721,14 +720,12 @@ inline Argument batch_column(Context& c) {
     worse("a short stride", kSmall, [](auto& b) { b.stride = 8; });
     worse("a stride beyond all", kRange, [](auto& b) { b.stride = ~uint64_t(0); });
     worse("rays of another source", kUnsupported, [&](auto& b) { b.rays = static_cast<const double*>(c.take(56)); });
-    worse("mass is read only", kUnsupported, [](auto& b) {
-      b.field = CAROM_FIELD_MASS, b.when = CAROM_WHEN_BEFORE_STEP;
-    });
+    worse("mass is read only", kUnsupported,
+          [](auto& b) { b.field = CAROM_FIELD_MASS, b.when = CAROM_WHEN_BEFORE_STEP; });
     for (const Wrong& w : wrong_handles(c, kBody, false)) {
       const uint64_t handle = w.value.u;
-      worse(w.what.c_str(), w.codes, [&](auto& b) {
-        b.handles = static_cast<const uint64_t*>(static_cast<const void*>(c.keep(handle)));
-      });
+      worse(w.what.c_str(), w.codes,
+            [&](auto& b) { b.handles = static_cast<const uint64_t*>(static_cast<const void*>(c.keep(handle))); });
     }
   }
   a.impossible = none;
