@@ -16,7 +16,7 @@ A world goes on to the bit as it would alone, whatever the number of worlds and 
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, Iterable, Literal, Sequence
+from typing import TYPE_CHECKING, Any, Iterable, Literal, Sequence, Union
 
 from . import raw
 from ._root import Root, check, count_of
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from .joint import Joint
     from .world import World
 
-    Mask = NDArray[Any] | Sequence[bool] | None
+    Mask = Union[NDArray[Any], Sequence[bool], None]
 
 _KIND = {raw.CAROM_COLUMN_JOINTS: "carom_joint", raw.CAROM_COLUMN_MATERIALS: "carom_material"}
 _WIDTH = {raw.CAROM_COLUMN_MASSES: 1, raw.CAROM_COLUMN_MATERIALS: 2, raw.CAROM_COLUMN_GRAVITY: 3, raw.CAROM_COLUMN_TIME: 1,

@@ -11,14 +11,7 @@ follows from its seed and its actions to the bit, whatever the number of environ
 """
 from __future__ import annotations
 
-try:
-    import gymnasium
-except ImportError:
-    raise ImportError("carom.gym needs gymnasium: pip install 'carom[gym]'") from None
-
-from gymnasium.vector import AutoresetMode
-
-from .env import Env, VectorEnv
+from .env import AutoresetMode, Env, VectorEnv, gymnasium
 from .task import Task
 from .tasks import TASKS, Ant, CartPole, Humanoid, Quadruped, Stack, Throw
 

@@ -1,17 +1,22 @@
 """Gymnasium's environments over a batch of worlds."""
 from __future__ import annotations
 
+import importlib
 from typing import Any, Sequence
 
-import gymnasium
 import numpy as np
-from gymnasium.vector import AutoresetMode
-from gymnasium.vector.utils import batch_space
 
 from ..batch import Batch
 from ..engine import Engine
 from .task import Task
 from .tasks import TASKS
+
+gymnasium: Any
+try:
+    gymnasium = importlib.import_module("gymnasium")
+    AutoresetMode: Any = importlib.import_module("gymnasium.vector").AutoresetMode
+except ImportError:
+    raise ImportError("carom.gym needs gymnasium: pip install 'carom[gym]'") from None
 
 FARTHEST = 1e15  # m: where a body may be; m/s and rad/s are less
 
@@ -27,7 +32,7 @@ def task_of(task: str | Task | type[Task]) -> Task:
     return made
 
 
-class VectorEnv(gymnasium.vector.VectorEnv):
+class VectorEnv(gymnasium.vector.VectorEnv):  # type: ignore[misc]
     """Many environments of one task.
     @param task            a name of carom.gym.TASKS, or a Task of your own
     @param autoreset_mode  NextStep: an episode that ended begins anew with the next action, which is not looked at; SameStep: at once,
@@ -35,7 +40,7 @@ class VectorEnv(gymnasium.vector.VectorEnv):
     @param threads         that step worlds; the outcome is the same to the bit
     """
 
-    def __init__(self, task: str | Task | type[Task], num_envs: int = 1, *, autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
+    def __init__(self, task: str | Task | type[Task], num_envs: int = 1, *, autoreset_mode: Any = AutoresetMode.NEXT_STEP,
                  threads: int = 1, render_mode: None = None) -> None:
         if render_mode is not None:
             raise ValueError(f"render_mode takes None, got {render_mode!r}: save a world by batch.save() and draw it")
@@ -46,8 +51,8 @@ class VectorEnv(gymnasium.vector.VectorEnv):
         self.render_mode = None
         self.single_action_space = gymnasium.spaces.Box(-1.0, 1.0, (self.task.actions,), np.float32)
         self.single_observation_space = gymnasium.spaces.Box(-FARTHEST, FARTHEST, (self.task.observations,), np.float64)
-        self.action_space = batch_space(self.single_action_space, num_envs)
-        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.action_space = gymnasium.vector.utils.batch_space(self.single_action_space, num_envs)
+        self.observation_space = gymnasium.vector.utils.batch_space(self.single_observation_space, num_envs)
         self.engine = Engine(threads=threads)
         try:
             self.batch = Batch(self.task.build(self.engine), num_envs)
@@ -71,8 +76,9 @@ class VectorEnv(gymnasium.vector.VectorEnv):
             if len(given) != self.num_envs or any(one is not None and one < 0 for one in given):
                 raise ValueError(f"seed takes one number that is not negative, or {self.num_envs}, got {seed!r}")
             for k in np.flatnonzero(mask):
-                if given[k] is not None:
-                    self._seeds[k], self.batch.draws[k] = given[k], 0
+                one = given[k]
+                if one is not None:
+                    self._seeds[k], self.batch.draws[k] = one, 0
             super().reset(seed=next((int(one) for one in given if one is not None), None))
         self._begin(mask)
         return self.task.observe(), {}
@@ -122,10 +128,10 @@ class VectorEnv(gymnasium.vector.VectorEnv):
         self.engine.close()
 
 
-class Env(gymnasium.Env):
+class Env(gymnasium.Env):  # type: ignore[misc]
     """One environment of a task, in a batch of its own."""
 
-    metadata = {"render_modes": []}
+    metadata: dict[str, Any] = {"render_modes": []}
 
     def __init__(self, task: str | Task | type[Task], render_mode: None = None) -> None:
         self.envs = VectorEnv(task, 1, autoreset_mode=AutoresetMode.DISABLED, render_mode=render_mode)

@@ -73,4 +73,5 @@ class Task:
 def rows(*columns: Column | Array) -> Array:
     """Side by side, a row for each environment."""
     arrays = [np.asarray(column) for column in columns]
-    return np.concatenate([array.reshape(len(array), -1) for array in arrays], axis=1)
+    side: Array = np.concatenate([array.reshape(len(array), -1) for array in arrays], axis=1)
+    return side
