@@ -83,7 +83,7 @@ typedef struct carom_batch_column {
 CAROM_API int32_t carom_batch_column_init(carom_batch_column *column, uint32_t struct_size);
 
 /** Make a batch without worlds.
- *  @owns the caller: carom_batch_destroy(), before the engine
+ *  @param batch out: to be destroyed before the engine   @owns the caller: carom_batch_destroy()
  *  @status OK; NULL_ARGUMENT; OUT_OF_MEMORY   @thread engine */
 CAROM_API int32_t carom_batch_create(carom_engine *engine, carom_batch **batch, carom_error *error);
 

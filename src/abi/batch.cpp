@@ -408,11 +408,11 @@ int32_t carom_random_fill(uint32_t kind, const uint64_t* keys, uint64_t n, uint6
                           carom_error* error) {
   return guarded(error, [&](Call& call) {
     const std::uint64_t row = sizeof(double) * std::min<std::uint64_t>(width, std::uint64_t(1) << 32);
-    if (!known(call, 1, "kind", kind, CAROM_RANDOM_COUNT) || (n && !present(call, 2, "keys", keys)) ||
+    if (!known(call, 1, "kind", kind, CAROM_RANDOM_COUNT) || !present(call, 2, "keys", keys) ||
         !in_range(call, 4, "width", static_cast<double>(width), 0,
                   static_cast<double>(kLargestStride / sizeof(double))) ||
         !spans(call, 3, 3, n, std::max<std::uint64_t>(row, 3 * sizeof(std::uint64_t)), row) ||
-        (n && width && !present(call, 5, "dst", dst)))
+        !present(call, 5, "dst", dst))
       return;
     const FloatScope scope;
     fill_random(kind, keys, n, width, dst);

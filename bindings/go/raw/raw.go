@@ -4211,7 +4211,7 @@ func BatchColumnInit(column *BatchColumn, struct_size uint32) int32 {
 }
 
 // Make a batch without worlds.
-// @owns the caller: carom_batch_destroy(), before the engine
+// @param batch out: to be destroyed before the engine   @owns the caller: carom_batch_destroy()
 // @status OK; NULL_ARGUMENT; OUT_OF_MEMORY   @thread engine
 func BatchCreate(engine *Engine, batch **Batch, error_ *Error) int32 {
 	return int32(C.carom_batch_create((*C.carom_engine)(unsafe.Pointer(engine)), (**C.carom_batch)(unsafe.Pointer(batch)), (*C.carom_error)(unsafe.Pointer(error_))))

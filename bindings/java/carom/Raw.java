@@ -3499,7 +3499,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_batch_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Make a batch without worlds.
-     *  owns: the caller: carom_batch_destroy(), before the engine
+     *  param: batch out: to be destroyed before the engine   owns: the caller: carom_batch_destroy()
      *  status: OK; NULL_ARGUMENT; OUT_OF_MEMORY   thread: engine */
     public static int carom_batch_create(MemorySegment engine, MemorySegment batch, MemorySegment error) {
         try { return (int) carom_batch_create_.CALL.invokeExact(engine, batch, error); } catch (Throwable problem) { throw Library.thrown(problem); }

@@ -55,7 +55,7 @@ export interface Raw {
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_batch_column_init(column: number, struct_size: number): number;
   /** Make a batch without worlds.
-   *  @owns the caller: carom_batch_destroy(), before the engine
+   *  @param batch out: to be destroyed before the engine   @owns the caller: carom_batch_destroy()
    *  @status OK; NULL_ARGUMENT; OUT_OF_MEMORY   @thread engine */
   carom_batch_create(engine: number, batch: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; BUSY; REENTRANT */

@@ -1419,7 +1419,7 @@ def carom_batch_column_init(column: Any, struct_size: Any) -> int:
     ...
 def carom_batch_create(engine: Any, batch: Any, error: Any) -> int:
     """Make a batch without worlds.
-    @owns the caller: carom_batch_destroy(), before the engine
+    @param batch out: to be destroyed before the engine   @owns the caller: carom_batch_destroy()
     @status OK; NULL_ARGUMENT; OUT_OF_MEMORY   @thread engine"""
     ...
 def carom_batch_destroy(batch: Any, error: Any) -> int:

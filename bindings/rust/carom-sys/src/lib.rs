@@ -3352,7 +3352,7 @@ extern "C" {
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_batch_column_init(column: *mut carom_batch_column, struct_size: u32) -> i32;
     /// Make a batch without worlds.
-    /// @owns the caller: carom_batch_destroy(), before the engine
+    /// @param batch out: to be destroyed before the engine   @owns the caller: carom_batch_destroy()
     /// @status OK; NULL_ARGUMENT; OUT_OF_MEMORY   @thread engine
     pub fn carom_batch_create(engine: *mut carom_engine, batch: *mut *mut carom_batch, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; BUSY; REENTRANT
