@@ -2,9 +2,12 @@
 
 Needs gymnasium and numpy, and is skipped without them.
 """
+import re
+import subprocess
 import sys
 import unittest
 import warnings
+from pathlib import Path
 
 SKIPPED = 77  # what CTest takes for skipped
 try:
@@ -168,6 +171,14 @@ class Refused(unittest.TestCase):
             VectorEnv(3, 2)
         with self.assertRaises(ValueError):
             VectorEnv("CartPole", 2, render_mode="human")
+
+
+class Page(unittest.TestCase):
+    def test_the_program(self):
+        text = (Path(__file__).resolve().parents[2] / "src/site/docs/topics/batches.md").read_text(encoding="utf-8")
+        program = re.findall(r"```python\n(.*?)```", text, re.S)[1]
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr, done.stdout), (0, "", "(64, 27) (64,)\n"))
 
 
 if __name__ == "__main__":

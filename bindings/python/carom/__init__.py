@@ -9,7 +9,7 @@
 
 SI units, radians, right-handed frames, quaternions x, y, z, w. `carom.raw` is the C interface under its own names.
 """
-from . import errors, raw, records
+from . import errors, jobs, raw, records
 from ._c import VERSION as __version__
 from .attributes import Attributes, attribute_infos
 from .batch import Batch, Column
@@ -32,4 +32,4 @@ from .world import World
 
 __all__ = ["Attributes", "Batch", "Body", "CaromError", "Character", "Closed", "Collider", "Column", "Engine", "ForceField", "Joint", "JointTree", "Material",
            "Particles", "Shape", "Spring", "SupportPlugin", "Tuned", "Vehicle", "Water", "Wheel", "World", "attribute_infos", "dial_infos",
-           "effects", "errors", "raw", "records", "run", "share", "tune", "__version__"]
+           "effects", "errors", "jobs", "raw", "records", "run", "share", "tune", "__version__"]
