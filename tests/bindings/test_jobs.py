@@ -67,12 +67,17 @@ class Jobs(unittest.TestCase):
         self.assertEqual(self.want[::-1] + self.want[:1], carom.jobs.map(self.snapshot, fall, [*range(7, -1, -1), 0]))
 
     @unittest.skipIf(ray is None, "Ray is not installed (pip install ray)")
-    def test_on_ray_too_after_a_worker_was_killed(self):
+    def test_on_two_nodes_of_ray_too_after_a_worker_was_killed(self):
         with tempfile.TemporaryDirectory() as folder:
             os.environ["CAROM_TEST_MARK"] = str(Path(folder) / "mark")
             path = os.pathsep.join([str(Path(__file__).parent), *filter(None, sys.path)])
-            ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False, runtime_env={"env_vars": {**os.environ, "PYTHONPATH": path}})
+            from ray.cluster_utils import Cluster
+            cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 1, "include_dashboard": False})
+            self.addCleanup(cluster.shutdown)
+            cluster.add_node(num_cpus=1)
+            ray.init(address=cluster.address, log_to_driver=False, runtime_env={"env_vars": {**os.environ, "PYTHONPATH": path}})
             self.addCleanup(ray.shutdown)
+            self.assertEqual(len(ray.nodes()), 2)
             self.assertEqual(self.want, carom.jobs.map(self.snapshot, end_once, range(8), on="ray"))
 
     def test_a_worker_that_ends_costs_its_jobs_another_try(self):
