@@ -94,10 +94,13 @@ void destroy(carom_batch* batch) {
 }
 
 void add_worlds(Call& call, const ChangingBatch& batch, carom_world* given, std::uint64_t n, std::uint64_t* first) {
-  // The world is argument 2 here, where Reading says 1.
   if (!present(call, 2, "world", given) || !present(call, 4, "first", first)) return;
-  const Reading world(call, given);
-  if (!world) return;
+  Call reads(nullptr);
+  const Reading world(reads, given);
+  if (!world) {
+    call.fail(reads.code(), 2, "%s", reads.message());
+    return;
+  }
   if (&world.engine() != &batch.engine()) {
     call.fail(CAROM_E_WRONG_WORLD, 2, "the world is of another engine than the batch");
     return;
@@ -195,7 +198,7 @@ void step(Call& call, const ChangingBatch& batch, const std::uint8_t* mask, doub
   batch::Why why;
   std::uint64_t world = 0;
   std::uint32_t column = 0;
-  if (!batch->check(batch->before(), mask, world, column, why)) return refuse(call, 0, why, world, column);
+  if (!batch->check(batch->before(), mask, true, world, column, why)) return refuse(call, 0, why, world, column);
   batch->step(dt, steps, mask);
   if (stopped) *stopped = batch->stopped_count();
 }
@@ -213,7 +216,7 @@ void write(Call& call, const ChangingBatch& batch, const std::uint32_t* columns,
       call.fail(CAROM_E_UNSUPPORTED, 2, "column %u can be read, not written", number);
       return;
     }
-  if (!batch->check(listed, mask, world, column, why) || !batch->write(listed, mask, world, column, why))
+  if (!batch->check(listed, mask, false, world, column, why) || !batch->write(listed, mask, world, column, why))
     refuse(call, 2, why, world, column);
 }
 

@@ -4,7 +4,7 @@
 #include <carom/batch.h>
 
 #include "abi/check.h"
-#include "batch/batch.h"
+#include "batch/world_batch.h"
 
 namespace carom::abi {
 

@@ -81,8 +81,10 @@ class Batch {
   /// @return its number
   std::uint32_t add_column(Column column);
   const Array<Column>& columns() const { return columns_; }
-  /// All that is to be written for these worlds. @param world, column  the first at fault
-  bool check(std::span<const std::uint32_t> columns, Mask mask, std::uint64_t& world, std::uint32_t& column, Why& why);
+  /// All that is to be written for these worlds. @param running  of those that are not stopped
+  /// @param world, column  the first at fault
+  bool check(std::span<const std::uint32_t> columns, Mask mask, bool running, std::uint64_t& world,
+             std::uint32_t& column, Why& why);
   /// Columns that are written before each step.
   std::span<const std::uint32_t> before() const { return before_; }
 

@@ -1,4 +1,4 @@
-#include "batch/batch.h"
+#include "batch/world_batch.h"
 
 #include <cstdarg>
 #include <cstdio>
@@ -311,14 +311,14 @@ void Batch::tell(Lane& lane, std::uint64_t world, const World& at, Real dt) {
   }
 }
 
-bool Batch::check(std::span<const std::uint32_t> columns, Mask mask, std::uint64_t& world, std::uint32_t& column,
-                  Why& why) {
+bool Batch::check(std::span<const std::uint32_t> columns, Mask mask, bool running, std::uint64_t& world,
+                  std::uint32_t& column, Why& why) {
   Array<double> row(widest_, 0, memory_);
   for (const std::uint32_t number : columns) {
     const Column& c = columns_[number];
     const Structure& of = *structures_[c.structure];
     for (std::uint64_t k = of.first; k < of.first + of.n; ++k) {
-      if (mask && !mask[k]) continue;
+      if ((mask && !mask[k]) || (running && members_[k].stopped != Stopped::no)) continue;
       fetch(c, k, row.data());
       if (c.rows->check(*of.model, row.data(), why)) continue;
       world = k, column = number;
