@@ -61,6 +61,18 @@ class Tasks(unittest.TestCase):
                     ends += terminated | truncated
                 self.assertTrue((ends >= 1).all())
 
+    def test_a_quadruped_stands_wherever_it_begins(self):
+        envs = VectorEnv("Quadruped", 6, autoreset_mode="Disabled")
+        self.addCleanup(envs.close)
+        envs.reset(seed=4)
+        for _ in range(100):
+            observations, _, terminated, _, _ = envs.step(np.zeros(envs.action_space.shape))
+        self.assertFalse(terminated.any())
+        self.assertLess(np.abs(envs.task.motion.array).max(), 0.3)
+        below = observations[:, -9]  # m: what the first ray down from the trunk meets
+        self.assertTrue(((below > 0.2) & (below < 0.45)).all(), below)
+        self.assertGreater(np.ptp(envs.task.pose.array[:, 0, 1]), 0.02)  # on other hills
+
     def test_what_is_good_is_better(self):
         """A cart that is pushed under its pole holds it longer than one that is left alone; a throw at the right speed gets farther."""
         envs = VectorEnv("CartPole", 8, autoreset_mode="Disabled")

@@ -22,11 +22,11 @@ Point = tuple[float, float, float]
 
 
 def hinge(world: World, a: Body | None, b: Body, at: Point, axis: Point, low: float, high: float, armature: float = 0.01,
-          damping: float = 0.2) -> Joint:
-    """Degrees, kg m^2, N m s/rad."""
+          damping: float = 0.2, stiffness: float = 0.0) -> Joint:
+    """Degrees, kg m^2, N m s/rad, N m/rad towards the stance."""
     joint = world.joint("hinge", a, b, position=at, axis=axis)
     joint.axis("turn_x", mode="limited", lower=math.radians(low), upper=math.radians(high), armature=armature, spring_damping=damping,
-               spring_gains="force")
+               spring_stiffness=stiffness, spring_gains="force")
     return joint
 
 
@@ -148,6 +148,7 @@ class Humanoid(Walker):
         self.hinges = []
 
         def chain(parent: Body, at: Point, axes: list[tuple[Point, float, float]], last: Body) -> None:
+            parent.ignore_collision(last)  # small parts are between them
             for k, (axis, low, high) in enumerate(axes):
                 child = last if k == len(axes) - 1 else world.body(position=at, mass=0.5, center=(0, 0, 0), inertia=(2e-3, 0, 0, 0, 2e-3, 0, 0, 0, 2e-3))
                 self.hinges.append(hinge(world, parent, child, at, axis, low, high, 0.02, 1.0))
@@ -178,18 +179,18 @@ def shin_point(body: Body, at: Point) -> Any:
 
 
 class Quadruped(Walker):
-    """Four legs of three servos on a field of hills; each episode begins elsewhere on it. Actions are targets about the stance. A row of
-    nine rays down, up to 0.8 m ahead, is seen beside."""
+    """Four legs of three joints on a field of hills; each episode begins elsewhere on it. Springs hold its stance, actions push beside them. A
+    row of nine rays down, up to 0.8 m ahead, is seen beside."""
 
     dt, steps = 1 / 200, 4
     actions, observations = 12, 5 + 12 + 6 + 12 + 9
-    lowest, cost, noise = -math.inf, 0.05, 0.02
+    lowest, strengths, cost, noise = -math.inf, 30.0, 0.05, 0.02
 
     def build(self, engine: Engine) -> World:
         world = engine.world(substeps=2)
         grid = np.arange(81)
         hills = 0.06 * (np.sin(0.9 * grid)[:, None] * np.cos(0.7 * grid)[None, :] + 0.6 * np.sin(0.37 * grid[:, None] + 0.53 * grid[None, :]))
-        self.field = world.body(engine.height_field(hills, (0.25, 0.25)), type="static", material=world.material(friction=1.0))
+        self.field = world.body(engine.height_field(hills, (0.25, 0.25)), position=(-10, 0, -10), type="static", material=world.material(friction=1.0))
         self.trunk = world.body(engine.box(0.25, 0.06, 0.12), position=(0, 0.55, 0), mass=8.0)
         self.hinges = []
         for front in (1, -1):
@@ -198,15 +199,13 @@ class Quadruped(Walker):
                 knee, foot = hip + (-0.1, -0.19, 0.02 * side), hip + (0.0, -0.38, 0.02 * side)
                 carrier = world.body(position=tuple(hip), mass=0.4, center=(0, 0, 0), inertia=(1e-3, 0, 0, 0, 1e-3, 0, 0, 0, 1e-3))
                 thigh, shin = rod(engine, world, tuple(hip), tuple(knee), 0.03, 900), rod(engine, world, tuple(knee), tuple(foot), 0.025, 900)
-                self.hinges += [hinge(world, self.trunk, carrier, tuple(hip), (1, 0, 0), -40, 40, 0.02), hinge(world, carrier, thigh, tuple(hip), (0, 0, 1), -80, 80, 0.02),
-                                hinge(world, thigh, shin, tuple(knee), (0, 0, 1), -80, 80, 0.02)]
-        for joint in self.hinges:
-            joint.spring("twist", enabled=True, target=0.0, frequency=8.0, damping=1.0, max_force=60.0)
+                self.trunk.ignore_collision(thigh)  # the carrier is between them
+                self.hinges += [hinge(world, self.trunk, carrier, tuple(hip), (1, 0, 0), -40, 40, 0.02, 2.0, 100.0), hinge(world, carrier, thigh, tuple(hip), (0, 0, 1), -80, 80, 0.02, 2.0, 100.0),
+                                hinge(world, thigh, shin, tuple(knee), (0, 0, 1), -80, 80, 0.02, 2.0, 100.0)]
         return world
 
     def attach(self, batch: Batch) -> None:
         super().attach(batch)
-        self.target = batch.column("joints", "target", self.hinges, when="before_step")
         self.ground = batch.column("bodies", "pose", [self.field])
         self.over = batch.column("bodies", "pose", [self.trunk])
         ahead = [(0.1 * k, 0, 0, 0, -1, 0, 3.0) for k in range(9)]
@@ -219,9 +218,6 @@ class Quadruped(Walker):
         self.ground.array[mask, 0, 0], self.ground.array[mask, 0, 2] = (self.center[mask, 0, 0] + shift[mask, 0], self.center[mask, 0, 2] + shift[mask, 1])
         batch.write(self.ground, mask=mask)
         super().begin(batch, mask, seeds)
-
-    def act(self, actions: Array) -> None:
-        self.target.array[:, :, 0] = 0.6 * actions  # rad
 
     def observe(self) -> Array:
         return rows(super().observe(), self.scan)
