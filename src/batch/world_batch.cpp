@@ -123,7 +123,7 @@ std::uint64_t Batch::add_worlds(const World& world, std::uint64_t n) {
     members.emplace_back(memory_).structure = number;
     keep(packed, members.back().packed);
   }
-  made->starts.push_back({Array<std::byte>(packed.begin(), packed.end(), memory_), Array<Array<double>>(memory_)});
+  made->starts.push_back({Array<std::byte>(packed.begin(), packed.end(), memory_), Array<double>(memory_)});
   structures_.reserve(structures_.size() + 1);
   members_.reserve(members_.size() + n);
   structures_.push_back(std::move(made));
@@ -159,7 +159,7 @@ std::uint32_t Batch::add_column(Column column) {
   if (when == When::before_step) before_.push_back(number), of.before.push_back(number);
   if (when == When::after_step) {
     of.after.push_back(number);
-    for (Start& start : of.starts) start.told.clear();
+    for (Start& start : of.starts) start.rows_known = false;
   }
   return number;
 }
@@ -407,7 +407,7 @@ bool Batch::write(std::span<const std::uint32_t> columns, Mask mask, std::uint64
                   std::uint32_t& column_at_fault, Why& why) {
   struct Fresh {
     Array<std::byte> packed;
-    Array<double> masses, told;
+    Array<double> masses, rows;
     bool due = false;
   };
   Array<Fresh> fresh(memory_);
@@ -437,11 +437,7 @@ bool Batch::write(std::span<const std::uint32_t> columns, Mask mask, std::uint64
         if (!column.rows->massed().empty()) learn_masses(lane, structure, fresh[k].masses);
       }
       keep(pack(lane, structure, world), fresh[k].packed);
-      for (const std::uint32_t number : structures_[structure]->after) {
-        columns_[number].rows->read(world, 0, lane.row.data());
-        fresh[k].told.insert(fresh[k].told.end(), lane.row.begin(),
-                             lane.row.begin() + static_cast<std::ptrdiff_t>(columns_[number].rows->width()));
-      }
+      fresh[k].rows = rows_after(lane, *structures_[structure], world);
       fresh[k].due = true;
     } catch (const std::bad_alloc&) {
       const std::lock_guard lock(lanes_mutex_);
@@ -453,11 +449,7 @@ bool Batch::write(std::span<const std::uint32_t> columns, Mask mask, std::uint64
   for (std::uint64_t k = 0; k < members_.size(); ++k) {
     if (!fresh[k].due) continue;
     members_[k].packed.swap(fresh[k].packed), members_[k].masses.swap(fresh[k].masses);
-    const double* row = fresh[k].told.data();
-    for (const std::uint32_t number : structures_[members_[k].structure]->after) {
-      store(columns_[number], k, row);
-      row += columns_[number].rows->width();
-    }
+    store_after(k, fresh[k].rows);
   }
   return true;
 }
@@ -492,13 +484,36 @@ std::uint32_t Batch::add_start(std::uint32_t structure, const std::byte* bytes, 
   set_masses(lane, structure, Array<double>(memory_));
   if (!restore_state(world, bytes, n, fault)) return 0;
   const std::span<const std::byte> packed = pack(lane, structure, world);
-  of.starts.push_back({Array<std::byte>(packed.begin(), packed.end(), memory_), Array<Array<double>>(memory_)});
+  of.starts.push_back({Array<std::byte>(packed.begin(), packed.end(), memory_), Array<double>(memory_)});
   return static_cast<std::uint32_t>(of.starts.size() - 1);
 }
 
+/// Rows of columns that are read after steps, one after the other.
+Array<double> Batch::rows_after(Lane& lane, const Structure& of, const World& world) const {
+  Array<double> rows(memory_);
+  for (const std::uint32_t number : of.after) {
+    const Rows& column = *columns_[number].rows;
+    column.read(world, 0, lane.row.data());
+    rows.insert(rows.end(), lane.row.begin(), lane.row.begin() + static_cast<std::ptrdiff_t>(column.width()));
+  }
+  return rows;
+}
+
+void Batch::store_after(std::uint64_t world, const Array<double>& rows) const {
+  const double* row = rows.data();
+  for (const std::uint32_t number : structures_[members_[world].structure]->after) {
+    store(columns_[number], world, row);
+    row += columns_[number].rows->width();
+  }
+}
+
 void Batch::reset(Mask mask, const std::uint32_t* starts) {
+  struct Own {  // of a world with masses of its own, which no start has
+    Array<std::byte> packed;
+    Array<double> rows;
+  };
   const Array<double> usual(memory_);
-  Array<Array<std::byte>> with_masses(memory_);  // in the order of their worlds
+  Array<Own> own(memory_);  // in the order of their worlds
   {
     // All that may fail comes first.
     const LaneUse use(*this);
@@ -506,43 +521,40 @@ void Batch::reset(Mask mask, const std::uint32_t* starts) {
     for (std::uint64_t k = 0; k < members_.size(); ++k) {
       if (mask && !mask[k]) continue;
       Member& member = members_[k];
-      Structure& of = *structures_[member.structure];
-      Start& start = of.starts[starts ? starts[k] : 0];
+      const Structure& of = *structures_[member.structure];
+      Start& start = structures_[member.structure]->starts[starts ? starts[k] : 0];
       if (!member.masses.empty()) {
         World& world = load(lane, member.structure, start.packed, usual);
         set_masses(lane, member.structure, member.masses);
         const auto packed = pack(lane, member.structure, world);
-        with_masses.emplace_back(packed.begin(), packed.end());
-      } else if (start.packed.size() > member.packed.capacity()) {
+        own.push_back({Array<std::byte>(packed.begin(), packed.end(), memory_), rows_after(lane, of, world)});
+        continue;
+      }
+      if (start.packed.size() > member.packed.capacity()) {
         Array<std::byte> larger(memory_);
         larger.reserve(start.packed.size() + start.packed.size() / 16);
         larger.assign(member.packed.begin(), member.packed.end());
         member.packed.swap(larger);
       }
-      if (start.told.size() == of.after.size()) continue;
-      const World& world = load(lane, member.structure, start.packed, usual);
-      Array<Array<double>> told(memory_);
-      for (const std::uint32_t number : of.after) {
-        columns_[number].rows->read(world, 0, lane.row.data());
-        told.emplace_back(lane.row.begin(),
-                          lane.row.begin() + static_cast<std::ptrdiff_t>(columns_[number].rows->width()));
-      }
-      start.told.swap(told);
+      if (start.rows_known) continue;
+      start.rows = rows_after(lane, of, load(lane, member.structure, start.packed, usual));
+      start.rows_known = true;
     }
   }
   std::size_t next = 0;
   for (std::uint64_t k = 0; k < members_.size(); ++k) {
     if (mask && !mask[k]) continue;
     Member& member = members_[k];
-    const Structure& of = *structures_[member.structure];
-    const Start& start = of.starts[starts ? starts[k] : 0];
-    if (member.masses.empty())
+    const Start& start = structures_[member.structure]->starts[starts ? starts[k] : 0];
+    if (member.masses.empty()) {
       member.packed.assign(start.packed.begin(), start.packed.end());
-    else
-      member.packed.swap(with_masses[next++]);
+      store_after(k, start.rows);
+    } else {
+      member.packed.swap(own[next].packed);
+      store_after(k, own[next++].rows);
+    }
     member.stopped = Stopped::no;
     member.faults.clear();
-    for (std::size_t i = 0; i < of.after.size(); ++i) store(columns_[of.after[i]], k, start.told[i].data());
   }
 }
 

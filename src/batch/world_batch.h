@@ -112,7 +112,8 @@ class Batch {
  private:
   struct Start {
     Array<std::byte> packed;
-    Array<Array<double>> told;  // by number of the structure's columns after steps: their rows. Empty: not known yet
+    Array<double> rows;       // of columns that are read after steps
+    bool rows_known = false;  // since the last such column was added
   };
   struct Structure {
     Structure(Owned<World> its_model, Array<std::byte> its_whole, Array<const Shape*> its_shapes, PackingBase its_base,
@@ -167,6 +168,8 @@ class Batch {
   void store(const Column& column, std::uint64_t world, const double* row) const;
   void step_one(Lane& lane, std::uint64_t world, Real dt, std::uint32_t steps);
   void tell(Lane& lane, std::uint64_t world, const World& at, Real dt);
+  Array<double> rows_after(Lane& lane, const Structure& of, const World& world) const;
+  void store_after(std::uint64_t world, const Array<double>& rows) const;
   void learn_masses(Lane& lane, std::uint32_t structure, Array<double>& masses);
   template <class Each>
   void each(Mask mask, const Each& f);

@@ -156,6 +156,27 @@ void threads_change_no_bit(void**) {
   }
 }
 
+/// So many that a part of the loop has several.
+void hundreds_of_worlds(void**) {
+  std::vector<uint64_t> want;
+  for (const uint32_t threads : {1u, 3u}) {
+    carom_jobs_desc jobs;
+    carom_jobs_desc_init(&jobs, sizeof jobs);
+    jobs.threads = threads;
+    const Scene scene(nullptr, &jobs);
+    Batch batch(scene, 700);
+    std::vector<double> speed(700 * 3);
+    for (std::size_t k = 0; k < speed.size(); ++k) speed[k] = std::sin(0.37 * double(k)) * 3;
+    const uint32_t column = batch.column(CAROM_COLUMN_BODIES, CAROM_FIELD_LINEAR_VELOCITY, CAROM_WHEN_ON_CALL,
+                                         {scene.b.bodies[2]}, speed.data());
+    assert_int_equal(carom_batch_write(batch.batch, &column, 1, nullptr, nullptr), CAROM_OK);
+    batch.step(6);
+    const std::vector<uint64_t> found = batch.hashes();
+    if (want.empty()) want = found;
+    assert_true(found == want && found[0] != found[1] && found[698] != found[699]);
+  }
+}
+
 void worlds_of_two_structures(void**) {
   const Scene scene;
   Batch batch(scene, 3);
@@ -269,6 +290,10 @@ void parameters_of_each_world(void**) {
   // Masses stay through a reset, and are read back.
   assert_int_equal(carom_batch_reset(batch.batch, nullptr, nullptr, nullptr), CAROM_OK);
   const double kept[3] = {mass[0], mass[1], mass[2]};
+  double after[3] = {};
+  batch.column(CAROM_COLUMN_MASSES, 0, CAROM_WHEN_AFTER_STEP, {b.bodies[3]}, after);
+  assert_int_equal(carom_batch_reset(batch.batch, nullptr, nullptr, nullptr), CAROM_OK);
+  assert_memory_equal(after, kept, sizeof after);
   mass[0] = mass[1] = mass[2] = 0;
   assert_int_equal(carom_batch_read(batch.batch, &columns[1], 1, nullptr, nullptr), CAROM_OK);
   assert_memory_equal(mass, kept, sizeof mass);
@@ -581,6 +606,7 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(each_world_does_what_it_would_do_alone),
       cmocka_unit_test(threads_change_no_bit),
+      cmocka_unit_test(hundreds_of_worlds),
       cmocka_unit_test(worlds_of_two_structures),
       cmocka_unit_test(masks_and_starts),
       cmocka_unit_test(parameters_of_each_world),
