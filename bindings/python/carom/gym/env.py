@@ -103,7 +103,7 @@ class VectorEnv(gymnasium.vector.VectorEnv):  # type: ignore[misc]
         rewards = np.where(acting, rewards, 0.0)
         infos: dict[str, Any] = {}
         if stopped:
-            faults = self.batch.stopped() != 0
+            faults = (self.batch.stopped() != 0) & acting
             terminated = terminated | faults
             infos["fault"], infos["_fault"] = faults, faults.copy()
         terminated = terminated & acting
