@@ -4887,7 +4887,7 @@ func EngineCreate(desc *EngineDesc, engine **Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_create((*C.carom_engine_desc)(unsafe.Pointer(desc)), (**C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+// Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
 // REENTRANT   @thread writer: no other call may use the engine
 func EngineDestroy(engine *Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_destroy((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
@@ -4902,7 +4902,7 @@ func JobsDescInit(desc *JobsDesc, struct_size uint32) int32 {
 // functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
 // on the stepping one.
 // @param desc may be NULL: the stepping thread alone
-// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
 // no more threads); OUT_OF_MEMORY; REENTRANT
 func EngineSetJobs(engine *Engine, desc *JobsDesc, error_ *Error) int32 {
 	return int32(C.carom_engine_set_jobs((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_jobs_desc)(unsafe.Pointer(desc)), (*C.carom_error)(unsafe.Pointer(error_))))

@@ -4443,7 +4443,7 @@ public final class Raw {
     private static final class carom_engine_destroy_ {
         static final MethodHandle CALL = Library.call("carom_engine_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** Destroy an engine; its worlds must be gone.   status: OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    /** Destroy an engine; its worlds and batches must be gone.   status: OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
      *  REENTRANT   thread: writer: no other call may use the engine */
     public static int carom_engine_destroy(MemorySegment engine, MemorySegment error) {
         try { return (int) carom_engine_destroy_.CALL.invokeExact(engine, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4464,7 +4464,7 @@ public final class Raw {
      *  functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
      *  on the stepping one.
      *  param: desc may be NULL: the stepping thread alone
-     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
      *  no more threads); OUT_OF_MEMORY; REENTRANT */
     public static int carom_engine_set_jobs(MemorySegment engine, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_engine_set_jobs_.CALL.invokeExact(engine, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }

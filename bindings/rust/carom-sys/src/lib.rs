@@ -3756,7 +3756,7 @@ extern "C" {
     /// Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
     pub fn carom_engine_create(desc: *const carom_engine_desc, engine: *mut *mut carom_engine, error: *mut carom_error) -> i32;
-    /// Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    /// Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
     /// REENTRANT   @thread writer: no other call may use the engine
     pub fn carom_engine_destroy(engine: *mut carom_engine, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
@@ -3765,7 +3765,7 @@ extern "C" {
     /// functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
     /// on the stepping one.
     /// @param desc may be NULL: the stepping thread alone
-    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
     /// no more threads); OUT_OF_MEMORY; REENTRANT
     pub fn carom_engine_set_jobs(engine: *mut carom_engine, desc: *const carom_jobs_desc, error: *mut carom_error) -> i32;
     /// Load a shape plugin from a shared object. @param path absolute.
