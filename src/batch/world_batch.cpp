@@ -370,7 +370,8 @@ void Batch::step(Real dt, std::uint32_t steps, Mask mask) {
     } catch (const std::bad_alloc&) {
       members_[k].stopped = Stopped::memory;
     } catch (...) {  // a callback ended the thread, or threw: the real world is not at the end of a step
-      if (Owned<World>& world = lane.worlds[members_[k].structure]) world->abandon_step();
+      const std::uint32_t structure = members_[k].structure;
+      if (structure < lane.worlds.size() && lane.worlds[structure]) lane.worlds[structure]->abandon_step();
       throw;
     }
   });
