@@ -89,6 +89,23 @@ Real weight_if_new(const World& world, std::size_t group, Real h, Seen& seen) {
   return is_new ? mass * gravity : 0;
 }
 
+/// Of bodies that joints hold, the heaviest over the lightest: what hangs on what is light is as hard to hold over some
+/// links as over one.
+void look_at_joints(const World& world, std::size_t group, GroupView& view) {
+  const Contacts& c = *world.contacts;
+  if (!c.has_joints(group)) return;
+  Real least = kInfinity, most = 0;
+  const auto meet = [&](bool moves, std::uint32_t body) {
+    if (!moves) return;
+    least = std::min(least, world.scene.mass[body]), most = std::max(most, world.scene.mass[body]);
+  };
+  for (std::uint32_t k = c.group_link_begin[group]; k < c.group_link_begin[group + 1]; ++k) {
+    const Link& link = c.links[c.group_links[k]];
+    meet(link.moves_a, link.a), meet(link.moves_b, link.b);
+  }
+  view.mass_ratio = std::max(view.mass_ratio, most / least);
+}
+
 /// Of the thickness of what touches, that soft contacts may let it sink: no substeps lessen that, so it is part of what
 /// a host bears who asks for an accuracy.
 Real most_sink(const Dials& dials, Real thickness) {
@@ -242,8 +259,9 @@ GroupView view_of(const World& world, SolverMemory& of, std::size_t group, Real 
     view.reason = rests ? GroupReason::too_much : GroupReason::few;
     return view;
   }
+  look_at_joints(world, group, view);
   if (view.points == 0) {
-    view.reason = GroupReason::ordinary;
+    view.reason = view.mass_ratio > most_ratio ? GroupReason::mass_ratio : GroupReason::ordinary;
     return view;
   }
   Seen seen;
@@ -372,7 +390,7 @@ void auto_positions(const World& world, Solver::Relaxes to, const StepTime& time
 void auto_end(const World& world, Poses& to, const StepTime& time) {
   kSoftStep.end(world, to, time);
   if (world.direct->groups() == 0) return;
-  return_lanes_to_joints(world, to, time.h);
+  return_lanes_to_joints(world, to, time.dt);
   end_groups(world);
 }
 

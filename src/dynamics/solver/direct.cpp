@@ -107,7 +107,8 @@ bool hold_joints(const World& world, Velocities& to, Real h, bool again) {
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
     GroupRest& rest = d.rest[g];
     if (!rest.in_lanes || rest.is_too_large || (again && !rest.is_swept_again)) return;
-    if (!again) rest.waits = static_cast<int>(++rest.substeps) < world.plan->substeps;
+    const bool has_loops = d.begin[g].link < d.begin[g].lock;
+    if (!again) rest.waits = has_loops && static_cast<int>(++rest.substeps) < world.plan->substeps;
     if (!rest.is_dear || !rest.waits) ConeGroup(world, g).follow_lanes(to, h, again);
   });
   return std::ranges::any_of(d.rest, &GroupRest::is_swept_again);

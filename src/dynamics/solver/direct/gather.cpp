@@ -144,10 +144,13 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   place_contacts(d);
   load_groups(world, memory, d);
   d.solution.resize(d.groups());
-  for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].is_too_large = d.newton_work(g) > most_factor;
   const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
-  for (std::size_t g = 0; g < d.groups(); ++g)
-    d.rest[g].is_dear = d.is_joined(g) && d.begin[g].link < d.begin[g].lock && d.newton_work(g) > work;
+  const std::uint64_t of_loops = std::min(most_factor, work * static_cast<std::uint64_t>(world.plan->substeps));
+  for (std::size_t g = 0; g < d.groups(); ++g) {
+    const bool has_loops = d.begin[g].link < d.begin[g].lock, is_bounded = most_factor != ~std::uint64_t{0};
+    d.rest[g].is_dear = has_loops && d.newton_work(g) > work;
+    d.rest[g].is_too_large = d.newton_work(g) > (has_loops && is_bounded ? of_loops : most_factor);
+  }
   d.elimination.scratch().member.reserve(d.groups());  // @see share_out()
   if (world.plan->rotation_method && world.wide->one_turner.runs.empty()) world.wide->one_turner.add(0);
   for (const Resistance& r : world.contacts->resisting)

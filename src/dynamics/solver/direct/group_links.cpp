@@ -253,9 +253,9 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
 namespace {
 
 /// ConeBody::swing: force, arm and h^2 of each joint, across the arm.
-/// @param impulse  (row of the problem) -> N s
+/// @param impulses  (first row of a joint, one past its last) -> N s, on A and on B
 template <class F>
-void find_swings(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h, F&& impulse) {
+void find_swings(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h, F&& impulses) {
   const WideJoints& w = *world.wide_joints;
   for (ConeBody& b : bodies_of(problem)) b.swing.set_zero();
   const auto add_to = [&](std::uint32_t body, const Vec3& r, Real force) {
@@ -267,32 +267,52 @@ void find_swings(const World& world, ConeProblem& problem, const DirectGroups::L
   for (std::size_t i = 0, next; i < problem.joint_rows().size(); i = next) {
     const JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
-    Vec3 p_a = Vec3::zero(), p_b = Vec3::zero();
-    for (next = i; next < problem.joint_rows().size() && rows[next].joint == rows[i].joint && rows[next].lane == lane;
-         ++next) {
-      const JointRowLanes& row = row_at(w, rows[next]);
-      const Real p = impulse(next, row);
-      p_a += p * get(pull_at_a(w, joint, row), lane);
-      p_b += p * get(row.d, lane);
-    }
+    for (next = i + 1;
+         next < problem.joint_rows().size() && rows[next].joint == rows[i].joint && rows[next].lane == lane;)
+      ++next;
+    const auto [p_a, p_b] = impulses(i, next);
     // Half of the load comes after the move.
-    add_to(problem.joint_rows()[i].a, get(joint.r_a, lane), 2 * p_a.norm() * h);
-    add_to(problem.joint_rows()[i].b, get(joint.r_b, lane), 2 * p_b.norm() * h);
+    add_to(problem.joint_rows()[i].a, get(joint.r_a, lane), 2 * p_a * h);
+    add_to(problem.joint_rows()[i].b, get(joint.r_b, lane), 2 * p_b * h);
   }
+}
+
+/// Of rows of one joint.   @param impulse  (row of the problem) -> N s   @return N s, on A and on B
+template <class F>
+std::pair<Real, Real> sum_of(const WideJoints& w, const DirectGroups::LinkRow* rows, std::size_t first,
+                             std::size_t last, F&& impulse) {
+  Vec3 p_a = Vec3::zero(), p_b = Vec3::zero();
+  for (std::size_t i = first; i < last; ++i) {
+    const JointRowLanes& row = row_at(w, rows[i]);
+    const Real p = impulse(i, row);
+    p_a += p * get(pull_at_a(w, w.joints[rows[i].joint], row), rows[i].lane);
+    p_b += p * get(row.d, rows[i].lane);
+  }
+  return {p_a.norm(), p_b.norm()};
 }
 
 }  // namespace
 
 bool is_jerked(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h) {
-  find_swings(world, problem, rows, h, [&](std::size_t i, const JointRowLanes&) { return problem.joint_rows()[i].p; });
+  find_swings(world, problem, rows, h, [&](std::size_t first, std::size_t last) {
+    return sum_of(*world.wide_joints, rows, first, last,
+                  [&](std::size_t i, const JointRowLanes&) { return problem.joint_rows()[i].p; });
+  });
   return std::ranges::any_of(bodies_of(problem), [](const ConeBody& b) {
     return b.swing.trace() / 4 > 2 * b.inertia.trace() / 3;  // as it is now, stiffer perhaps
   });
 }
 
-void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h) {
-  find_swings(world, problem, rows, h,
-              [&](std::size_t i, const JointRowLanes& row) { return get(row.p, rows[i].lane); });
+void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h, Borne borne) {
+  const WideJoints& w = *world.wide_joints;
+  find_swings(world, problem, rows, h, [&](std::size_t first, std::size_t last) {
+    if (borne == Borne::in_substep)
+      return sum_of(w, rows, first, last,
+                    [&](std::size_t i, const JointRowLanes& row) { return get(row.p, rows[i].lane); });
+    const std::uint32_t index = w.occupant[std::size_t{rows[first].joint} * kLanes + rows[first].lane];
+    const Real p = h * world.joints.joint[w.active[index]].force.norm();
+    return std::pair(p, p);
+  });
   for (ConeBody& b : bodies_of(problem)) {
     const Real needed = b.swing.trace() / 4, own = b.inertia.trace() / 3;
     if (!(needed > kSwing * own)) continue;

@@ -26,7 +26,9 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
 /// momentum stays, which is what a linearly implicit step does: it turns slower and loses energy. Who is resolved keeps
 /// both.
 ///  @source [Andrews2017] adds such a term; @param problem  bodies' masses are their own
-void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h);
+/// @param borne  by joints: in the last substep, or where lanes know but a part of that in the last step
+enum class Borne { in_substep, in_step };
+void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h, Borne borne);
 /// Whether the impulses that were found are so much larger than those kept that somebody needs to be stiffer.
 bool is_jerked(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h);
 /// Velocities at rows, from the bodies'.

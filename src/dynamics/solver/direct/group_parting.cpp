@@ -81,7 +81,9 @@ void ConeGroup::let_locks_yield() {
 }
 
 /// m or rad, of a joint. What waits for the last substep has the whole step for it.
-Real ConeGroup::most_closed(Real h) const { return kJointPush * h * (rest_.in_lanes ? world_.plan->substeps : 1); }
+Real ConeGroup::most_closed(Real h) const {
+  return kJointPush * h * (rest_.in_lanes && !problem_.links.empty() ? world_.plan->substeps : 1);
+}
 
 void ConeGroup::part(Poses& to, Real h) {
   part(to, h, most_closed(h), may_contradict() || rest_.in_lanes ? Forest::as_it_began : Forest::anew);
@@ -165,10 +167,11 @@ void ConeGroup::follow_lanes(Velocities& to, Real h, bool again) {
     b.v = again ? Vec6(Vec3(from.v[0], from.v[1], from.v[2]), Vec3(from.omega[0], from.omega[1], from.omega[2]))
                 : Vec6(s_.v[b.slot], s_.omega[b.slot]);
   }
+  if (!again) stiffen(world_, problem_, link_row_, h, Borne::in_step);
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);
   hold_forest(again ? Forest::as_it_began : Forest::anew);
   measure_links(problem_);
-  if (!problem_.links.empty()) solve_cones(problem_, tolerance(), kMostSteps);
+  if (!problem_.links.empty()) solve_yielding(problem_, kGiveOfDisplacements, 1, tolerance(), kAlways);
   find_lock_impulses(problem_);
   accumulate_links(world_, problem_, link_row_);
   Real most2 = 0;  // (m/s)^2

@@ -185,7 +185,7 @@ Real ConeGroup::start(Real h) {
     contact.borne = std::max(Real(0), contact.p.dot(contact.n));
     add_impulse<&ConeBody::gradient>(problem_, contact, contact.p);
   });
-  if (is_joined()) stiffen(world_, problem_, link_row_, h);
+  if (is_joined()) stiffen(world_, problem_, link_row_, h, Borne::in_substep);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
   hold_forest(Forest::anew);
   for (ConeLink& link : problem_.links)  // `gained` is, as yet, minus what the substep before ended with
