@@ -8,6 +8,7 @@ export { Body, Joint } from "./body.js";
 export { constants };
 export { Engine, Shape } from "./engine.js";
 export { CaromError } from "./errors.js";
+export { Character, Vehicle } from "./kit.js";
 export { Recording } from "./recording.js";
 export { BodyView } from "./view.js";
 export { World } from "./world.js";
