@@ -23,11 +23,12 @@ int main(void) {
   carom_material_desc slippery;
   carom_body_desc still, slow, tilted;
   const double tilt = acos(-1) / 6, s = sin(tilt), c = cos(tilt), radius = 0.5, half[3] = {0.5, 0.5, 0.5};
-  const double corners[12] = {6, 4, -2, 6, 4, 2, 6 + 9 * c, 4 - 9 * s, -2, 6 + 9 * c, 4 - 9 * s, 2};
-  const uint32_t triangles[6] = {0, 1, 2, 2, 1, 3};
+  const double x = 6 + 9 * c, y = 4 - 9 * s; /* a wall at its end */
+  const double corners[18] = {6, 4, -2, 6, 4, 2, x, y, -2, x, y, 2, x, y + 3, -2, x, y + 3, 2};
+  const uint32_t triangles[12] = {0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5};
   double heights[81], at[2][3];
   const carom_height_field_desc valley = {sizeof valley, 0, 9, 9, heights, {1, 1}};
-  const carom_mesh_desc ramp = {sizeof ramp, 0, corners, 4, triangles, 2};
+  const carom_mesh_desc ramp = {sizeof ramp, 0, corners, 6, triangles, 4};
   for (int i = 0; i < 81; i++) heights[i] = 0.25 * fmax(0, hypot(i % 9 - 4, i / 9 - 4) - 1); /* m, rows along z */
   TRY(carom_engine_create(NULL, &engine, &e));
   TRY(carom_world_create(engine, NULL, &world, &e));
@@ -55,6 +56,5 @@ int main(void) {
   printf("the crate slides by %.2f m in 1 s, and the ball lies at y = %.2f m\n", way, at[1][1]);
   CHECK(fabs(way - 9.81 * s / 2) < 0.01 && fabs(at[1][1] - 0.5) < 0.005 && fabs(at[1][0]) < 2);
   TRY(carom_world_destroy(world, &e));
-  TRY(carom_engine_destroy(engine, &e));
-  return 0;
+  return carom_engine_destroy(engine, &e);
 }

@@ -15,10 +15,11 @@ int main() {
   world.body(engine.make<carom_shape>(carom_shape_create_height_field, &valley),
              {.type = CAROM_BODY_STATIC, .position = {-4, 0, -4}});  // of its corner
   const double tilt = std::numbers::pi / 6, s = std::sin(tilt), c = std::cos(tilt);
-  const double corners[] = {6, 4, -2, 6, 4, 2, 6 + 9 * c, 4 - 9 * s, -2, 6 + 9 * c, 4 - 9 * s, 2};
-  const std::uint32_t triangles[] = {0, 1, 2, 2, 1, 3};
+  const double x1 = 6 + 9 * c, y1 = 4 - 9 * s, y2 = y1 + 3;  // a wall at its end
+  const double corners[] = {6, 4, -2, 6, 4, 2, x1, y1, -2, x1, y1, 2, x1, y2, -2, x1, y2, 2};
+  const std::uint32_t triangles[] = {0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5};
   auto ramp = carom::make<carom_mesh_desc>();
-  ramp.vertices = corners, ramp.vertex_count = 4, ramp.triangles = triangles, ramp.triangle_count = 2;
+  ramp.vertices = corners, ramp.vertex_count = 6, ramp.triangles = triangles, ramp.triangle_count = 4;
   world.body(engine.make<carom_shape>(carom_shape_create_mesh, &ramp), {.type = CAROM_BODY_STATIC});
   auto slippery = carom::make<carom_material_desc>();
   slippery.friction = 0;

@@ -11,6 +11,47 @@ export async function bringShape(module, source) {
   return { pointer: await bring(module, source) };
 }
 
+/** A function as a shape: slower than a side module, and of modules with one thread.
+ *  @param support (params, direction) => [3] m, the farthest point of the shape along the direction; a pure function
+ *  @param params  [[name, unit, least, most]] of the numbers that it takes   @returns {{ pointer: number }} for
+ *  engine.useShape() */
+export function bringSupport(m, support, id, params) {
+  if (m.threads > 1)
+    throw unsupported("bringSupport", 1, "a function of this thread is no shape for others", "Load with one thread");
+  const held = (bytes) => {
+    const at = m.claim(bytes); // as long as the module: engines go on reading it
+    new Uint8Array(m.buffer, at, bytes).fill(0);
+    return at;
+  };
+  const call = (_, from, n, direction, to) => {
+    try {
+      const point = support(m.doubles(from, Number(n)), m.doubles(direction, 3));
+      new Float64Array(m.buffer, to, 3).set(point);
+      return 0;
+    } catch {
+      return 1; // the engine tells it as a fault
+    }
+  };
+  const size = m.structs.size("carom_param"),
+    rows = held(size * params.length),
+    text = (value) => m.putText(held, value);
+  params.forEach(([name, unit, min, max], i) =>
+    m.structs.write(m.view, "carom_param", rows + i * size, { name: text(name), unit: text(unit), min, max }),
+  );
+  const about = held(m.structs.size("carom_shape_plugin"));
+  m.structs.write(m.view, "carom_shape_plugin", about, {
+    struct_size: m.structs.size("carom_shape_plugin"),
+    abi_major: constants.CAROM_PLUGIN_ABI_MAJOR,
+    abi_minor: constants.CAROM_PLUGIN_ABI_MINOR,
+    id: text(id),
+    version: 1,
+    param_count: params.length,
+    params: rows,
+    support: callback(m, "iilii", call),
+  });
+  return { pointer: about };
+}
+
 /** A shape of an engine, shared by any number of bodies. */
 export class Shape {
   constructor(engine, handle) {
@@ -237,46 +278,10 @@ export class Engine {
     );
   }
 
-  /** A shape whose support function is written here. It is slower than a side module, and of modules with one thread.
-   *  @param support (params, direction) => [3] m, the farthest point of the shape along the direction; a pure function
-   *  @param params  [[name, unit, least, most]] of the numbers that it takes   @returns id, for shape(id, params)
+  /** A shape whose support function is written here; see carom.bringSupport().   @returns its id, for shape(id, params)
    *  @throws CaromError (UNSUPPORTED with threads; the engine refuses it, e.g. as invalid) */
   supportPlugin(support, id, params) {
-    const m = this.module;
-    if (m.threads > 1)
-      throw unsupported("supportPlugin", 1, "a function of this thread is no shape for others", "Load with one thread");
-    const held = (bytes) => {
-      const at = m.claim(bytes); // as long as the module: the engine goes on reading it
-      new Uint8Array(m.buffer, at, bytes).fill(0);
-      return at;
-    };
-    const call = (_, from, n, direction, to) => {
-      try {
-        const point = support(m.doubles(from, Number(n)), m.doubles(direction, 3));
-        new Float64Array(m.buffer, to, 3).set(point);
-        return 0;
-      } catch {
-        return 1; // the engine tells it as a fault
-      }
-    };
-    const size = m.structs.size("carom_param"),
-      rows = held(size * params.length),
-      text = (value) => m.putText(held, value);
-    params.forEach(([name, unit, min, max], i) =>
-      m.structs.write(m.view, "carom_param", rows + i * size, { name: text(name), unit: text(unit), min, max }),
-    );
-    const about = held(m.structs.size("carom_shape_plugin"));
-    m.structs.write(m.view, "carom_shape_plugin", about, {
-      struct_size: m.structs.size("carom_shape_plugin"),
-      abi_major: constants.CAROM_PLUGIN_ABI_MAJOR,
-      abi_minor: constants.CAROM_PLUGIN_ABI_MINOR,
-      id: text(id),
-      version: 1,
-      param_count: params.length,
-      params: rows,
-      support: callback(m, "iilii", call),
-    });
-    return this.useShape({ pointer: about });
+    return this.useShape(bringSupport(this.module, support, id, params));
   }
 
   /** Id of a plugin, by handle: "carom.box". */

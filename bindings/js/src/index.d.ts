@@ -6,6 +6,7 @@ export { constants };
 export type Vector = ArrayLike<number>;
 export type Quaternion = ArrayLike<number>;
 export type Handle = bigint;
+export type Support = (params: number[], direction: number[]) => Vector;
 
 /** What a call that failed throws. The call changed nothing. */
 export class CaromError extends Error {
@@ -46,6 +47,9 @@ export interface Carom {
   stopThreads(): void;
   /** A shape plugin as a side module, for any number of engines: engine.useShape(). */
   bringShape(source: Source): Promise<ShapePlugin>;
+  /** A function as a shape: the farthest point of the shape along a direction. It is slower than a side module, and of
+   * modules with one thread.   @param params  [name, unit, least, most] of the numbers that it takes */
+  bringSupport(support: Support, id: string, params: [string, string, number, number][]): ShapePlugin;
   dials(): Dial[];
   /** Names by CAROM_PRESET_*. */
   presets(): string[];
@@ -97,14 +101,8 @@ export class Engine {
   loadShape(source: Source): Promise<string>;
   /** A shape that carom.bringShape() brought.   @returns its id */
   useShape(plugin: ShapePlugin): string;
-  /** A shape whose support function is written here: (params, direction) to the farthest point of the shape along the
-   * direction. It is slower than a side module, and of modules with one thread.   @param params  [name, unit, least, most]
-   * of the numbers that it takes   @returns its id, for shape(id, params) */
-  supportPlugin(
-    support: (params: number[], direction: number[]) => Vector,
-    id: string,
-    params: [string, string, number, number][],
-  ): string;
+  /** A function as a shape, see Carom.bringSupport().   @returns its id, for shape(id, params) */
+  supportPlugin(support: Support, id: string, params: [string, string, number, number][]): string;
   /** What shape(id, params) takes at least. */
   parameters(id: string): { name: string; unit: string; min: number; max: number }[];
   world(options?: { gravity?: Vector; body_capacity?: number | bigint }): World;

@@ -9,8 +9,8 @@ with carom.Engine() as engine, engine.world() as world:
     ball = world.body(engine.sphere(0.5), position=(3, 2, 1), linear_damping=0.5, angular_damping=0.5)
     tilt = math.radians(30)
     fall, along = 9 * math.sin(tilt), 9 * math.cos(tilt)
-    corners = [(6, 4, -2), (6, 4, 2), (6 + along, 4 - fall, -2), (6 + along, 4 - fall, 2)]
-    world.body(engine.mesh(corners, [(0, 1, 2), (2, 1, 3)]), type="static")
+    corners = [(x, y, z) for x, y in ((6, 4), (6 + along, 4 - fall), (6 + along, 7 - fall)) for z in (-2, 2)]  # a wall at its end
+    world.body(engine.mesh(corners, [(0, 1, 2), (2, 1, 3), (2, 3, 4), (4, 3, 5)]), type="static")
     about = (0, 0, -math.sin(tilt / 2), math.cos(tilt / 2))  # the ramp's tilt
     start = (6 + math.cos(tilt) + 0.5 * math.sin(tilt), 4 - math.sin(tilt) + 0.5 * math.cos(tilt), 0)  # 1 m down
     crate = world.body(engine.box(0.5, 0.5, 0.5), position=start, orientation=about, material=world.material(friction=0))

@@ -6,9 +6,36 @@ const sheet = Object.assign(document.createElement("link"), {
   href: new URL("pagefind/pagefind-ui.css", root),
 });
 const script = Object.assign(document.createElement("script"), { src: new URL("pagefind/pagefind-ui.js", root) });
-script.onload = () =>
-  new globalThis.PagefindUI({ element: box, showImages: false, baseUrl: root.pathname, resetStyles: false });
+script.onload = () => {
+  const face = new globalThis.PagefindUI({
+    element: box,
+    showImages: false,
+    showSubResults: true,
+    baseUrl: root.pathname,
+    resetStyles: false,
+  });
+  const asked = new URLSearchParams(location.search).get("q"); // from the page of scenes
+  if (asked) face.triggerSearch(asked);
+};
 document.head.append(sheet, script);
+
+// The gallery: what is typed leaves the cards that have all of its words.
+const cards = [...document.querySelectorAll(".gallery section")];
+if (cards.length) {
+  const sieve = Object.assign(document.createElement("input"), {
+    type: "search",
+    className: "sieve",
+    placeholder: `Words that ${cards.length} scenes are sought by`,
+    ariaLabel: "Show the scenes that have these words",
+  });
+  sieve.oninput = () => {
+    const words = sieve.value.toLowerCase().split(/\s+/);
+    for (const card of cards) card.hidden = !words.every((word) => card.textContent.toLowerCase().includes(word));
+    for (const group of document.querySelectorAll(".gallery"))
+      group.previousElementSibling.hidden = !group.querySelector("section:not([hidden])");
+  };
+  document.querySelector(".gallery").previousElementSibling.before(sieve);
+}
 
 // Programs in several languages: one is seen, the same in all places and on all pages.
 const REMEMBERED = "carom language";

@@ -43,6 +43,11 @@ export class Picture {
     this.structure = -1;
   }
 
+  /** What is drawn beside bodies. */
+  get beside() {
+    return this.sim.driver ?? this.row.beside;
+  }
+
   numberOf(body) {
     return Number(BigInt.asUintN(32, this.sim.bodies[body].user));
   }
@@ -84,6 +89,7 @@ export class Picture {
       const at = [array[7 * i], array[7 * i + 1], array[7 * i + 2]];
       if (at.every(Number.isFinite)) out.push([...at, this.reach[i]]);
     });
+    if (moving && this.row.beside) for (const pose of this.row.beside.poses(this.sim.step)) out.push([...pose.slice(0, 3), 0.5]);
     const { array: points } = this.points.geometry.attributes.position ?? { array: [] },
       { count } = this.points.geometry.drawRange;
     if (moving && this.row.particles)
@@ -135,7 +141,7 @@ export class Picture {
       this.meshes.push(mesh);
       this.group.add(mesh);
     }
-    for (const look of this.sim.driver?.looks() ?? []) {
+    for (const look of this.beside?.looks() ?? []) {
       const geometry = geometryOf({ info: { kind: `carom.${look.shape}` }, params: look.params }),
         mesh = new THREE.InstancedMesh(geometry, bodyMaterial(), 1);
       mesh.setColorAt(0, bodyColour(look.kind, 0, 0, 1));
@@ -169,7 +175,7 @@ export class Picture {
     const dim = this.shown.sleep && Number(this.sim.report?.asleep_bodies ?? 0) > 0,
       paint = dim || this.dimmed || fresh;
     this.dimmed = dim;
-    const driven = this.sim.driver?.poses();
+    const driven = this.beside?.poses(this.sim.step);
     for (const mesh of this.meshes.filter((m) => m.userData.driven)) {
       const pose = driven.shift();
       mesh.setMatrixAt(0, body.compose(p.fromArray(pose), q.fromArray(pose, 3), one));

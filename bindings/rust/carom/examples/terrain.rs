@@ -11,13 +11,14 @@ fn main() -> Result<()> {
     engine.call(|p, e| unsafe { raw::carom_shape_create_height_field(p, &valley, &mut field, e) })?;
     let tilt = std::f64::consts::PI / 6.0;
     let (s, c) = tilt.sin_cos();
-    let (x, y) = (6.0 + 9.0 * c, 4.0 - 9.0 * s);
-    let (corners, triangles) = ([6.0, 4.0, -2.0, 6.0, 4.0, 2.0, x, y, -2.0, x, y, 2.0], [0, 1, 2, 2, 1, 3]);
+    let (x, y, up) = (6.0 + 9.0 * c, 4.0 - 9.0 * s, 7.0 - 9.0 * s); // a wall at its end
+    let corners = [6.0, 4.0, -2.0, 6.0, 4.0, 2.0, x, y, -2.0, x, y, 2.0, x, up, -2.0, x, up, 2.0];
+    let triangles = [0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5];
     let ramp = raw::carom_mesh_desc {
         vertices: corners.as_ptr(),
-        vertex_count: 4,
+        vertex_count: 6,
         triangles: triangles.as_ptr(),
-        triangle_count: 2,
+        triangle_count: 4,
         ..Default::default()
     };
     engine.call(|p, e| unsafe { raw::carom_shape_create_mesh(p, &ramp, &mut mesh, e) })?;
