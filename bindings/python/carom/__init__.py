@@ -20,6 +20,7 @@ from .force import ForceField, Spring, Water
 from .host import share
 from .joint import Joint
 from .kit import Character, Vehicle, Wheel
+from .notebook import Film, Picture, film
 from .particles import Particles
 from .report import effects
 from .run import run
@@ -29,6 +30,6 @@ from .tree import JointTree
 from .tune import Tuned, tune
 from .world import World
 
-__all__ = ["Attributes", "Body", "CaromError", "Character", "Closed", "Collider", "Engine", "ForceField", "Joint", "JointTree", "Material",
-           "Particles", "Shape", "Spring", "SupportPlugin", "Tuned", "Vehicle", "Water", "Wheel", "World", "attribute_infos", "dial_infos",
-           "effects", "errors", "raw", "records", "run", "share", "tune", "__version__"]
+__all__ = ["Attributes", "Body", "CaromError", "Character", "Closed", "Collider", "Engine", "Film", "ForceField", "Joint", "JointTree", "Material",
+           "Particles", "Picture", "Shape", "Spring", "SupportPlugin", "Tuned", "Vehicle", "Water", "Wheel", "World", "attribute_infos", "dial_infos",
+           "effects", "errors", "film", "raw", "records", "run", "share", "tune", "__version__"]

@@ -14,6 +14,7 @@ from .errors import Busy, Closed, Reentrant
 from .force import ForceField, Spring, Water
 from .joint import Joint, make_joint
 from .particles import Particles
+from .notebook import Shown
 from .query import Questions
 from .report import Reports
 from .shape import Shape
@@ -33,7 +34,7 @@ _OBJECTS: dict[str, type[Thing]] = {"carom_body": Body, "carom_collider": Collid
             "carom_particles": Particles, "carom_force_field": ForceField, "carom_spring": Spring}
 
 
-class World(Root, Bulk, Questions, Reports, Snapshots):
+class World(Root, Bulk, Questions, Reports, Snapshots, Shown):
     """Made by Engine.world(). One thread steps it, or any number read it; who comes at the wrong time gets Busy.
     A step lets other Python threads run."""
 
