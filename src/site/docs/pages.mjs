@@ -57,12 +57,14 @@ function included(line) {
   return block[0];
 }
 
-/** A line `@example NAME` stands for that program in each language; tests/bindings/examples.py runs them. */
+/** A line `@example NAME [LANGUAGE]` stands for that program in each language, that one first; tests/bindings/examples.py
+ *  runs them. */
 function example(line) {
-  const name = /^@example (\w+)$/.exec(line)?.[1];
+  const [, name, first] = /^@example (\w+)(?: (\w+))?$/.exec(line) ?? [];
   const found = examples().find((each) => each.name === name);
   if (!found) throw new Error(`${line}: there is no such example`);
-  const programs = Object.entries(found.files).map(([language, file]) => included(`@include ${relative(ROOT, file)} ${language}`));
+  const order = Object.entries(found.files).sort(([a], [b]) => (b === first) - (a === first));
+  const programs = order.map(([language, file]) => included(`@include ${relative(ROOT, file)} ${language}`));
   return `${programs.join("\n\n")}\n\n[Run it beside its picture](run:example_${name})`;
 }
 
