@@ -94,7 +94,7 @@ function clear() {
 
 function show(other) {
   state.pictures = state.sims.map((sim) => {
-    const picture = new Picture(sim, state.row);
+    const picture = new Picture(sim, state.row, stage.cheap);
     picture.shown = shown;
     stage.scene.add(picture.group);
     return picture;

@@ -14,7 +14,8 @@ export const skip = !existsSync(executablePath)
 export class Browser {
   errors = [];
 
-  static async start() {
+  /** @param how  it draws: by SwiftShader all through, so that pictures are the same on every machine */
+  static async start(how = ["--use-gl=angle", "--use-angle=swiftshader"]) {
     const b = new Browser();
     b.server = await serve(0, undefined, ISOLATED); // as `carom view` does
     b.base = `http://localhost:${b.server.address().port}/`;
@@ -22,8 +23,7 @@ export class Browser {
       executablePath,
       args: [
         "--no-sandbox",
-        "--use-gl=angle",
-        "--use-angle=swiftshader",
+        ...how,
         "--enable-unsafe-swiftshader",
         "--enable-precise-memory-info",
       ],
