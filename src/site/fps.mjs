@@ -28,9 +28,14 @@ if (skip) throw new Error(skip);
 const scenes = process.argv.slice(2),
   browser = await Browser.start([]); // as a visitor's, who has no graphics card
 try {
-  for (const scene of scenes.length ? scenes : ["accuracy_stack10", "seesaw", "wall", "ragdoll", "stacks", "drive", "arm", "quoits"]) {
+  for (const scene of scenes.length
+    ? scenes
+    : ["accuracy_stack10", "seesaw", "wall", "ragdoll", "stacks", "drive", "arm", "quoits"]) {
     const before = loadavg()[0];
-    const page = await browser.visit(`?scene=${scene}`, { viewport: { width: 1280, height: 800 }, deviceScaleFactor: 1 });
+    const page = await browser.visit(`?scene=${scene}`, {
+      viewport: { width: 1280, height: 800 },
+      deviceScaleFactor: 1,
+    });
     await page.waitForTimeout(SETTLES);
     const began = taken();
     const found = await page.evaluate(

@@ -8,7 +8,17 @@ const WIDTH = 400,
   HEIGHT = 250,
   QUALITY = 0.8;
 /** Where a scene looks its best, s; else after a second. */
-const WHEN = { wall: 1.4, seesaw: 1.5, catapult: 2.2, bunnies: 1.5, falling: 3, net: 2, particles: 2, ragdoll: 0.7, quoits: 1 };
+const WHEN = {
+  wall: 1.4,
+  seesaw: 1.5,
+  catapult: 2.2,
+  bunnies: 1.5,
+  falling: 3,
+  net: 2,
+  particles: 2,
+  ragdoll: 0.7,
+  quoits: 1,
+};
 WHEN.accuracy_bullet = 0.03;
 
 if (skip) throw new Error(skip);

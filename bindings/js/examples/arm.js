@@ -26,7 +26,9 @@ for (let i = 0; i < 120; ++i) {
   world.step(1 / 60);
 }
 const [a, b] = Array.from(angle, (x) => x.toFixed(2));
-console.log(`${level[0].toFixed(2)} and ${level[1].toFixed(2)} N m hold it level; after 2 s it is at ${a} and ${b} rad`);
+console.log(
+  `${level[0].toFixed(2)} and ${level[1].toFixed(2)} N m hold it level; after 2 s it is at ${a} and ${b} rad`,
+);
 assert(Math.abs(level[0] - 4 * 9.81) < 1e-9 && Math.abs(level[1] - 9.81) < 1e-9);
 assert(Math.abs(angle[0] - 0.5) < 0.005 && Math.abs(angle[1] + 0.5) < 0.005);
 world.free();

@@ -9,7 +9,9 @@ world.ground();
 const inertia = [1600, 0, 0, 0, 1800, 0, 0, 0, 500];
 const body = world.body({ position: [0, 0.6, 0], mass: 1200, center: [0, 0, 0], inertia });
 body.addCollider(engine.box(0.85, 0.3, 2), { position: [0, 0.15, 0] });
-const wheels = [1.3, -1.3].flatMap((z) => [0.75, -0.75].map((x) => ({ position: [x, -0.32, z], brake: 1e5, slide: 1 })));
+const wheels = [1.3, -1.3].flatMap((z) =>
+  [0.75, -0.75].map((x) => ({ position: [x, -0.32, z], brake: 1e5, slide: 1 })),
+);
 const car = new Vehicle(body, wheels);
 
 function frames(n, input) {

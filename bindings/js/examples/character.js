@@ -18,7 +18,9 @@ for (let i = 0; i < 180; ++i) {
 const { ground } = walker,
   feet = walker.position[1] - walker.foot,
   pushed = crate.position[0] - 3;
-console.log(`after 3 s it stands on ${ground} ground, ${feet.toFixed(2)} m up, and has pushed a crate by ${pushed.toFixed(1)} m`);
+console.log(
+  `after 3 s it stands on ${ground} ground, ${feet.toFixed(2)} m up, and has pushed a crate by ${pushed.toFixed(1)} m`,
+);
 assert(ground === "firm" && Math.abs(feet - 0.6 - 0.0102) < 1e-4); // a skin of 0.01 m and 2 % lies between
 assert(pushed > 1 && pushed < 2 && walker.contacts.some(({ body }) => body.handle === crate.handle));
 world.free();

@@ -13,7 +13,11 @@ const ball = world.body({ shape: engine.sphere(0.5), ...about });
 const tilt = Math.PI / 6,
   s = Math.sin(tilt),
   c = Math.cos(tilt);
-const profile = [[6, 4], [6 + 9 * c, 4 - 9 * s], [6 + 9 * c, 7 - 9 * s]]; // a wall at its end
+const profile = [
+  [6, 4],
+  [6 + 9 * c, 4 - 9 * s],
+  [6 + 9 * c, 7 - 9 * s],
+]; // a wall at its end
 const corners = profile.flatMap(([x, y]) => [x, y, -2, x, y, 2]);
 world.body({ shape: engine.mesh(corners, [0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5]), type: "static" });
 const start = [6 + c + 0.5 * s, 4 - s + 0.5 * c, 0], // 1 m down

@@ -95,7 +95,15 @@ export class Character {
         fits = always ? 0 : room(4);
       if (fits) m.view.setUint32(fits, 1, true);
       const { pointer } = this.world.engine;
-      m.call("carom_character_set_shape", pointer, this.world.pointer, this.#desc.place(room), state, shape.handle, fits);
+      m.call(
+        "carom_character_set_shape",
+        pointer,
+        this.world.pointer,
+        this.#desc.place(room),
+        state,
+        shape.handle,
+        fits,
+      );
       this.#state.take(state);
       return !fits || m.view.getUint32(fits, true) === 1;
     });

@@ -4,7 +4,8 @@ import * as C from "./constants.js";
 /** @param field  "position": CAROM_JOINT_BULK_POSITION */
 function numbered(m, field) {
   const number = C[`CAROM_JOINT_BULK_${field.toUpperCase()}`];
-  if (number === undefined) throw new TypeError(`joints have no field "${field}": CAROM_JOINT_BULK_* names those there are`);
+  if (number === undefined)
+    throw new TypeError(`joints have no field "${field}": CAROM_JOINT_BULK_* names those there are`);
   return m.frame((room) => {
     const width = room(4);
     m.check(m.raw.carom_joint_bulk_width(number, width), field);
@@ -38,7 +39,8 @@ export const joints = {
       { number, width } = numbered(m, field);
     m.frame((room) => {
       const { at, n, values, total } = all(m, this, joints, room, width);
-      if (numbers.length !== total) throw new TypeError(`writeJoints(${field}) takes ${total} numbers, not ${numbers.length}`);
+      if (numbers.length !== total)
+        throw new TypeError(`writeJoints(${field}) takes ${total} numbers, not ${numbers.length}`);
       new Float64Array(m.buffer, values, total).set(numbers);
       m.call("carom_world_write_joints", this.pointer, number, C.CAROM_SCALAR_F64, at, n, values, 0n);
     });
@@ -60,7 +62,10 @@ class Tree {
     const { module: m, pointer } = this.world,
       stride = BigInt(m.structs.size("carom_tree_coordinate"));
     return Number(
-      m.u64((count) => m.raw.carom_tree_get_coordinates(pointer, this.body.handle, 0, stride, 0n, count, m.error), "size"),
+      m.u64(
+        (count) => m.raw.carom_tree_get_coordinates(pointer, this.body.handle, 0, stride, 0n, count, m.error),
+        "size",
+      ),
     );
   }
 

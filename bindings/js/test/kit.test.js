@@ -75,7 +75,7 @@ test("joints as arrays: lengths and names are checked; the mass matrix is that o
   assert.throws(() => world.writeJoints("position", [0, 0]), /takes 1 numbers, not 2/);
   assert.throws(() => world.readJoints("positions"), /no field "positions"/);
   const [mass] = world.tree(rod).mass();
-  const about = 2 * (1 + 0.1 * 0.1) / 12 + 2 * 0.25; // kg m^2, about the hinge
+  const about = (2 * (1 + 0.1 * 0.1)) / 12 + 2 * 0.25; // kg m^2, about the hinge
   assert.ok(Math.abs(mass - about) < 1e-9, `${mass} ${about}`);
   end();
 });

@@ -28,7 +28,12 @@ for (const { title, scenes } of gallery())
   for (const scene of scenes) {
     const content = `${scene.title}. ${scene.summary} ${scene.look_for}. Scene, gallery: ${title}.`;
     const meta = { title: `Scene: ${scene.title}` };
-    const { errors: wrong } = await index.addCustomRecord({ url: `/../?scene=${scene.name}`, content, language: "en", meta });
+    const { errors: wrong } = await index.addCustomRecord({
+      url: `/../?scene=${scene.name}`,
+      content,
+      language: "en",
+      meta,
+    });
     if (wrong?.length) throw new Error(wrong.join("\n"));
   }
 await index.writeFiles({ outputPath: `${out}pagefind` });

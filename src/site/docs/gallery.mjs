@@ -50,6 +50,7 @@ export function galleryPage() {
       `${summary} *${look_for[0].toUpperCase()}${look_for.slice(1)}.*`,
       "</section>",
     ].join("\n\n");
-  const group = ({ title, scenes }) => [`## ${title}`, '<div class="gallery">', ...scenes.map(card), "</div>"].join("\n\n");
+  const group = ({ title, scenes }) =>
+    [`## ${title}`, '<div class="gallery">', ...scenes.map(card), "</div>"].join("\n\n");
   return groups.map(group).join("\n\n");
 }

@@ -88,7 +88,11 @@ export class Pages {
     const read = [...markdown()].map((file) => ({ file, text: readFileSync(ROOT + file, "utf8") }));
     this.pages = [...read, ...apiPages(ROOT)].map(({ file, text }) => {
       if (OWN.test(file))
-        text = text.replace(/^@include .*$/gm, included).replace(/^@example .*$/gm, example).replace(/^@curve .*$/gm, curve).replace(/^@gallery$/gm, galleryPage);
+        text = text
+          .replace(/^@include .*$/gm, included)
+          .replace(/^@example .*$/gm, example)
+          .replace(/^@curve .*$/gm, curve)
+          .replace(/^@gallery$/gm, galleryPage);
       const heading = /^# (.+)$/m.exec(text);
       if (!heading) throw new Error(`${file} has no heading`);
       const title = heading[1].replace(/[`*]/g, "");

@@ -84,7 +84,8 @@ export class CodePanel {
         tab.onkeydown = (e) => {
           const all = [...this.tabs.children],
             way = { ArrowRight: 1, ArrowLeft: -1 }[e.key];
-          if (way) (all.at((all.indexOf(tab) + way) % all.length).click(), this.tabs.querySelector('[tabindex="0"]').focus());
+          if (way)
+            (all.at((all.indexOf(tab) + way) % all.length).click(), this.tabs.querySelector('[tabindex="0"]').focus());
         };
         return tab;
       }),

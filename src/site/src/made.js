@@ -11,7 +11,9 @@ export function listScenes(select, rows) {
     known = group("The truth is known"),
     programs = group("Examples, with their code");
   for (const { name, truth, thing, example } of rows)
-    (thing ? steered : truth ? known : example ? programs : plain).append(new Option(name.replace(/^example_/, ""), name));
+    (thing ? steered : truth ? known : example ? programs : plain).append(
+      new Option(name.replace(/^example_/, ""), name),
+    );
   select.append(...[plain, steered, programs, known].filter((g) => g.children.length));
 }
 

@@ -67,7 +67,8 @@ function begin(row, start, sides) {
   const engine = carom.engine(),
     made = [];
   try {
-    for (const plugin of [...(row.plugins ?? []), ...state.shapes.map((shape) => shape.plugin)]) engine.useShape(plugin);
+    for (const plugin of [...(row.plugins ?? []), ...state.shapes.map((shape) => shape.plugin)])
+      engine.useShape(plugin);
     const recording = row.recording ? new Recording(engine, row.recording) : null;
     for (const { settings, log } of sides) {
       const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings], recording, row.driver);
@@ -157,11 +158,7 @@ function tell() {
   const other = state.row.example ? "the program" : state.row.recording ? "the recording" : "the native build";
   const native = plain ? state.row.hashes?.[sim.step] : undefined;
   $("native").textContent =
-    native === undefined
-      ? ""
-      : native === hash
-        ? `${other} has the same bits`
-        : `${other} has ${native}`;
+    native === undefined ? "" : native === hash ? `${other} has the same bits` : `${other} has ${native}`;
   $("native").dataset.same = native === undefined ? "" : String(native === hash);
   $("at").textContent = sim.step;
   $("scrub").max = Math.max(sim.newest, sim.step);
@@ -263,7 +260,7 @@ function compiled() {
 }
 
 /** The world of a program that ran: its calls are made again, step by step. */
-async function shownProgram(row, { recording, shapes, beside, floor }, sides = [{ settings: [], log: [] }]) {
+async function shownProgram(row, { printed, recording, shapes, beside, floor }, sides = [{ settings: [], log: [] }]) {
   const plugins = shapes.map(({ text, id, params }) => {
     try {
       const support = new Function(`return (${text})`)(); // of the visitor's own program
@@ -273,12 +270,14 @@ async function shownProgram(row, { recording, shapes, beside, floor }, sides = [
       );
       return carom.bringSupport(support, id, params);
     } catch (error) {
-      throw new Error(`the shape ${id} is not shown here: its function needs more than what it is given (${error.message})`);
+      throw new Error(
+        `the shape ${id} is not shown here: its function needs more than what it is given (${error.message})`,
+      );
     }
   });
   const { start, row: more } = await opened(carom, `${row.example}.rec`, recording, plugins),
     seconds = more.dt * Object.keys(more.hashes).length;
-  const about = { ...row, ...more, plugins, seconds, beside: besideOf(beside), ground: floor ? 10 : 0 };
+  const about = { ...row, ...more, printed, plugins, seconds, beside: besideOf(beside), ground: floor ? 10 : 0 };
   return shownAs(row.name, about, start, sides);
 }
 
@@ -356,10 +355,17 @@ function film() {
   if (!kind) return say("this browser makes no films: take a picture, or copy the link");
   const parts = [],
     button = $("film"),
-    show = (on) => ((button.textContent = on ? "End the film" : "Film"), button.setAttribute("aria-pressed", String(on)));
+    show = (on) => (
+      (button.textContent = on ? "End the film" : "Film"),
+      button.setAttribute("aria-pressed", String(on))
+    );
   const recorder = new MediaRecorder($("view").captureStream(30), { mimeType: kind, videoBitsPerSecond: 6e6 });
   recorder.ondataavailable = ({ data }) => parts.push(data);
-  recorder.onstop = () => ((film.recorder = null), show(false), download(new Blob(parts, { type: kind }), kind.slice(6)));
+  recorder.onstop = () => (
+    (film.recorder = null),
+    show(false),
+    download(new Blob(parts, { type: kind }), kind.slice(6))
+  );
   recorder.start();
   film.recorder = recorder;
   show(true);
@@ -457,8 +463,10 @@ function controls() {
     redraw();
   };
   $("code").onclick = () => showCode($("code-box").hidden);
-  $("shot").onclick = () =>
-    (stage.render(state.pictures), $("view").toBlob((blob) => download(blob, "png"), "image/png"));
+  $("shot").onclick = () => (
+    stage.render(state.pictures),
+    $("view").toBlob((blob) => download(blob, "png"), "image/png")
+  );
   $("film").onclick = film;
   for (const button of document.querySelectorAll("[data-tool]")) button.onclick = () => choose(button);
   addEventListener("keydown", (e) => {

@@ -54,7 +54,8 @@ class Merged extends THREE.Mesh {
 
   setColorAt(i, { r, g, b }) {
     const { array } = this.instanceColor;
-    for (let k = 0, at = 3 * this.n * i; k < this.n; ++k, at += 3) [array[at], array[at + 1], array[at + 2]] = [r, g, b];
+    for (let k = 0, at = 3 * this.n * i; k < this.n; ++k, at += 3)
+      [array[at], array[at + 1], array[at + 2]] = [r, g, b];
   }
 
   /** three.js sorts by it; what is opaque needs no order. */

@@ -91,7 +91,8 @@ export class Picture {
       const at = [array[7 * i], array[7 * i + 1], array[7 * i + 2]];
       if (at.every(Number.isFinite)) out.push([...at, this.reach[i]]);
     });
-    if (moving && this.row.beside) for (const pose of this.row.beside.poses(this.sim.step)) out.push([...pose.slice(0, 3), 0.5]);
+    if (moving && this.row.beside)
+      for (const pose of this.row.beside.poses(this.sim.step)) out.push([...pose.slice(0, 3), 0.5]);
     const { array: points } = this.points.geometry.attributes.position ?? { array: [] },
       { count } = this.points.geometry.drawRange;
     if (moving && this.row.particles)

@@ -21,12 +21,7 @@ export class Browser {
     b.base = `http://localhost:${b.server.address().port}/`;
     b.browser = await chromium.launch({
       executablePath,
-      args: [
-        "--no-sandbox",
-        ...how,
-        "--enable-unsafe-swiftshader",
-        "--enable-precise-memory-info",
-      ],
+      args: ["--no-sandbox", ...how, "--enable-unsafe-swiftshader", "--enable-precise-memory-info"],
     });
     return b;
   }

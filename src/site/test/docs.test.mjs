@@ -216,7 +216,11 @@ test("programs stand in three languages behind tabs", { skip: skip || unbuilt, t
     assert.deepEqual([...new Set(await seen())], [first], path);
     assert.ok((await seen()).length >= 3, path);
   }
-  const only = async (name) => assert.ok((await seen()).every((one) => one === name), name);
+  const only = async (name) =>
+    assert.ok(
+      (await seen()).every((one) => one === name),
+      name,
+    );
   await page.locator("[role=tab]", { hasText: "Python" }).first().click();
   await only("Python");
   await page.keyboard.press("ArrowRight");
@@ -235,47 +239,63 @@ test("programs stand in three languages behind tabs", { skip: skip || unbuilt, t
   await context.close();
 });
 
-test("the gallery: each card runs a scene, words leave those that have them; search finds scenes and functions", {
-  skip: skip || unbuilt,
-  timeout: 120000,
-}, async () => {
-  const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
-  const page = await browser.tab(context);
-  await page.goto(new URL("docs/topics/gallery/", browser.base).href);
-  const cards = page.locator(".gallery section");
-  const all = await cards.count();
-  assert.ok(all >= 60);
-  assert.equal(await page.locator(".gallery img").evaluateAll((i) => i.filter((e) => e.complete && !e.naturalWidth).length), 0);
-  await page.fill(".sieve", "cube tower");
-  const left = await page.locator(".gallery section:visible").allTextContents();
-  assert.ok(left.length >= 1 && left.length < all / 4 && left.every((text) => /cube/i.test(text) && /tower/i.test(text)));
-  await page.fill(".sieve", "");
-  assert.equal(await page.locator(".gallery section:visible").count(), all);
-  await page.locator(".gallery section", { hasText: "pyramid" }).locator("a").first().click();
-  await page.waitForFunction(() => globalThis.caromViewer?.state.row.name === "pyramid", null, { timeout: 60000 });
-  for (const [word, leads] of [
-    ["turntable", /\?scene=accuracy_turntable$/],
-    ["carom_body_set_velocity", /include\/pages\/body\/.*#carom_body_set_velocity$/],
-  ]) {
-    await page.goto(new URL("./", browser.base).href);
-    await page.waitForFunction(() => globalThis.caromViewer);
-    await page.fill('header input[name="q"]', word);
-    await page.keyboard.press("Enter");
-    await page.waitForSelector(".pagefind-ui__result-link");
-    const found = await page.locator(".pagefind-ui__result-link").evaluateAll((links) => links.map((link) => link.href));
-    assert.ok(found.some((href) => leads.test(href)), `${word}: ${found.join(" ")}`);
-  }
-  await context.close();
-});
+test(
+  "the gallery: each card runs a scene, words leave those that have them; search finds scenes and functions",
+  {
+    skip: skip || unbuilt,
+    timeout: 120000,
+  },
+  async () => {
+    const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
+    const page = await browser.tab(context);
+    await page.goto(new URL("docs/topics/gallery/", browser.base).href);
+    const cards = page.locator(".gallery section");
+    const all = await cards.count();
+    assert.ok(all >= 60);
+    assert.equal(
+      await page.locator(".gallery img").evaluateAll((i) => i.filter((e) => e.complete && !e.naturalWidth).length),
+      0,
+    );
+    await page.fill(".sieve", "cube tower");
+    const left = await page.locator(".gallery section:visible").allTextContents();
+    assert.ok(
+      left.length >= 1 && left.length < all / 4 && left.every((text) => /cube/i.test(text) && /tower/i.test(text)),
+    );
+    await page.fill(".sieve", "");
+    assert.equal(await page.locator(".gallery section:visible").count(), all);
+    await page.locator(".gallery section", { hasText: "pyramid" }).locator("a").first().click();
+    await page.waitForFunction(() => globalThis.caromViewer?.state.row.name === "pyramid", null, { timeout: 60000 });
+    for (const [word, leads] of [
+      ["turntable", /\?scene=accuracy_turntable$/],
+      ["carom_body_set_velocity", /include\/pages\/body\/.*#carom_body_set_velocity$/],
+    ]) {
+      await page.goto(new URL("./", browser.base).href);
+      await page.waitForFunction(() => globalThis.caromViewer);
+      await page.fill('header input[name="q"]', word);
+      await page.keyboard.press("Enter");
+      await page.waitForSelector(".pagefind-ui__result-link");
+      const found = await page
+        .locator(".pagefind-ui__result-link")
+        .evaluateAll((links) => links.map((link) => link.href));
+      assert.ok(
+        found.some((href) => leads.test(href)),
+        `${word}: ${found.join(" ")}`,
+      );
+    }
+    await context.close();
+  },
+);
 
 test("names of the Python and JavaScript packages, and the version, are on their pages", { skip: unbuilt }, () => {
   const text = (path) => readFileSync(join(DOCS, path, "index.html"), "utf8");
   for (const [path, names] of [
-    ["bindings/js/API", ["measureGrowth", "islands", "CaromPhysics", "CaromError"]],
-    ["bindings/python/API", ["measure_growth", "islands", "contact_array", "StaleHandle"]],
+    ["bindings/js/API", ["measureGrowth", "islands", "CaromPhysics", "CaromError", "Vehicle", "castShape"]],
+    ["bindings/python/API", ["measure_growth", "islands", "contact_array", "StaleHandle", "film", "picture"]],
   ])
     for (const name of names) assert.ok(text(path).includes(name), `${path}: ${name}`);
   const version = /<span class="version">([\d.]+)</.exec(text("readme"))[1];
+  const cited = readFileSync(new URL("../../../CITATION.cff", import.meta.url), "utf8");
+  assert.equal(/^version: (.+)$/m.exec(cited)[1], version);
   for (const page of files(DOCS, "index.html"))
     assert.match(readFileSync(page, "utf8"), new RegExp(`Carom ${version} ·`));
 });

@@ -22,48 +22,58 @@ with carom.Engine() as engine, engine.world() as world:
     open(sys.argv[1] + "/cell.html", "w").write(film._repr_html_())
 `;
 
-test("a film plays offline", { skip: skip || (!existsSync(library) && `no library at ${library}`), timeout: 120000 }, async () => {
-  const folder = mkdtempSync(join(tmpdir(), "film-")),
-    browser = await Browser.start();
-  try {
-    const env = { ...process.env, CAROM_LIBRARY: library, PYTHONPATH: `${root}bindings/python`, PYTHONDONTWRITEBYTECODE: "1" };
-    env.CAROM_PLUGIN_DIR ??= join(library, "../../plugins");
-    execFileSync("python3", ["-c", PROGRAM, folder], { env });
-    for (const file of ["film.html", "cell.html"]) {
-      const context = await browser.browser.newContext({ viewport: { width: 700, height: 460 }, offline: true });
-      const page = await browser.tab(context);
-      const asked = [];
-      page.on("request", (request) => !/^(file|about|data|blob):/.test(request.url()) && asked.push(request.url()));
-      await page.goto(`file://${folder}/${file}`);
-      const frame = file === "film.html" ? page.mainFrame() : await (await page.waitForSelector("iframe")).contentFrame();
-      await frame.waitForFunction(() => Number(document.querySelector("input").value) > 5);
-      const seen = () => frame.evaluate(() => document.querySelector("canvas").toDataURL());
-      await frame.click("button");
-      assert.equal(await frame.textContent("button"), "Play");
-      const there = await seen(),
-        time = await frame.textContent("output");
-      await page.waitForTimeout(300);
-      assert.equal(await seen(), there); // it stands still
-      await frame.evaluate(() => {
-        const slider = document.querySelector("input");
-        ((slider.value = "0"), slider.dispatchEvent(new Event("input")));
-      });
-      assert.notEqual(await seen(), there);
-      assert.equal(await frame.textContent("output"), "0.00 s");
-      assert.notEqual(time, "0.00 s");
-      const first = await seen();
-      await page.mouse.move(300, 200);
-      await page.mouse.down();
-      await page.mouse.move(380, 200, { steps: 4 });
-      await page.mouse.up();
-      assert.notEqual(await seen(), first); // the camera turned
-      assert.equal(await frame.evaluate(() => document.querySelector("input").max), "60");
-      assert.deepEqual(asked, []);
-      await context.close();
+test(
+  "a film plays offline",
+  { skip: skip || (!existsSync(library) && `no library at ${library}`), timeout: 120000 },
+  async () => {
+    const folder = mkdtempSync(join(tmpdir(), "film-")),
+      browser = await Browser.start();
+    try {
+      const env = {
+        ...process.env,
+        CAROM_LIBRARY: library,
+        PYTHONPATH: `${root}bindings/python`,
+        PYTHONDONTWRITEBYTECODE: "1",
+      };
+      env.CAROM_PLUGIN_DIR ??= join(library, "../../plugins");
+      execFileSync("python3", ["-c", PROGRAM, folder], { env });
+      for (const file of ["film.html", "cell.html"]) {
+        const context = await browser.browser.newContext({ viewport: { width: 700, height: 460 }, offline: true });
+        const page = await browser.tab(context);
+        const asked = [];
+        page.on("request", (request) => !/^(file|about|data|blob):/.test(request.url()) && asked.push(request.url()));
+        await page.goto(`file://${folder}/${file}`);
+        const frame =
+          file === "film.html" ? page.mainFrame() : await (await page.waitForSelector("iframe")).contentFrame();
+        await frame.waitForFunction(() => Number(document.querySelector("input").value) > 5);
+        const seen = () => frame.evaluate(() => document.querySelector("canvas").toDataURL());
+        await frame.click("button");
+        assert.equal(await frame.textContent("button"), "Play");
+        const there = await seen(),
+          time = await frame.textContent("output");
+        await page.waitForTimeout(300);
+        assert.equal(await seen(), there); // it stands still
+        await frame.evaluate(() => {
+          const slider = document.querySelector("input");
+          ((slider.value = "0"), slider.dispatchEvent(new Event("input")));
+        });
+        assert.notEqual(await seen(), there);
+        assert.equal(await frame.textContent("output"), "0.00 s");
+        assert.notEqual(time, "0.00 s");
+        const first = await seen();
+        await page.mouse.move(300, 200);
+        await page.mouse.down();
+        await page.mouse.move(380, 200, { steps: 4 });
+        await page.mouse.up();
+        assert.notEqual(await seen(), first); // the camera turned
+        assert.equal(await frame.evaluate(() => document.querySelector("input").max), "60");
+        assert.deepEqual(asked, []);
+        await context.close();
+      }
+      assert.deepEqual(browser.complaints(), []);
+    } finally {
+      await browser.end();
+      rmSync(folder, { recursive: true });
     }
-    assert.deepEqual(browser.complaints(), []);
-  } finally {
-    await browser.end();
-    rmSync(folder, { recursive: true });
-  }
-});
+  },
+);
