@@ -37,6 +37,19 @@ if (cards.length) {
   document.querySelector(".gallery").previousElementSibling.before(sieve);
 }
 
+// Each program can be copied.
+for (const pre of document.querySelectorAll("main pre")) {
+  const box = Object.assign(document.createElement("div"), { className: "program" }),
+    button = Object.assign(document.createElement("button"), { type: "button", textContent: "Copy" });
+  button.onclick = async () => {
+    await navigator.clipboard.writeText(pre.textContent).catch(() => getSelection().selectAllChildren(pre));
+    button.textContent = "Copied";
+    setTimeout(() => (button.textContent = "Copy"), 1500);
+  };
+  pre.replaceWith(box);
+  box.append(pre, button);
+}
+
 // Programs in several languages: one is seen, the same in all places and on all pages.
 const REMEMBERED = "carom language";
 const groups = [...document.querySelectorAll(".tabs")].map((box, number) => {

@@ -236,6 +236,13 @@ test("programs stand in three languages behind tabs", { skip: skip || unbuilt, t
   await page.locator("[role=tab]", { hasText: "JavaScript" }).first().click();
   const some = await seen();
   assert.ok(some.length === 15 && some.every((name) => name === "JavaScript"));
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  const first = page.locator(".tabs section:visible").first();
+  await first.locator("button", { hasText: "Copy" }).click();
+  assert.equal(
+    (await page.evaluate(() => navigator.clipboard.readText())).trimEnd(),
+    readFileSync(new URL("../../../bindings/js/examples/stack.js", import.meta.url), "utf8").trimEnd(),
+  );
   await context.close();
 });
 
