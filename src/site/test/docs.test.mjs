@@ -122,8 +122,8 @@ test(
     const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
     const page = await context.newPage();
     await page.goto(new URL("docs/start/games/", browser.base).href);
-    await page.locator("iframe.live").scrollIntoViewIfNeeded();
-    const frame = await (await page.waitForSelector("iframe.live")).contentFrame();
+    await page.locator("iframe.live[src*=pyramid]").scrollIntoViewIfNeeded();
+    const frame = await (await page.waitForSelector("iframe.live[src*=pyramid]")).contentFrame();
     await frame.waitForFunction(() => globalThis.caromViewer?.state.row.name === "pyramid", null, { timeout: 60000 });
     await frame.waitForFunction(() => document.getElementById("native").dataset.same === "true");
     await context.close();
@@ -200,7 +200,7 @@ test(
   },
 );
 
-test("programs stand in three languages behind tabs", { skip: skip || unbuilt, timeout: 120000 }, async () => {
+test("programs stand in three languages behind tabs", { skip: skip || unbuilt, timeout: 240000 }, async () => {
   const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
   const page = await context.newPage();
   page.on("pageerror", (e) => browser.errors.push(e.message));
