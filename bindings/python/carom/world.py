@@ -10,7 +10,7 @@ from ._values import describe, enum, flag, handle_of, handles_out, number, vec3
 from .body import Body, Collider, Material, Thing, collider_desc
 from .bulk import Bulk
 from .dials import Dials
-from .errors import Busy, Closed, Reentrant
+from .errors import Busy, CaromError, Closed, Reentrant, as_typed
 from .force import ForceField, Spring, Water
 from .joint import Joint, make_joint
 from .particles import Particles
@@ -216,7 +216,10 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
 
     @wind.setter
     def wind(self, value: Vector) -> None:
-        self._call(raw.carom_world_set_wind, vec3(value, "wind"))
+        try:
+            self._call(raw.carom_world_set_wind, vec3(value, "wind"))
+        except CaromError as refused:
+            raise as_typed(refused, ("wind",), 2) from None
 
     @property
     def bodies(self) -> list[Body]:
