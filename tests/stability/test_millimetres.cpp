@@ -132,6 +132,34 @@ static void dice_stay_above_a_mesh(void**) {
     }
 }
 
+/// Heaps of a quarter of a millimetre: a substep's fall is their size. What a step leaves where it was has no speed to
+/// go anywhere with.
+static void what_stands_still_says_so(void**) {
+  for (const Real size : {0.0002, 0.00025, 0.0003})
+    for (int heap = 0; heap < sliced(12, 6, 1); ++heap) {
+      TestWorld t;
+      t.ground();
+      Random random(static_cast<std::uint64_t>(heap + 40));
+      const Vec3 half = size / 2 * Vec3(1, random.uniform(0.7, 1), random.uniform(0.8, 1.2));
+      const Shape* const die = t.keep(heap % 3 == 2 ? cylinder(size / 2, size) : box(half));
+      const Real gap = random.uniform(1.1, 1.5), lean = random.uniform(0, 0.2);
+      std::vector<std::uint32_t> dice;
+      for (int k = 0; k < 16; ++k)
+        dice.push_back(t.add(die, size * Vec3(gap * (k % 4), 1 + gap * (k / 4), 0.1 * (k % 3)), BodyType::dynamic,
+                             exp_map(2 * Vec3(lean * (k % 2), 0.05, 0))));
+      t.run(120, 1.0 / 60);
+      std::vector<Vec3> before;
+      for (const std::uint32_t b : dice) before.push_back(t.world.state.x[b]);
+      t.run(1, 1.0 / 60);
+      for (std::size_t k = 0; k < dice.size(); ++k) {
+        const Real way = (t.world.state.x[dice[k]] - before[k]).norm();
+        const Real led = t.world.state.v[dice[k]].norm() / 60;
+        if (!(led < size || way > 0.1 * led)) print_error("%g mm, heap %d: %g and %g\n", 1e3 * size, heap, way, led);
+        assert_true(led < size || way > 0.1 * led);
+      }
+    }
+}
+
 /// Bricks at three scales, with gravity as much scaled, move alike: in units of their size all depths are the same to 1 %
 /// of the thickness, however large or small that is.
 static void depth_scales(void**) {
@@ -208,6 +236,7 @@ int main() {
       cmocka_unit_test(rods_lie_across_each_other),
       cmocka_unit_test(tiles_lie_on_a_large_block),
       cmocka_unit_test(dice_stay_above_a_mesh),
+      cmocka_unit_test(what_stands_still_says_so),
       cmocka_unit_test(depth_scales),
       cmocka_unit_test(what_is_thick_has_the_same_bits_beside_it),
       cmocka_unit_test(blocks_of_a_hundred_metres_land),

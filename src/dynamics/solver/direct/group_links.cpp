@@ -264,8 +264,9 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
       lock(c, std::clamp(-get(row.error, lane), -most, most));
     else
       lock(c, bends ? -get(row.curve, lane) : 0), c.bends = bends;
-    const bool leads = at_row.is_drive && phase == LinkPhase::move && c.d_b == Vec3::zero() &&
-                       (at_row.kind == DriveKind::spring ? is_far || !bends : at_row.kind == DriveKind::motor && is_far);
+    const bool leads =
+        at_row.is_drive && phase == LinkPhase::move && c.d_b == Vec3::zero() &&
+        (at_row.kind == DriveKind::spring ? is_far || !bends : at_row.kind == DriveKind::motor && is_far);
     if (leads && arm_across(c, joint, lane) > world.scene.dials[Dial::position_tolerance]) lead_no_farther(c, h);
   }
 }
