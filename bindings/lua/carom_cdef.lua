@@ -348,6 +348,8 @@ int32_t carom_shape_get_triangles(carom_engine *engine, carom_shape shape, uint6
 int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, const double *params, uint64_t count, carom_shape *shape, carom_error *error);
 int32_t carom_shape_create_named(carom_engine *engine, const char *name, const double *params, uint64_t count, carom_shape *shape, carom_error *error);
 int32_t carom_shape_create_half_space(carom_engine *engine, const double *normal, double offset, carom_shape *shape, carom_error *error);
+int32_t carom_shape_create_hull_of(carom_engine *engine, const carom_shape *parts, uint64_t count, const double *positions, const double *orientations, const double *scales, double radius, carom_shape *shape, carom_error *error);
+int32_t carom_shape_get_parts(carom_engine *engine, carom_shape shape, carom_shape *parts, double *positions, double *orientations, double *scales, uint64_t *count, double *radius, carom_error *error);
 int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, carom_error *error);
 int32_t carom_shape_get_info(carom_engine *engine, carom_shape shape, carom_shape_info *info, carom_error *error);
 int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape, double *params, uint64_t *count, carom_error *error);

@@ -6,6 +6,8 @@ missing, older or of another layout by an error that names the file and what to 
 usage: host.py LANGUAGE BUILD [--calls]       --calls: print what a call costs beside C, and test nothing
 Exits 77, with the reason, where the language is not installed, or too old.
 """
+import importlib.util
+import json
 import os
 import re
 import shutil
@@ -237,7 +239,50 @@ class Java(Host):
             sys.exit(f"a wrong CAROM_LIBRARY: {done.returncode}\n{done.stderr}")
 
 
-HOSTS = {"cpp": Cpp, "rust": Rust, "go": Go, "java": Java}
+class Csharp(Host):
+    folder, block, suffix = "csharp", "csharp", "cs"
+    said_when_missing = r"cannot load libcarom\.so\.0\.9: .*Remedy: install.*CAROM_LIBRARY"
+
+    def needs(self):
+        """mcs, and a runtime: that of $DOTNET_ROOT, else of PyPI's package dotnetcore2."""
+        if not shutil.which("mcs"):
+            skip("C# is not installed: mcs (Debian: mono-mcs) is not on the PATH")
+        package = importlib.util.find_spec("dotnetcore2")
+        homes = [Path(os.environ.get("DOTNET_ROOT", "/none")), *(Path(at) / "bin" for at in (package.submodule_search_locations if package else []))]
+        for home in homes:
+            for core in sorted(home.glob("shared/Microsoft.NETCore.App/*/System.Private.CoreLib.dll")):
+                self.home, self.core = home, core.parent
+                return
+        skip("no .NET runtime in $DOTNET_ROOT, and the package dotnetcore2 is not installed: pip install dotnetcore2")
+
+    def compile(self, name, *more):
+        core = [f"-r:{file}" for file in [*self.core.glob("System*.dll"), self.core / "netstandard.dll", self.core / "mscorlib.dll"]]
+        self.run(["mcs", "-nostdlib", "-noconfig", "-unsafe", "-langversion:7.3", "-nowarn:1702", *core, *more, f"-out:{name}.dll"])
+        version = ".".join(self.core.name.split(".")[:2])
+        framework = {"name": "Microsoft.NETCore.App", "version": f"{version}.0"}
+        options = {"framework": framework, "configProperties": {"System.Globalization.Invariant": True}}
+        (self.place / f"{name}.runtimeconfig.json").write_text(json.dumps({"runtimeOptions": options}))
+
+    def build(self, names):
+        package = sorted((ROOT / "bindings/csharp/Carom").glob("*.cs"))
+        self.compile("Carom", "-target:library", *package)
+        for name in names:
+            (self.place / f"{name}.cs").write_text(self.program(name))
+            self.compile(name, "-r:Carom.dll", f"{name}.cs")
+
+    def command(self, name):
+        return [self.home / "dotnet", f"{name}.dll"]
+
+    def own_tests(self):
+        self.compile("CaromTest", *sorted((ROOT / "bindings/csharp/Carom").glob("*.cs")), ROOT / "bindings/csharp/test/CaromTest.cs")
+        if not re.search(r"^[1-9]\d* passed, 0 failed$", self.run(self.command("CaromTest")).stdout, re.M):
+            sys.exit("CaromTest ran no test")
+        done = self.run(self.command("hello"), good=False, CAROM_LIBRARY="/no/such/libcarom.so")
+        if done.returncode == 0 or not re.search(r"cannot load /no/such/libcarom.so: .*No such file.*Remedy: install", done.stderr):
+            sys.exit(f"a wrong CAROM_LIBRARY: {done.returncode}\n{done.stderr}")
+
+
+HOSTS = {"cpp": Cpp, "rust": Rust, "go": Go, "java": Java, "csharp": Csharp}
 
 
 def main():

@@ -5387,7 +5387,44 @@ func ShapeCreateHalfSpace(engine *Engine, normal *float64, offset float64, shape
 	return int32(C.carom_shape_create_half_space((*C.carom_engine)(unsafe.Pointer(engine)), (*C.double)(unsafe.Pointer(normal)), C.double(offset), (*C.carom_shape)(unsafe.Pointer(shape)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT
+// Make the convex hull of shapes that the engine has, each placed and scaled, and all of it rounded by a radius. The
+// same call makes
+// - the sweep of a shape along a straight line, without turning: the shape at both ends. Where it turns as well, the hull
+//
+//	of both ends leaves out what bulges between them: add poses in between;
+//
+// - a scaled shape: one part with a scale. A negative scale mirrors it;
+// - a rounded shape: one part and a radius, by which it grows on all sides.
+// Where all parts have corners only and the radius is 0, the hull is a polytope with exact mass and faces, and its
+// corners are its parameters. Else its parameters are none and its mass is derived. A part cannot be destroyed before
+// the hull.
+// @param parts         [count] handles of convex shapes, the same one as often as wanted
+// @param count         1 to 4096
+// @param positions     [3 * count] m, frame of the hull; NULL: 0
+// @param orientations  [4 * count] x, y, z, w, unit within 1e-6, part to hull; NULL: identity
+// @param scales        [3 * count] along the axes of the part, of a size of 1e-6 to 1e6; NULL: 1
+// @param radius        m, 0 or more
+// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (a part is a half-space or scenery);
+// PLUGIN_INVALID; LIMIT (hulls of hulls more than 8 deep, or of more than 4096 parts in all); OUT_OF_MEMORY
+// @since 0.9
+func ShapeCreateHullOf(engine *Engine, parts *Shape, count uint64, positions *float64, orientations *float64, scales *float64, radius float64, shape *Shape, error_ *Error) int32 {
+	return int32(C.carom_shape_create_hull_of((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_shape)(unsafe.Pointer(parts)), C.uint64_t(count), (*C.double)(unsafe.Pointer(positions)), (*C.double)(unsafe.Pointer(orientations)), (*C.double)(unsafe.Pointer(scales)), C.double(radius), (*C.carom_shape)(unsafe.Pointer(shape)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// What a hull of shapes is made of, as it was given. Of any other shape: no parts, radius 0.
+// @param parts         [*count] or NULL: only count and radius are written
+// @param positions     [3 * *count] m, or NULL   @param orientations [4 * *count] x, y, z, w, or NULL
+// @param scales        [3 * *count] or NULL
+// @param count         in: capacity in parts; out: number of parts
+// @param radius        m, or NULL
+// @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)
+// @since 0.9
+func ShapeGetParts(engine *Engine, shape Shape, parts *Shape, positions *float64, orientations *float64, scales *float64, count *uint64, radius *float64, error_ *Error) int32 {
+	return int32(C.carom_shape_get_parts((*C.carom_engine)(unsafe.Pointer(engine)), C.carom_shape(shape), (*C.carom_shape)(unsafe.Pointer(parts)), (*C.double)(unsafe.Pointer(positions)), (*C.double)(unsafe.Pointer(orientations)), (*C.double)(unsafe.Pointer(scales)), (*C.uint64_t)(unsafe.Pointer(count)), (*C.double)(unsafe.Pointer(radius)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, a hull of shapes, or a query on another thread, refers to
+// it); REENTRANT
 func ShapeDestroy(engine *Engine, shape Shape, error_ *Error) int32 {
 	return int32(C.carom_shape_destroy((*C.carom_engine)(unsafe.Pointer(engine)), C.carom_shape(shape), (*C.carom_error)(unsafe.Pointer(error_))))
 }

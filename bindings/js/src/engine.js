@@ -25,8 +25,8 @@ export class Shape {
       (at) => m.raw.carom_shape_get_info(this.engine.pointer, this.handle, at, m.error),
       "shape.info",
     );
-    const plugin = info.plugin ? this.engine.pluginId(info.plugin) : info.is_half_space ? "half_space" : "scenery";
-    return { ...info, kind: plugin };
+    const built = info.is_half_space ? "half_space" : info.is_scenery ? "scenery" : "hull_of";
+    return { ...info, kind: info.plugin ? this.engine.pluginId(info.plugin) : built };
   }
 
   /** The numbers that it was made of: of a box its half extents (m). */
@@ -140,6 +140,10 @@ export class Engine {
   capsule(radius, halfHeight) {
     return this.shape("capsule", [radius, halfHeight]);
   }
+  /** The hull of two balls on the axis y.   @param halfHeight  m, from the middle to the centre of a ball */
+  taperedCapsule(radiusBottom, radiusTop, halfHeight) {
+    return this.shape("tapered_capsule", [radiusBottom, radiusTop, halfHeight]);
+  }
   cylinder(radius, halfHeight) {
     return this.shape("cylinder", [radius, halfHeight]);
   }
@@ -152,6 +156,37 @@ export class Engine {
   /** Convex hull of points. @param points [3n] m */
   hull(points) {
     return this.shape("hull", points);
+  }
+
+  /** Convex hull of shapes. One at two places gives its sweep, one part with a scale a scaled shape, one with a radius a
+   * rounded one.   @param parts  [{ shape, position, orientation, scale }]   @param radius  m, by which all of it grows */
+  hullOf(parts, radius = 0) {
+    const m = this.module,
+      n = parts.length;
+    return new Shape(
+      this,
+      m.frame((room) => {
+        const handles = room(8 * n),
+          out = room(8);
+        parts.forEach(({ shape }, i) => m.view.setBigUint64(handles + 8 * i, shape.handle, true));
+        const column = (key, usual) => {
+          const all = parts.flatMap((part) => Array.from(part[key] ?? usual));
+          return m.putDoubles(room, all, usual.length * n, `hullOf(parts): ${key}`);
+        };
+        m.call(
+          "carom_shape_create_hull_of",
+          this.pointer,
+          handles,
+          BigInt(n),
+          column("position", [0, 0, 0]),
+          column("orientation", [0, 0, 0, 1]),
+          column("scale", [1, 1, 1]),
+          radius,
+          out,
+        );
+        return m.view.getBigUint64(out, true);
+      }),
+    );
   }
 
   /** All points p with normal . p <= offset.   @param normal [3] unit   @param offset m */

@@ -86,10 +86,12 @@ export class Engine {
   /** Half extents, m. */
   box(x: number, y: number, z: number): Shape;
   capsule(radius: number, halfHeight: number): Shape;
+  taperedCapsule(radiusBottom: number, radiusTop: number, halfHeight: number): Shape;
   cylinder(radius: number, halfHeight: number): Shape;
   cone(radius: number, halfHeight: number): Shape;
   ellipsoid(x: number, y: number, z: number): Shape;
   hull(points: Vector): Shape;
+  hullOf(parts: { shape: Shape; position?: Vector; orientation?: Vector; scale?: Vector }[], radius?: number): Shape;
   halfSpace(normal?: Vector, offset?: number): Shape;
   mesh(vertices: Vector, triangles: ArrayLike<number>, options?: { twoSided?: boolean }): Shape;
   heightField(heights: Vector, columns: number, spacing: Vector): Shape;

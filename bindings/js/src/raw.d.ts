@@ -810,7 +810,36 @@ export interface Raw {
    *  @param normal [3] unit (within 1e-6)   @param offset m
    *  @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY */
   carom_shape_create_half_space(engine: number, normal: number, offset: number, shape: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
+  /** Make the convex hull of shapes that the engine has, each placed and scaled, and all of it rounded by a radius. The
+   *  same call makes
+   *  - the sweep of a shape along a straight line, without turning: the shape at both ends. Where it turns as well, the hull
+   *    of both ends leaves out what bulges between them: add poses in between;
+   *  - a scaled shape: one part with a scale. A negative scale mirrors it;
+   *  - a rounded shape: one part and a radius, by which it grows on all sides.
+   *  Where all parts have corners only and the radius is 0, the hull is a polytope with exact mass and faces, and its
+   *  corners are its parameters. Else its parameters are none and its mass is derived. A part cannot be destroyed before
+   *  the hull.
+   *  @param parts         [count] handles of convex shapes, the same one as often as wanted
+   *  @param count         1 to 4096
+   *  @param positions     [3 * count] m, frame of the hull; NULL: 0
+   *  @param orientations  [4 * count] x, y, z, w, unit within 1e-6, part to hull; NULL: identity
+   *  @param scales        [3 * count] along the axes of the part, of a size of 1e-6 to 1e6; NULL: 1
+   *  @param radius        m, 0 or more
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (a part is a half-space or scenery);
+   *          PLUGIN_INVALID; LIMIT (hulls of hulls more than 8 deep, or of more than 4096 parts in all); OUT_OF_MEMORY
+   *  @since 0.9 */
+  carom_shape_create_hull_of(engine: number, parts: number, count: bigint, positions: number, orientations: number, scales: number, radius: number, shape: number, error: number): number;
+  /** What a hull of shapes is made of, as it was given. Of any other shape: no parts, radius 0.
+   *  @param parts         [*count] or NULL: only count and radius are written
+   *  @param positions     [3 * *count] m, or NULL   @param orientations [4 * *count] x, y, z, w, or NULL
+   *  @param scales        [3 * *count] or NULL
+   *  @param count         in: capacity in parts; out: number of parts
+   *  @param radius        m, or NULL
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)
+   *  @since 0.9 */
+  carom_shape_get_parts(engine: number, shape: bigint, parts: number, positions: number, orientations: number, scales: number, count: number, radius: number, error: number): number;
+  /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, a hull of shapes, or a query on another thread, refers to
+   *          it); REENTRANT */
   carom_shape_destroy(engine: number, shape: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE */
   carom_shape_get_info(engine: number, shape: bigint, info: number, error: number): number;

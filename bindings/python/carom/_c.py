@@ -849,6 +849,8 @@ FUNCTIONS = {
     "carom_shape_create": ("0.9", c_int32, (c_void_p, carom_plugin, POINTER(c_double), c_uint64, POINTER(carom_shape), POINTER(carom_error),)),
     "carom_shape_create_named": ("0.9", c_int32, (c_void_p, c_char_p, POINTER(c_double), c_uint64, POINTER(carom_shape), POINTER(carom_error),)),
     "carom_shape_create_half_space": ("0.9", c_int32, (c_void_p, POINTER(c_double), c_double, POINTER(carom_shape), POINTER(carom_error),)),
+    "carom_shape_create_hull_of": ("0.9", c_int32, (c_void_p, POINTER(carom_shape), c_uint64, POINTER(c_double), POINTER(c_double), POINTER(c_double), c_double, POINTER(carom_shape), POINTER(carom_error),)),
+    "carom_shape_get_parts": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(carom_shape), POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_uint64), POINTER(c_double), POINTER(carom_error),)),
     "carom_shape_destroy": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(carom_error),)),
     "carom_shape_get_info": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(carom_shape_info), POINTER(carom_error),)),
     "carom_shape_get_params": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_uint64), POINTER(carom_error),)),

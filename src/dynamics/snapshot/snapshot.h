@@ -44,11 +44,12 @@ bool compare_state(const World& world, const std::byte* bytes, std::uint64_t n, 
 
 /// What a shape is made of, by names and numbers that mean the same elsewhere.
 struct ShapeImage {
-  enum Kind : std::uint8_t { of_plugin, half_space, mesh, height_field, known, count } kind = of_plugin;
+  enum Kind : std::uint8_t { of_plugin, half_space, mesh, height_field, known, hull_of, count } kind = of_plugin;
   std::string_view plugin;          // of_plugin: its id
   std::uint32_t version = 0;        // likewise
   std::span<const double> numbers;  // parameters; normal and offset; vertices, m; heights, m
   std::span<const std::uint32_t> corners;
+  std::span<const Shape* const> parts;  // hull_of: numbers as HullOf::numbers
   std::uint32_t columns = 0, rows = 0, dropped = 0;
   double spacing_x = 1, spacing_z = 1;  // m
   bool two_sided = false;
@@ -70,7 +71,7 @@ class ShapeMaker {
 
 /// The state, and all that it takes to build such a world. Otherwise as save_state().
 std::uint64_t save_world(const World& world, const ShapeNames& names, std::byte* to, std::uint64_t capacity);
-/// The shapes of a world in the order of their numbers in a snapshot.
+/// The shapes of a world in the order of their numbers in a snapshot: parts of a hull of shapes before it.
 Array<const Shape*> shapes_of(const World& world, Memory* memory);
 /// Nothing was ever made in this world, so no handle of it is about.
 bool is_untouched(const World& world);

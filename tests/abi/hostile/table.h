@@ -812,6 +812,32 @@ inline const Row kRows[] = {
            .makes(kShape, 4).may(kRange | code(CAROM_E_NOT_FOUND));
      }},
     ROW_THAT(carom_shape_create_half_space, makes(kShape, 3), engine(c), unit(c, 3), number(c, any()), out(c, 8), error(c)),
+    {"carom_shape_create_hull_of", [](Context& c) {
+       bool none = false;
+       const carom_shape first = pick(c, kShape, none);
+       auto* parts = static_cast<carom_shape*>(c.take(16));
+       parts[0] = parts[1] = first;
+       Argument list = fixed(parts), n = fixed_number(2), scales = vector(c, 6, {1e-6, 1e6, false, 0.5, 2});
+       list.impossible = none;
+       list.wrong.push_back({"null", of(nullptr), kNull});
+       for (const Wrong& w : wrong_handles(c, kShape, false)) {
+         auto* bad = static_cast<carom_shape*>(std::memcpy(c.take(16), parts, 16));
+         bad[1] = w.value.u;
+         list.wrong.push_back({"second: " + w.what, of(bad), w.codes});
+       }
+       for (const uint64_t bad : {uint64_t(0), uint64_t(4097), ~uint64_t(0)}) n.wrong.push_back({"count", of(bad), kRange});
+       Argument positions = vector(c, 6, {-1e8, 1e8, false, -1, 1}), turns = fixed(nullptr);
+       const auto optional = [](Argument& a) {
+         std::erase_if(a.wrong, [](const Wrong& w) { return w.what == "null"; });
+       };
+       optional(positions), optional(scales);
+       return call("carom_shape_create_hull_of", carom_shape_create_hull_of, {engine(c), list, n, positions, turns, scales, number(c, {0, 1e8, false, 0, 1}), out(c, 8), error(c)})
+           .makes(kShape, 7).may(code(CAROM_E_UNSUPPORTED) | code(CAROM_E_LIMIT));
+     }},
+    {"carom_shape_get_parts", [](Context& c) {
+       Argument count{of(c.keep(uint64_t(4096))), {{"null", of(nullptr), kNull}}};
+       return call("carom_shape_get_parts", carom_shape_get_parts, {engine(c), handle(c, kShape), fixed(c.take(8 * 4096)), fixed(nullptr), fixed(nullptr), fixed(nullptr), count, fixed(nullptr), error(c)});
+     }},
     ROW_THAT(carom_shape_destroy, may(kInUse).ends(kShape), engine(c), handle(c, kShape), error(c)),
     ROW(carom_shape_get_info, engine(c), handle(c, kShape), out_struct<carom_shape_info>(c), error(c)),
     {"carom_shape_get_params", [](Context& c) {

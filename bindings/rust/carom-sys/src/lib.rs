@@ -4003,7 +4003,36 @@ extern "C" {
     /// @param normal [3] unit (within 1e-6)   @param offset m
     /// @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY
     pub fn carom_shape_create_half_space(engine: *mut carom_engine, normal: *const f64, offset: f64, shape: *mut carom_shape, error: *mut carom_error) -> i32;
-    /// @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT
+    /// Make the convex hull of shapes that the engine has, each placed and scaled, and all of it rounded by a radius. The
+    /// same call makes
+    /// - the sweep of a shape along a straight line, without turning: the shape at both ends. Where it turns as well, the hull
+    ///   of both ends leaves out what bulges between them: add poses in between;
+    /// - a scaled shape: one part with a scale. A negative scale mirrors it;
+    /// - a rounded shape: one part and a radius, by which it grows on all sides.
+    /// Where all parts have corners only and the radius is 0, the hull is a polytope with exact mass and faces, and its
+    /// corners are its parameters. Else its parameters are none and its mass is derived. A part cannot be destroyed before
+    /// the hull.
+    /// @param parts         [count] handles of convex shapes, the same one as often as wanted
+    /// @param count         1 to 4096
+    /// @param positions     [3 * count] m, frame of the hull; NULL: 0
+    /// @param orientations  [4 * count] x, y, z, w, unit within 1e-6, part to hull; NULL: identity
+    /// @param scales        [3 * count] along the axes of the part, of a size of 1e-6 to 1e6; NULL: 1
+    /// @param radius        m, 0 or more
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (a part is a half-space or scenery);
+    ///         PLUGIN_INVALID; LIMIT (hulls of hulls more than 8 deep, or of more than 4096 parts in all); OUT_OF_MEMORY
+    /// @since 0.9
+    pub fn carom_shape_create_hull_of(engine: *mut carom_engine, parts: *const carom_shape, count: u64, positions: *const f64, orientations: *const f64, scales: *const f64, radius: f64, shape: *mut carom_shape, error: *mut carom_error) -> i32;
+    /// What a hull of shapes is made of, as it was given. Of any other shape: no parts, radius 0.
+    /// @param parts         [*count] or NULL: only count and radius are written
+    /// @param positions     [3 * *count] m, or NULL   @param orientations [4 * *count] x, y, z, w, or NULL
+    /// @param scales        [3 * *count] or NULL
+    /// @param count         in: capacity in parts; out: number of parts
+    /// @param radius        m, or NULL
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)
+    /// @since 0.9
+    pub fn carom_shape_get_parts(engine: *mut carom_engine, shape: carom_shape, parts: *mut carom_shape, positions: *mut f64, orientations: *mut f64, scales: *mut f64, count: *mut u64, radius: *mut f64, error: *mut carom_error) -> i32;
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, a hull of shapes, or a query on another thread, refers to
+    ///         it); REENTRANT
     pub fn carom_shape_destroy(engine: *mut carom_engine, shape: carom_shape, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE
     pub fn carom_shape_get_info(engine: *mut carom_engine, shape: carom_shape, info: *mut carom_shape_info, error: *mut carom_error) -> i32;
