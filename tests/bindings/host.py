@@ -256,8 +256,9 @@ class Csharp(Host):
         skip("no .NET runtime in $DOTNET_ROOT, and the package dotnetcore2 is not installed: pip install dotnetcore2")
 
     def compile(self, name, *more):
-        core = [f"-r:{file}" for file in [*self.core.glob("System*.dll"), self.core / "netstandard.dll", self.core / "mscorlib.dll"]]
-        self.run(["mcs", "-nostdlib", "-noconfig", "-unsafe", "-langversion:7.3", "-nowarn:1702", *core, *more, f"-out:{name}.dll"])
+        core = [*self.core.glob("System*.dll"), self.core / "netstandard.dll", self.core / "mscorlib.dll"]
+        (self.place / "core.rsp").write_text("\n".join(f'-r:"{file}"' for file in core))
+        self.run(["mcs", "-nostdlib", "-noconfig", "-unsafe", "-langversion:latest", "-nowarn:1702", "@core.rsp", *more, f"-out:{name}.dll"])
         version = ".".join(self.core.name.split(".")[:2])
         framework = {"name": "Microsoft.NETCore.App", "version": f"{version}.0"}
         options = {"framework": framework, "configProperties": {"System.Globalization.Invariant": True}}
