@@ -25,7 +25,7 @@
 /* Of all hashes below. If bits change, it changes with those of tests/determinism. */
 static const uint64_t golden = 0xda403976bfe1c3a5u;
 
-static const uint64_t golden_hulls = 0xu; /* of the heap of hulls of shapes and tapered capsules */
+static const uint64_t golden_hulls = 0x1ea4a7ab4cc09f65u; /* of the heap of hulls of shapes and tapered capsules */
 
 static carom_error error = CAROM_ERROR_INIT;
 static carom_engine* engine;
