@@ -40,6 +40,7 @@ class Host:
 
     said_when_missing = r"libcarom\.so\.0\.9"  # the loader's words
     checks_layout = True
+    takes_path = False  # in $CAROM_LIBRARY; else the system's loader speaks, before the program does
 
     def __init__(self, language, build):
         self.build_dir = build
@@ -89,6 +90,18 @@ class Host:
         (folder / "libcarom.so.0.9").write_bytes(image)
         return folder
 
+    def altered(self):
+        """Libraries that the loader refuses: (what, file)."""
+        image = self.library.read_bytes()
+        newest = max(re.findall(rb"GLIBC_2\.(\d\d)\0", image), default=None)
+        for what, changed in (("other processor", image[:18] + b"\xf3\x00" + image[20:]),  # RISC-V
+                              ("newer C library", image.replace(b"GLIBC_2." + newest, b"GLIBC_9." + newest) if newest else None)):
+            if changed:
+                folder = self.place / what.replace(" ", "_")
+                folder.mkdir()
+                (folder / "libcarom.so.0.9").write_bytes(changed)
+                yield what, folder / "libcarom.so.0.9"
+
     def test(self):
         self.install()
         self.build(["hello", "scene"])
@@ -110,6 +123,11 @@ class Host:
         empty = self.place / "empty"
         empty.mkdir()
         self.refuses("missing", empty, self.said_when_missing)
+        for what, file in self.altered():
+            done = self.run(self.command("hello"), good=False, LD_LIBRARY_PATH=str(file.parent), **({"CAROM_LIBRARY": str(file)} if self.takes_path else {}))
+            pattern = rf"cannot load {file}.*Remedy: install" if self.takes_path else r"libcarom\.so\.0\.9"
+            if done.returncode == 0 or not re.search(pattern, done.stderr, re.S):
+                sys.exit(f"a library for a {what}: exit {done.returncode}, and no {pattern} in\n{done.stderr}")
         self.own_tests()
         print(f"{self.folder}: hello, scene, {'own tests, ' if self.has_own_tests else ''}libraries that do not fit")
 
@@ -205,6 +223,7 @@ class Go(Host):
 class Java(Host):
     folder, block, suffix = "java", "java", "java"
     said_when_missing = r"cannot load libcarom\.so\.0\.9. Remedy: .*CAROM_LIBRARY"
+    takes_path = True
 
     def needs(self):
         """$JAVA_HOME, else what is on the PATH, else what the system has: the first that is new enough."""
@@ -242,6 +261,7 @@ class Java(Host):
 class Csharp(Host):
     folder, block, suffix = "csharp", "csharp", "cs"
     said_when_missing = r"cannot load libcarom\.so\.0\.9: .*Remedy: install.*CAROM_LIBRARY"
+    takes_path = True
 
     def needs(self):
         """mcs, and a runtime: that of $DOTNET_ROOT, else of PyPI's package dotnetcore2."""

@@ -1,4 +1,5 @@
 // The WebAssembly module: its memory, its errors, and calls of the C interface.
+import { ofNode } from "./node.js";
 import { CaromError } from "./errors.js";
 import { Structs } from "./structs.js";
 import { imports } from "./wasi.js";
@@ -194,7 +195,7 @@ export async function read(source) {
   if (typeof Response !== "undefined" && source instanceof Response) return source.arrayBuffer();
   const url = new URL(source, import.meta.url);
   if (url.protocol === "file:") {
-    const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
+    const { readFile } = await ofNode("fs/promises");
     return readFile(url);
   }
   const response = await fetch(url);
