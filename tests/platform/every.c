@@ -306,7 +306,8 @@ int main(int argc, char** argv) {
   printf("every shape, joint and solver: %016llx\n", (unsigned long long)all);
   if (all != golden) fprintf(stderr, "  other platforms have %016llx\n", (unsigned long long)golden), ++wrong;
   printf("hulls of shapes: %016llx\n", (unsigned long long)hulls);
-  if (hulls != golden_hulls) fprintf(stderr, "  other platforms have %016llx\n", (unsigned long long)golden_hulls), ++wrong;
+  if (hulls != golden_hulls)
+    fprintf(stderr, "  other platforms have %016llx\n", (unsigned long long)golden_hulls), ++wrong;
   TRY(carom_engine_destroy(engine, &error));
   return wrong != 0;
 }

@@ -107,6 +107,7 @@ void Reader::read_own_shape(const Value& shapes, std::size_t which, int depth, s
     HullOf hull;
     hull.radius = shape.number_or("radius", 0, 0, 1e8);
     const Value parts = shape["parts"];
+    if (parts.size() == 0) parts.fail("is empty", "list the shapes that the hull is of");
     doc_.budget().charge(parts.size(), sizeof(HullPart), doc_.path() + ": " + shape.place() + "/parts");
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const Value from = parts.at(k);
