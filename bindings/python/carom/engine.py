@@ -164,6 +164,7 @@ class Engine(Root, PairQuestions):
         position, orientation, scale). A shape at two places gives its sweep, one part with a scale a scaled shape, one
         with a radius a rounded shape.
         @param radius  m, by which all of it grows"""
+        grown = number(radius, "radius")
         rows = [part if isinstance(part, (tuple, list)) else (part,) for part in listed(parts, "parts", "shapes")]
         for i, row in enumerate(rows):
             if not 1 <= len(row) <= 4:
@@ -176,7 +177,7 @@ class Engine(Root, PairQuestions):
 
         handle = ctypes.c_uint64()
         self._call(raw.carom_shape_create_hull_of, handles, len(rows), column(1, (0, 0, 0), "position"),
-                   column(2, (0, 0, 0, 1), "orientation"), column(3, (1, 1, 1), "scale"), number(radius, "radius"),
+                   column(2, (0, 0, 0, 1), "orientation"), column(3, (1, 1, 1), "scale"), grown,
                    ctypes.byref(handle))
         return Shape(self, handle.value)
 
