@@ -19,32 +19,34 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 get_target_property(soversion carom SOVERSION)
 set(library libcarom${soversion})
-set(about " Shapes are plugins whose only code is a support function, every approximation
- is a dial, and the same input gives the same bits on every machine.
- .
+set(about "Shapes are plugins whose only code is a support function, every approximation
+is a dial, and the same input gives the same bits on every machine.
+
 ")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "rigid-body physics engine, its library\n${about} This package has the library and the shapes.")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "rigid-body physics engine, its library\n${about}This package has the library and the shapes.")
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/triggers)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcarom-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION})")
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "rigid-body physics engine, to build with\n${about} This package has headers, the archive, CMake and pkg-config files, pages.")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "rigid-body physics engine, to build with\n${about}This package has headers, the archive, CMake and pkg-config files, pages.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME carom-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION})")
-set(CPACK_DEBIAN_TOOLS_DESCRIPTION "rigid-body physics engine, its command\n${about} This package has the command carom, which runs scenes and files of glTF.")
+set(CPACK_DEBIAN_TOOLS_DESCRIPTION "rigid-body physics engine, its command\n${about}This package has the command carom, which runs scenes and files of glTF.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-carom)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), ${library} (>= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-numpy)
-set(CPACK_DEBIAN_PYTHON_DESCRIPTION "rigid-body physics engine, for Python\n${about} This package has the module carom.")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "rigid-body physics engine, for Python\n${about}This package has the module carom.")
 
 # What each of Debian's packages has for itself, and no other: not of `cmake --install`.
 find_program(CAROM_GZIP gzip)
 if(CAROM_GZIP)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
   foreach(file debian/changelog carom.1)
     get_filename_component(name ${file} NAME)
     execute_process(COMMAND ${CAROM_GZIP} -9nc ${CMAKE_CURRENT_LIST_DIR}/${file} OUTPUT_FILE ${PROJECT_BINARY_DIR}/packages/${name}.gz)
@@ -59,6 +61,8 @@ if(CAROM_GZIP)
     install(FILES ${PROJECT_BINARY_DIR}/packages/changelog.gz DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
   endforeach()
 endif()
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/debian/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME ${library}
+  COMPONENT library EXCLUDE_FROM_ALL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/bindings/python/carom DESTINATION lib/python3/dist-packages COMPONENT python EXCLUDE_FROM_ALL
   PATTERN __pycache__ EXCLUDE PATTERN lib EXCLUDE)
 include(CPack)
