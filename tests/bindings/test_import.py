@@ -1,6 +1,7 @@
 """Importing: without numpy all but arrays works; a library that does not fit is refused, and the text says where and what to do."""
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,6 +44,23 @@ class NoNumpy(unittest.TestCase):
     def test_all_but_arrays(self):
         done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True)
         self.assertEqual((done.stdout, done.stderr), ("done\n", ""))
+
+
+class SystemLibrary(unittest.TestCase):
+    def test_found_by_its_name(self):
+        """As a distribution installs it: the loader finds the library, and shapes lie beside it."""
+        library, plugins = os.environ["CAROM_LIBRARY"], os.environ["CAROM_PLUGIN_DIR"]
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "carom").mkdir()
+            import carom
+            shutil.copy(Path(library).resolve(), Path(folder, carom.raw.SONAME))
+            Path(folder, "carom", "plugins").symlink_to(plugins)
+            environment = {**os.environ, "LD_LIBRARY_PATH": folder}
+            for name in ("CAROM_LIBRARY", "CAROM_PLUGIN_DIR"):
+                environment.pop(name)
+            code = "import carom; print(carom.Engine().sphere(1).params)"
+            done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
+            self.assertEqual((done.stdout, done.stderr), ("(1.0,)\n", ""))
 
 
 class BadLibrary(unittest.TestCase):

@@ -24,9 +24,21 @@ if TYPE_CHECKING:
     from .records import DialKeywords, FormWord
 
 
+def _file_of_library() -> Path:
+    """Where the library is, also where the system's loader found it by its name."""
+    class Info(ctypes.Structure):
+        _fields_ = [("file", ctypes.c_char_p), ("base", ctypes.c_void_p), ("name", ctypes.c_char_p), ("address", ctypes.c_void_p)]
+
+    info = Info()
+    if not os.path.dirname(raw.LIBRARY) and os.name == "posix":
+        if ctypes.CDLL(None).dladdr(ctypes.cast(raw.carom_version, ctypes.c_void_p), ctypes.byref(info)) and info.file:
+            return Path(os.fsdecode(info.file))
+    return Path(raw.LIBRARY)
+
+
 def plugin_folders() -> list[Path]:
     """Where shape plugins are looked for: $CAROM_PLUGIN_DIR, this package, beside the library."""
-    library = Path(raw.LIBRARY)
+    library = _file_of_library()
     given = os.environ.get("CAROM_PLUGIN_DIR")
     return ([Path(given)] if given else []) + [Path(__file__).parent / "lib" / "plugins", library.parent / "carom" / "plugins",
                                                library.parent.parent / "plugins"]
