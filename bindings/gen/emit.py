@@ -3,6 +3,7 @@ import json
 from pathlib import Path
 
 import emit_cpp
+import emit_csharp
 import emit_go
 import emit_java
 import emit_js
@@ -52,6 +53,7 @@ FILES = {
     "bindings/python/carom/records.py": emit_records.records,
     "bindings/python/carom/raw.pyi": emit_python.stubs,
     "bindings/go/raw/raw.go": emit_go.raw,
+    "bindings/csharp/Carom/Raw.cs": emit_csharp.raw,
     "bindings/java/carom/Raw.java": emit_java.raw,
     "bindings/rust/carom-sys/src/lib.rs": emit_rust.sys,
     **emit_pages.pages(sorted(path.name for path in (Path(__file__).resolve().parents[2] / "include" / "carom").glob("*.h"))),

@@ -5,7 +5,7 @@ import re
 import spelled
 from c_reader import HeaderError
 
-BASES = {"int32_t": "int32", "uint32_t": "uint32", "uint64_t": "uint64", "int64_t": "int64", "double": "float64", "char": "byte"}
+BASES = {"int32_t": "int32", "uint32_t": "uint32", "uint64_t": "uint64", "int64_t": "int64", "double": "float64", "uint8_t": "uint8", "char": "byte"}
 C_BASES = {"double": "double", "char": "char"}
 # Calls that run no function of the host's, whatever it gave: what is passed to them may stay on Go's stack.
 DIRECT = re.compile(r"carom_body_(get|is)_\w+|carom_world_(read|hash)")

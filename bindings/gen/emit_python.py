@@ -2,9 +2,9 @@
 import keyword
 import re
 
-SCALARS = {"int32_t": "c_int32", "uint32_t": "c_uint32", "uint64_t": "c_uint64", "int64_t": "c_int64",
+SCALARS = {"uint8_t": "c_uint8", "int32_t": "c_int32", "uint32_t": "c_uint32", "uint64_t": "c_uint64", "int64_t": "c_int64",
            "double": "c_double", "char": "c_char"}
-IMPORTED = "CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_uint32, c_uint64, c_void_p"
+IMPORTED = "CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_uint8, c_uint32, c_uint64, c_void_p"
 
 
 class Types:

@@ -51,6 +51,7 @@ RECORDS = {
     "carom_ledger_state": {"is_kept": "bool"},
     "carom_residuals": {"ledger_is_kept": "bool", "energy_drift": "float | None"},
     "carom_draw_line": {},
+    "carom_batch_info": {},
 }
 # Bits that a record has as an enum.IntFlag: the class, and the prefix of its constants.
 FLAGS = {"IslandFlags": "CAROM_ISLAND_"}

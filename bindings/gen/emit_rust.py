@@ -1,7 +1,7 @@
 """The raw layer of bindings/rust: all that the headers declare, with types of its own for handles, and the layout of each struct."""
 import spelled
 
-BASES = {"int32_t": "i32", "uint32_t": "u32", "uint64_t": "u64", "int64_t": "i64", "double": "f64", "char": "c_char", "void": "c_void"}
+BASES = {"int32_t": "i32", "uint32_t": "u32", "uint64_t": "u64", "int64_t": "i64", "double": "f64", "uint8_t": "u8", "char": "c_char", "void": "c_void"}
 KEYWORDS = {"type", "match", "move", "ref", "where", "in", "box", "final", "loop"}
 
 

@@ -70,6 +70,10 @@ GROUPS = {
     "CAROM_CHARACTER_TURNS": ("character_flags", "bits"),
     "CAROM_CHARACTER_FLIES": ("character_flags", "bits"),
     "CAROM_ASK_": ("query_flags", "bits"),
+    "CAROM_COLUMN_": ("column", "choice"),
+    "CAROM_WHEN_": ("when", "choice"),
+    "CAROM_STOPPED_": ("stopped", "choice"),
+    "CAROM_RANDOM_": ("random", "choice"),
 }
 # Constants that are a value of nothing: versions, defaults, what stands for none.
 ALONE = {

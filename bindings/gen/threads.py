@@ -3,19 +3,20 @@
     any     neither an engine nor a world: any thread, at any time
     engine  any thread, also while worlds of the engine step; not while the engine is destroyed
     reader  reads a world: beside other readers; BUSY beside a writer
-    writer  changes, steps or destroys what it is given: BUSY beside any other call on that world
+    writer  changes, steps or destroys what it is given: BUSY beside any other call on that world or batch
 
 A header with functions has one @thread in its opening comment, and a function its own where that does not hold:
     @thread any     no call takes an engine or a world
     @thread engine  calls that take an engine: engine
     @thread world   calls that take a world: reader if the name has one of READING in it, else writer
+    @thread batch   calls that take a batch: writer
 """
 import re
 
 from c_reader import HeaderError
 
 KINDS = ("any", "engine", "reader", "writer")
-RULES = ("any", "engine", "world")
+RULES = ("any", "engine", "world", "batch")
 READING = ("get", "is", "read")
 
 
@@ -35,7 +36,9 @@ def by_rule(function, rule):
         return "reader" if set(READING) & set(function["name"].split("_")) else "writer"
     if "carom_engine" in takes and rule == "engine":
         return "engine"
-    if takes & {"carom_world", "carom_engine"}:
+    if "carom_batch" in takes and rule == "batch":
+        return "writer"
+    if takes & {"carom_world", "carom_engine", "carom_batch"}:
         raise HeaderError(f"{function['header']}: {function['name']}: say its @thread; the header's is {rule!r}")
     return "any"
 

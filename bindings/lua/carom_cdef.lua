@@ -1,11 +1,14 @@
 -- Written by bindings/gen/generate from include/carom; do not edit.
 require("ffi").cdef [[
+typedef struct carom_batch carom_batch;
 typedef struct carom_engine carom_engine;
 typedef struct carom_world carom_world;
 typedef struct carom_error carom_error;
 typedef struct carom_accuracy carom_accuracy;
 typedef struct carom_island carom_island;
 typedef struct carom_growth carom_growth;
+typedef struct carom_batch_column carom_batch_column;
+typedef struct carom_batch_info carom_batch_info;
 typedef struct carom_material_desc carom_material_desc;
 typedef struct carom_body_desc carom_body_desc;
 typedef struct carom_attribute_info carom_attribute_info;
@@ -88,6 +91,8 @@ struct carom_error { uint32_t struct_size; int32_t code; int32_t argument; uint3
 struct carom_accuracy { uint32_t struct_size; uint32_t substeps; double place; double turn; };
 struct carom_island { carom_body body; uint32_t bodies; uint32_t substeps; uint32_t order; uint32_t flags; uint64_t work; double place; double turn; double share; };
 struct carom_growth { uint32_t struct_size; uint32_t steps; carom_body body; uint32_t sensitive; uint32_t reserved; double factor; double rate; };
+struct carom_batch_column { uint32_t struct_size; uint32_t source; uint32_t field; uint32_t when; uint32_t scalar; uint32_t reserved; uint64_t world; uint64_t n; const uint64_t *handles; const double *rays; void *data; uint64_t stride; };
+struct carom_batch_info { uint32_t struct_size; uint32_t structures; uint64_t worlds; uint64_t stopped; uint64_t columns; uint64_t real_worlds; uint64_t state_bytes; };
 struct carom_material_desc { uint32_t struct_size; uint32_t friction_mix; uint32_t restitution_mix; uint32_t reserved; double friction; double restitution; };
 struct carom_body_desc { uint32_t struct_size; uint32_t fields; uint32_t type; uint32_t reserved; double position[3]; double orientation[4]; double linear_velocity[3]; double angular_velocity[3]; double mass; double center[3]; double inertia[9]; double linear_damping; double angular_damping; uint64_t user; double gravity_factor; uint32_t locks; uint32_t continuous; double linear_drag; double quadratic_drag; uint32_t force_field_mask; uint32_t reserved2; double magnetic_moment[3]; };
 struct carom_attribute_info { uint32_t struct_size; uint32_t attribute; uint32_t numbers; uint32_t is_whole; uint32_t of_dynamic; uint32_t effect; const char *name; const char *unit; const char *summary; double min; double max; double usual[4]; };
@@ -163,6 +168,22 @@ int32_t carom_world_set_accuracy(carom_world *world, const carom_accuracy *accur
 int32_t carom_world_get_accuracy(carom_world *world, carom_accuracy *accuracy, uint32_t *present, carom_error *error);
 int32_t carom_world_get_islands(carom_world *world, carom_island *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_measure_growth(carom_world *world, double dt, uint32_t steps, carom_growth *growth, carom_error *error);
+int32_t carom_batch_column_init(carom_batch_column *column, uint32_t struct_size);
+int32_t carom_batch_create(carom_engine *engine, carom_batch **batch, carom_error *error);
+int32_t carom_batch_destroy(carom_batch *batch, carom_error *error);
+int32_t carom_batch_add_worlds(carom_batch *batch, carom_world *world, uint64_t n, uint64_t *first, carom_error *error);
+int32_t carom_batch_add_column(carom_batch *batch, const carom_batch_column *desc, uint32_t *column, carom_error *error);
+int32_t carom_batch_step(carom_batch *batch, const uint8_t *mask, double dt, uint32_t steps, uint64_t *stopped, carom_error *error);
+int32_t carom_batch_read(carom_batch *batch, const uint32_t *columns, uint64_t count, const uint8_t *mask, carom_error *error);
+int32_t carom_batch_write(carom_batch *batch, const uint32_t *columns, uint64_t count, const uint8_t *mask, carom_error *error);
+int32_t carom_batch_add_start(carom_batch *batch, uint64_t world, const void *bytes, uint64_t size, uint32_t *start, carom_error *error);
+int32_t carom_batch_reset(carom_batch *batch, const uint8_t *mask, const uint32_t *starts, carom_error *error);
+int32_t carom_batch_save(carom_batch *batch, uint64_t world, void *buffer, uint64_t capacity, uint64_t *needed, carom_error *error);
+int32_t carom_batch_get_hashes(carom_batch *batch, uint64_t *hashes, uint64_t n, carom_error *error);
+int32_t carom_batch_get_stopped(carom_batch *batch, uint32_t *stopped, uint64_t n, carom_error *error);
+int32_t carom_batch_get_faults(carom_batch *batch, uint64_t world, carom_fault *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
+int32_t carom_batch_get_info(carom_batch *batch, carom_batch_info *info, carom_error *error);
+int32_t carom_random_fill(uint32_t kind, const uint64_t *keys, uint64_t n, uint64_t width, double *dst, carom_error *error);
 int32_t carom_material_desc_init(carom_material_desc *desc, uint32_t struct_size);
 int32_t carom_material_create(carom_world *world, const carom_material_desc *desc, carom_material *material, carom_error *error);
 int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc, carom_error *error);
@@ -348,6 +369,8 @@ int32_t carom_shape_get_triangles(carom_engine *engine, carom_shape shape, uint6
 int32_t carom_shape_create(carom_engine *engine, carom_plugin plugin, const double *params, uint64_t count, carom_shape *shape, carom_error *error);
 int32_t carom_shape_create_named(carom_engine *engine, const char *name, const double *params, uint64_t count, carom_shape *shape, carom_error *error);
 int32_t carom_shape_create_half_space(carom_engine *engine, const double *normal, double offset, carom_shape *shape, carom_error *error);
+int32_t carom_shape_create_hull_of(carom_engine *engine, const carom_shape *parts, uint64_t count, const double *positions, const double *orientations, const double *scales, double radius, carom_shape *shape, carom_error *error);
+int32_t carom_shape_get_parts(carom_engine *engine, carom_shape shape, carom_shape *parts, double *positions, double *orientations, double *scales, uint64_t *count, double *radius, carom_error *error);
 int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, carom_error *error);
 int32_t carom_shape_get_info(carom_engine *engine, carom_shape shape, carom_shape_info *info, carom_error *error);
 int32_t carom_shape_get_params(carom_engine *engine, carom_shape shape, double *params, uint64_t *count, carom_error *error);
@@ -432,6 +455,25 @@ return {
   CAROM_ISLAND_BOUND = 2,
   CAROM_ISLAND_JOINTS_ALONE = 4,
   CAROM_ISLAND_STALLED = 8,
+  CAROM_COLUMN_BODIES = 0,
+  CAROM_COLUMN_JOINTS = 1,
+  CAROM_COLUMN_MASSES = 2,
+  CAROM_COLUMN_MATERIALS = 3,
+  CAROM_COLUMN_GRAVITY = 4,
+  CAROM_COLUMN_TIME = 5,
+  CAROM_COLUMN_CONTACT_FORCES = 6,
+  CAROM_COLUMN_RAYS = 7,
+  CAROM_COLUMN_COUNT = 8,
+  CAROM_WHEN_ON_CALL = 0,
+  CAROM_WHEN_BEFORE_STEP = 1,
+  CAROM_WHEN_AFTER_STEP = 2,
+  CAROM_WHEN_COUNT = 3,
+  CAROM_STOPPED_NO = 0,
+  CAROM_STOPPED_FAULT = 1,
+  CAROM_STOPPED_MEMORY = 2,
+  CAROM_RANDOM_UNIFORM = 0,
+  CAROM_RANDOM_NORMAL = 1,
+  CAROM_RANDOM_COUNT = 2,
   CAROM_MIX_GEOMETRIC_MEAN = 0,
   CAROM_MIX_MAXIMUM = 1,
   CAROM_MIX_MINIMUM = 2,
@@ -781,5 +823,5 @@ return {
   CAROM_WANT_FIRST = 0,
   CAROM_WANT_ANY = 1,
   VERSION = "0.9.0",
-  ROWS = 785, -- of the layout manifest
+  ROWS = 806, -- of the layout manifest
 }

@@ -11,6 +11,7 @@
  *  Arguments and fields of these names mean the same everywhere:
  *    world          made by carom_world_create()
  *    engine         made by carom_engine_create()
+ *    batch          made by carom_batch_create()
  *    struct_size    sizeof the struct, as the caller knows it
  *    reserved       0
  *    n              number of elements in the arrays

@@ -6,6 +6,7 @@
 
 #include <carom/accuracy.h>
 #include <carom/base.h>
+#include <carom/batch.h>
 #include <carom/body.h>
 #include <carom/body_bulk.h>
 #include <carom/cast.h>

@@ -7,6 +7,8 @@ namespace carom::raw {
 inline void fill(carom_error &it) noexcept { it = {}, it.struct_size = sizeof it; }
 inline void fill(carom_accuracy &it) noexcept { carom_accuracy_init(&it, sizeof it); }
 inline void fill(carom_growth &it) noexcept { it = {}, it.struct_size = sizeof it; }
+inline void fill(carom_batch_column &it) noexcept { carom_batch_column_init(&it, sizeof it); }
+inline void fill(carom_batch_info &it) noexcept { it = {}, it.struct_size = sizeof it; }
 inline void fill(carom_material_desc &it) noexcept { carom_material_desc_init(&it, sizeof it); }
 inline void fill(carom_body_desc &it) noexcept { carom_body_desc_init(&it, sizeof it); }
 inline void fill(carom_attribute_info &it) noexcept { it = {}, it.struct_size = sizeof it; }

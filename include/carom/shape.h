@@ -36,7 +36,42 @@ CAROM_API int32_t carom_shape_create_named(carom_engine *engine, const char *nam
 CAROM_API int32_t carom_shape_create_half_space(carom_engine *engine, const double normal[3], double offset,
                                                 carom_shape *shape, carom_error *error);
 
-/** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
+/** Make the convex hull of shapes that the engine has, each placed and scaled, and all of it rounded by a radius. The
+ *  same call makes
+ *  - the sweep of a shape along a straight line, without turning: the shape at both ends. Where it turns as well, the hull
+ *    of both ends leaves out what bulges between them: add poses in between;
+ *  - a scaled shape: one part with a scale. A negative scale mirrors it;
+ *  - a rounded shape: one part and a radius, by which it grows on all sides.
+ *  Where all parts have corners only and the radius is 0, the hull is a polytope with exact mass and faces, and its
+ *  corners are its parameters. Else its parameters are none and its mass is derived. A part cannot be destroyed before
+ *  the hull.
+ *  @param parts         [count] handles of convex shapes, the same one as often as wanted
+ *  @param count         1 to 4096
+ *  @param positions     [3 * count] m, frame of the hull; NULL: 0
+ *  @param orientations  [4 * count] x, y, z, w, unit within 1e-6, part to hull; NULL: identity
+ *  @param scales        [3 * count] along the axes of the part, of a size of 1e-6 to 1e6; NULL: 1
+ *  @param radius        m, 0 or more
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (a part is a half-space or scenery);
+ *          PLUGIN_INVALID; LIMIT (hulls of hulls more than 8 deep, or of more than 4096 parts in all); OUT_OF_MEMORY
+ *  @since 0.9 */
+CAROM_API int32_t carom_shape_create_hull_of(carom_engine *engine, const carom_shape *parts, uint64_t count,
+                                             const double *positions, const double *orientations, const double *scales,
+                                             double radius, carom_shape *shape, carom_error *error);
+
+/** What a hull of shapes is made of, as it was given. Of any other shape: no parts, radius 0.
+ *  @param parts         [*count] or NULL: only count and radius are written
+ *  @param positions     [3 * *count] m, or NULL   @param orientations [4 * *count] x, y, z, w, or NULL
+ *  @param scales        [3 * *count] or NULL
+ *  @param count         in: capacity in parts; out: number of parts
+ *  @param radius        m, or NULL
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)
+ *  @since 0.9 */
+CAROM_API int32_t carom_shape_get_parts(carom_engine *engine, carom_shape shape, carom_shape *parts, double *positions,
+                                        double *orientations, double *scales, uint64_t *count, double *radius,
+                                        carom_error *error);
+
+/** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, a hull of shapes, or a query on another thread, refers to
+ *          it); REENTRANT */
 CAROM_API int32_t carom_shape_destroy(carom_engine *engine, carom_shape shape, carom_error *error);
 
 /** What the engine knows of a shape. Quantities are for unit density (1 kg/m^3) in the shape's own frame; each derived

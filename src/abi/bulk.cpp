@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "abi/body_fields.h"
 #include "abi/collider.h"
 #include "abi/record_calls.h"
 #include "abi/records.h"
@@ -11,16 +12,6 @@
 
 namespace carom::abi {
 namespace {
-
-struct FieldRow {
-  const char* name;
-  int scalars;
-  bool writable;
-  int orientation_at;  // index of a unit quaternion in the record; -1: none
-  bool velocity;       // must be zero for static bodies
-  void (*read)(const World& world, std::uint32_t body, double record[]);
-  void (*write)(World& world, std::uint32_t body, const double record[]);
-};
 
 void read_position(const World& w, std::uint32_t b, double* r) { from_vec3(w.pose(b).p, r); }
 void read_orientation(const World& w, std::uint32_t b, double* r) { from_quat(w.state.q[b], r); }
@@ -49,7 +40,7 @@ void write_force(World& w, std::uint32_t b, const double* r) { w.set_force(b, to
 
 constexpr Selection::Words kBodies = {"bodies", "a body of handles"};
 
-constexpr FieldRow kBulkFields[CAROM_FIELD_COUNT] = {
+constexpr BodyField kBulkFields[CAROM_FIELD_COUNT] = {
     // in the order of CAROM_FIELD_*
     {"position", 3, true, -1, false, read_position, write_position},
     {"orientation", 4, true, 0, false, read_orientation, write_orientation},
@@ -72,7 +63,7 @@ bool check_shape_of_data(Call& call, std::uint32_t field, std::uint32_t scalar, 
 }
 
 template <class Scalar>
-void read_all(const World& world, const FieldRow& field, const Selection& selection, std::uint64_t n, void* dst,
+void read_all(const World& world, const BodyField& field, const Selection& selection, std::uint64_t n, void* dst,
               std::uint64_t stride) {
   selection.for_each(n, [&](std::uint32_t body, std::uint64_t i) {
     double record[kMostScalars];
@@ -82,20 +73,8 @@ void read_all(const World& world, const FieldRow& field, const Selection& select
   });
 }
 
-bool check_record(Call& call, const World& world, const FieldRow& field, std::uint32_t body, std::uint64_t i,
-                  const double* record) {
-  char name[48];
-  std::snprintf(name, sizeof name, "%s of body %llu", field.name, static_cast<unsigned long long>(i));
-  if (!finite(call, 6, name, record, field.scalars)) return false;
-  if (field.orientation_at >= 0 && !unit(call, 6, name, record + field.orientation_at, 4)) return false;
-  if (!field.velocity || world.scene.type[body] != BodyType::fixed) return true;
-  for (int k = 0; k < field.scalars; k += 3)
-    if (!at_rest(call, 6, name, record + k)) return false;
-  return true;
-}
-
 template <class Scalar>
-void write_all(Call& call, World& world, const FieldRow& field, const Selection& selection, std::uint64_t n,
+void write_all(Call& call, World& world, const BodyField& field, const Selection& selection, std::uint64_t n,
                const void* src, std::uint64_t stride) {
   const auto* bytes = static_cast<const char*>(src);
   selection.for_each(n, [&](std::uint32_t body, std::uint64_t i) {
@@ -113,6 +92,20 @@ void write_all(Call& call, World& world, const FieldRow& field, const Selection&
 }
 
 }  // namespace
+
+const BodyField& body_field(std::uint32_t field) { return kBulkFields[field]; }
+
+bool check_record(Call& call, const World& world, const BodyField& field, std::uint32_t body, std::uint64_t i,
+                  const double* record) {
+  char name[48];
+  std::snprintf(name, sizeof name, "%s of body %llu", field.name, static_cast<unsigned long long>(i));
+  if (!finite(call, 6, name, record, field.scalars)) return false;
+  if (field.orientation_at >= 0 && !unit(call, 6, name, record + field.orientation_at, 4)) return false;
+  if (!field.velocity || world.scene.type[body] != BodyType::fixed) return true;
+  for (int k = 0; k < field.scalars; k += 3)
+    if (!at_rest(call, 6, name, record + k)) return false;
+  return true;
+}
 
 bool check_stride(Call& call, int argument, const char* what, int scalars, std::uint32_t scalar, std::uint64_t& stride,
                   std::uint64_t n, int count_argument) {

@@ -17,6 +17,9 @@ void copy_elements(Call& call, std::uint64_t size, F&& element, void* dst, std::
   for (std::uint64_t i = 0; i < std::min(capacity, size); ++i) write_element<Element>(element(i), dst, i, stride);
 }
 
+/// A fault as a host sees it.
+carom_fault fault_of(const World& world, const FaultView& view);
+
 /// Likewise of a list of the last step.
 template <class View, class Element>
 void copy_out(Call& call, const World& world, const Array<View>& views, Element (*convert)(const World&, const View&),

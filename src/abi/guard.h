@@ -41,6 +41,8 @@ class Call {
 
   bool ok() const { return code_ == CAROM_OK; }
   const char* message() const { return message_; }
+  std::int32_t code() const { return code_; }
+  const char* remedy() const { return remedy_; }  // null: of the code
 
   /// Hand the failure over (never past the size the caller's struct has). @return the result of the call
   std::int32_t finish() const;

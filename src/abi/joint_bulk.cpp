@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "abi/joint_fields.h"
 #include "abi/joint_numbers.h"
 #include "abi/record_calls.h"
 #include "abi/records.h"
@@ -464,6 +465,15 @@ bool say(Call& call, dynamics::MoveFault fault, std::uint64_t joint) {
   return false;
 }
 
+dynamics::JointMove move_of(const World& world, std::uint32_t slot, const JointField& row, const double* record) {
+  dynamics::JointMove move = {slot, {}};
+  if (row.scalars == 1)
+    move.to[axis_of(world.joints.joint[slot])] = *record;
+  else
+    std::copy_n(record, kAxes, move.to.begin());
+  return move;
+}
+
 void load_record(std::uint32_t scalar, const void* src, std::uint64_t i, std::uint64_t stride, int scalars,
                  double record[]) {
   const char* const from = static_cast<const char*>(src) + i * stride;
@@ -471,6 +481,45 @@ void load_record(std::uint32_t scalar, const void* src, std::uint64_t i, std::ui
 }
 
 }  // namespace
+
+bool have_joint_field(Call& call, const World& world, std::uint32_t field, const std::uint64_t* joints, std::uint64_t n,
+                      bool writes) {
+  const JointField& row = kBulkJointFields[field];
+  const bool moves = writes && !row.write;
+  return have_field(call, world, field, moves ? moves_of(field).kinds : row.kinds, moves ? " that can be written" : "",
+                    Selection(world.joints.slots, joints, kJoints), n);
+}
+
+bool moves_joints(std::uint32_t field) { return moves_of(field).what != Moves::none; }
+bool is_read_only(std::uint32_t field) { return !kBulkJointFields[field].check; }
+
+void read_joint(const World& world, std::uint32_t field, std::uint32_t slot, double* record) {
+  kBulkJointFields[field].read(world, world.joints.joint[slot], record);
+}
+
+bool check_joint(Call& call, const World& world, std::uint32_t field, std::uint32_t slot, std::uint64_t i,
+                 const double* record) {
+  const JointField& row = kBulkJointFields[field];
+  return row.check(world, world.joints.joint[slot], {call, row.name, i, record, row.scalars});
+}
+
+bool write_joints(Call& call, World& world, std::uint32_t field, std::span<const std::uint32_t> slots,
+                  const double* records, Memory* memory) {
+  const JointField& row = kBulkJointFields[field];
+  const auto width = static_cast<std::size_t>(row.scalars);
+  if (row.write) {
+    for (std::size_t i = 0; i < slots.size(); ++i)
+      row.write(world, slots[i], world.joints.joint[slots[i]], records + width * i);
+    return true;
+  }
+  dynamics::JointMoves all(memory);
+  for (std::size_t i = 0; i < slots.size(); ++i) all.ask(world, move_of(world, slots[i], row, records + width * i));
+  const dynamics::MoveFault fault = all.find(world, moves_of(field).what == Moves::speeds);
+  const auto at = static_cast<std::uint64_t>(std::ranges::find(slots, all.joint_at_fault()) - slots.begin());
+  if (!say(call, fault, at)) return false;
+  world.move_joints(all);
+  return true;
+}
 
 std::uint32_t joint_bulk_width(std::uint32_t field) {
   return field < CAROM_JOINT_BULK_COUNT ? static_cast<std::uint32_t>(kBulkJointFields[field].scalars) : 0;
@@ -537,12 +586,7 @@ int32_t carom_world_write_joints(carom_world* world, uint32_t field, uint32_t sc
       dynamics::JointMoves all(&changing.engine().memory);
       selection.for_each(n, [&](std::uint32_t slot, std::uint64_t i) {
         load_record(scalar, src, i, stride, row.scalars, record);
-        dynamics::JointMove move = {slot, {}};
-        if (row.scalars == 1)
-          move.to[axis_of(changing->joints.joint[slot])] = *record;
-        else
-          std::copy_n(record, kAxes, move.to.begin());
-        all.ask(*changing, move);
+        all.ask(*changing, move_of(*changing, slot, row, record));
         return true;
       });
       const dynamics::MoveFault fault = all.find(*changing, moves.what == Moves::speeds);

@@ -77,7 +77,19 @@ carom_contact contact(const World& world, const ContactView& view) {
   return c;
 }
 
-carom_fault fault(const World& world, const FaultView& view) {
+carom_group group(const World& world, const GroupView& view) {
+  carom_group g{};
+  g.body = world.scene.bodies.alive(view.body) ? world.scene.bodies.handle(view.body) : CAROM_NULL_HANDLE;
+  g.bodies = view.bodies, g.points = view.points;
+  g.solver = view.direct ? CAROM_SOLVER_DIRECT : CAROM_SOLVER_SOFT_STEP;
+  g.reason = static_cast<std::uint32_t>(view.reason);
+  g.mass_ratio = view.mass_ratio, g.sink = view.sink;
+  return g;
+}
+
+}  // namespace
+
+carom_fault fault_of(const World& world, const FaultView& view) {
   carom_fault f{};
   if (view.support.kind != SupportFault::none)
     f.kind = static_cast<std::uint32_t>(view.support.kind);
@@ -91,17 +103,6 @@ carom_fault fault(const World& world, const FaultView& view) {
   return f;
 }
 
-carom_group group(const World& world, const GroupView& view) {
-  carom_group g{};
-  g.body = world.scene.bodies.alive(view.body) ? world.scene.bodies.handle(view.body) : CAROM_NULL_HANDLE;
-  g.bodies = view.bodies, g.points = view.points;
-  g.solver = view.direct ? CAROM_SOLVER_DIRECT : CAROM_SOLVER_SOFT_STEP;
-  g.reason = static_cast<std::uint32_t>(view.reason);
-  g.mass_ratio = view.mass_ratio, g.sink = view.sink;
-  return g;
-}
-
-}  // namespace
 }  // namespace carom::abi
 
 using namespace carom;
@@ -143,7 +144,7 @@ int32_t carom_world_get_faults(carom_world* world, carom_fault* dst, uint64_t st
                                uint64_t* count, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const Reading reading(call, world);
-    if (reading) copy_out(call, *reading, reading->fault_views, fault, dst, stride, capacity, count);
+    if (reading) copy_out(call, *reading, reading->fault_views, fault_of, dst, stride, capacity, count);
   });
 }
 

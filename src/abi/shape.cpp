@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "abi/engine.h"
-#include "core/float_scope.h"
 #include "abi/forms.h"
 #include "abi/shape_draft.h"
+#include "collision/hull_of.h"
 #include "collision/verify.h"
 #include "collision/volume.h"
+#include "core/float_scope.h"
 
 namespace carom::abi {
 namespace {
@@ -18,6 +19,8 @@ constexpr Real kMassTolerance = 1e-3;  // relative width of the volume bracket a
                                        // less than densities are known to; finer costs supports in proportion (1/N)
 constexpr Real kSmallestSize = 5e-5;   // m, half across: contacts hold from there on, see tests/abi/test_sizes
 constexpr int kMassSupports = 2000;    // and at most so many: about a millisecond
+
+constexpr const char* kHullOf = "a hull of shapes";  // in messages
 
 bool check_params(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count) {
   const carom_shape_plugin& d = plugin.description;
@@ -53,9 +56,10 @@ bool declaration_false(Call& call, const char* id, const char* what, const Verdi
 }
 
 /// The declared form, if any, is what the support function says.
-bool settle_form(Call& call, const PluginRecord& plugin, FormNumbers& form, Shape& shape) {
+bool settle_form(Call& call, const PluginRecord& plugin, Shape& shape) {
   const char* id = plugin.id.c_str();
   const carom_geometry& g = plugin.geometry;
+  FormNumbers form;
   if (!read_form(call, id, g.form, g.form_arg, shape.params, form)) return false;
   shape.form = form.form;
   shape.radius = form.radius;
@@ -69,24 +73,34 @@ bool settle_form(Call& call, const PluginRecord& plugin, FormNumbers& form, Shap
   return true;
 }
 
-/// Mass properties from a verified declaration of mass, else from the verified form, else from support alone.
-bool settle_mass(Call& call, const PluginRecord& plugin, const FormNumbers& form, Memory* memory, Shape& shape) {
-  const char* id = plugin.id.c_str();
-  const carom_geometry& g = plugin.geometry;
-  if (g.mass_form != CAROM_FORM_NONE) {
-    FormNumbers m;
-    if (!read_form(call, id, g.mass_form, g.mass_arg, shape.params, m)) return false;
-    shape.mass = mass_from_form(m.form, m.radius, m.half_height, m.half, m.vertices, memory);
-    const Verdict verdict = verify_mass(shape, shape.mass);
-    return verdict.valid || declaration_false(call, id, "mass", verdict);
-  }
-  if (form.form != Form::none) {
-    shape.mass = mass_from_form(form.form, form.radius, form.half_height, form.half, form.vertices, memory);
+/// Mass properties from the verified form, else from support alone.
+bool derive_mass(Call& call, const char* id, Memory* memory, Shape& shape) {
+  if (shape.form != Form::none) {
+    shape.mass = mass_from_form(shape.form, shape.radius, shape.half_height, shape.half, shape.vertices, memory);
     return true;
   }
   SupportFault fault;
   shape.mass = mass_from_support(shape, kMassTolerance, kMassSupports, fault);
   return fault.kind == SupportFault::none || invalid(call, id, fault);
+}
+
+/// Those of a declaration of mass, verified, or derived.
+bool settle_mass(Call& call, const PluginRecord& plugin, Memory* memory, Shape& shape) {
+  const char* id = plugin.id.c_str();
+  const carom_geometry& g = plugin.geometry;
+  if (g.mass_form == CAROM_FORM_NONE) return derive_mass(call, id, memory, shape);
+  FormNumbers m;
+  if (!read_form(call, id, g.mass_form, g.mass_arg, shape.params, m)) return false;
+  shape.mass = mass_from_form(m.form, m.radius, m.half_height, m.half, m.vertices, memory);
+  const Verdict verdict = verify_mass(shape, shape.mass);
+  return verdict.valid || declaration_false(call, id, "mass", verdict);
+}
+
+/// What the narrow phase looks up, and bounds: those of the form are exact.
+bool derive_reach(Call& call, const char* id, Shape& shape) {
+  if (shape.form == Form::polytope) shape.farthest.build(shape.vertices);
+  SupportFault fault;
+  return derive_bounds(shape, fault) || invalid(call, id, fault);
 }
 
 /// Everything that is known of a shape, each claim checked.
@@ -104,12 +118,8 @@ bool settle(Call& call, const PluginRecord& plugin, const double* params, std::u
                        plugin.geometry.core_radius_param, shape.core_radius);
   }
   if (!ask_valid(call, id, 2, shape)) return false;
-  FormNumbers form;
-  if (!settle_form(call, plugin, form, shape)) return false;
-  if (shape.form == Form::polytope) shape.farthest.build(shape.vertices);
-  SupportFault fault;
-  if (!derive_bounds(shape, fault)) return invalid(call, id, fault);  // after the form: its bounds are exact
-  if (!settle_mass(call, plugin, form, memory, shape)) return false;
+  if (!settle_form(call, plugin, shape) || !derive_reach(call, id, shape) || !settle_mass(call, plugin, memory, shape))
+    return false;
   return float_environment_is_default() ||
          call.fail(CAROM_E_PLUGIN_INVALID, 2, "%s: the support function changes the floating-point environment", id);
 }
@@ -188,6 +198,16 @@ bool draft_of_plugin(Call& call, const PluginRecord& plugin, const double* param
   return check_params(call, plugin, params, count) && settle(call, plugin, params, count, draft.memory, *draft.shape);
 }
 
+bool draft_hull_of(Call& call, std::span<const Shape* const> parts, std::span<const double> numbers,
+                   ShapeDraft& draft) {
+  const FloatScope scope;
+  Shape& shape = *draft.shape;
+  make_hull_of(parts, numbers, draft.memory, shape);
+  if (!ask_valid(call, kHullOf, 2, shape)) return false;
+  make_faces(shape);
+  return derive_reach(call, kHullOf, shape) && derive_mass(call, kHullOf, draft.memory, shape);
+}
+
 void draft_half_space(const Vec3& normal, double offset, ShapeDraft& draft) {
   Shape& s = *draft.shape;
   s.form = Form::half_space;
@@ -201,6 +221,9 @@ void draft_half_space(const Vec3& normal, double offset, ShapeDraft& draft) {
 void remove_shape(carom_engine& engine, std::uint32_t slot) {
   ShapeRecord& record = engine.shapes[slot];
   if (record.plugin) record.plugin->uses -= 1;
+  if (record.shape->hull_of)
+    for (const HullOf::Part& part : record.shape->hull_of->parts)
+      engine.shapes[handle_slot(part.shape->handle)].uses -= 1;
   destroy_on(&engine.memory, record.shape);
   record = {};
   engine.shape_slots.release(slot);
@@ -214,6 +237,9 @@ bool add_shape(Call& call, carom_engine& engine, ShapeDraft& draft, carom_shape*
   if (!h) return call.fail(CAROM_E_LIMIT, 0, "%u shapes are alive", kMaxSlots);
   if (handle_slot(h) == engine.shapes.size()) engine.shapes.emplace_back();
   draft.shape->handle = h;
+  if (draft.shape->hull_of)  // which keeps its parts
+    for (const HullOf::Part& part : draft.shape->hull_of->parts)
+      engine.shapes[handle_slot(part.shape->handle)].uses += 1;
   engine.shapes[handle_slot(h)] = {draft.shape, plugin, plugin_handle, 0};
   draft.shape = nullptr;
   *handle = h;
@@ -265,7 +291,7 @@ int32_t carom_shape_destroy(carom_engine* engine, carom_shape shape, carom_error
     if (!resolve(call, 2, "shape", engine->shape_slots, shape)) return;
     ShapeRecord& record = engine->shapes[handle_slot(shape)];
     if (record.uses) {
-      call.fail(CAROM_E_IN_USE, 2, "%llu colliders or running queries refer to this shape",
+      call.fail(CAROM_E_IN_USE, 2, "%llu colliders, hulls of shapes or running queries refer to this shape",
                 static_cast<unsigned long long>(record.uses));
       return;
     }

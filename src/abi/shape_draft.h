@@ -3,6 +3,8 @@
 
 #include <carom/scenery.h>
 
+#include <span>
+
 #include "abi/engine.h"
 
 namespace carom::abi {
@@ -37,6 +39,10 @@ class PluginPin {
 // Finish a shape, everything checked. @return false: noted
 bool draft_of_plugin(Call& call, const PluginRecord& plugin, const double* params, std::uint64_t count,
                      ShapeDraft& draft);
+/// Whether parts and numbers may be a hull of shapes.
+bool check_hull_of(Call& call, std::span<const Shape* const> parts, std::span<const double> numbers);
+/// @param parts    kept alive by the caller until the engine has the draft   @param numbers  as HullOf::numbers, checked
+bool draft_hull_of(Call& call, std::span<const Shape* const> parts, std::span<const double> numbers, ShapeDraft& draft);
 void draft_half_space(const Vec3& normal, double offset, ShapeDraft& draft);  // of a unit normal
 /// @param dropped  triangles that are left out already
 bool draft_mesh(Call& call, const carom_mesh_desc& desc, ShapeDraft& draft, std::uint32_t dropped = 0);

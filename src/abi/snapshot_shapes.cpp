@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "abi/shape_draft.h"
+#include "collision/hull_of.h"
 #include "collision/scenery/scenery.h"
 #include "dynamics/world.h"
 
@@ -37,6 +38,9 @@ bool is_like(const ShapeRecord& record, const ShapeImage& image) {
       return is_scenery(s) && s.scenery->columns == image.columns && s.scenery->rows == image.rows &&
              same(s.scenery->spacing_x, image.spacing_x) && same(s.scenery->spacing_z, image.spacing_z) &&
              same<double>(s.scenery->heights, image.numbers);
+    case ShapeImage::hull_of:
+      return s.hull_of && same<double>(s.hull_of->numbers, image.numbers) &&
+             std::ranges::equal(s.hull_of->parts, image.parts, {}, &HullOf::Part::shape);
     default:
       return false;
   }
@@ -66,7 +70,11 @@ bool draft_half_space(Call& call, const ShapeImage& image, ShapeDraft& draft) {
   return true;
 }
 
-bool draft_scenery(Call& call, const ShapeImage& image, ShapeDraft& draft) {
+/// A shape that no plugin's name stands for.
+bool draft_built_in(Call& call, const ShapeImage& image, ShapeDraft& draft) {
+  if (image.kind == ShapeImage::half_space) return draft_half_space(call, image, draft);
+  if (image.kind == ShapeImage::hull_of)
+    return check_hull_of(call, image.parts, image.numbers) && draft_hull_of(call, image.parts, image.numbers, draft);
   if (image.kind == ShapeImage::mesh) {
     carom_mesh_desc d;
     carom_mesh_desc_init(&d, sizeof d);
@@ -93,9 +101,9 @@ bool EngineNames::name(const Shape& shape, std::string_view& plugin, std::uint32
 
 EngineShapes::~EngineShapes() {
   const std::lock_guard lock(engine_.mutex);
-  for (const Held& held : held_) {
-    ShapeRecord& record = engine_.shapes[held.slot];
-    if (--record.uses == 0 && held.made) remove_shape(engine_, held.slot);
+  for (std::size_t k = held_.size(); k-- > 0;) {  // a hull of shapes before its parts
+    ShapeRecord& record = engine_.shapes[held_[k].slot];
+    if (--record.uses == 0 && held_[k].made) remove_shape(engine_, held_[k].slot);
   }
 }
 
@@ -116,9 +124,7 @@ bool EngineShapes::make_new(const ShapeImage& image, SnapshotFault& fault, std::
   Call call(nullptr);
   ShapeDraft draft(&engine_.memory);
   if (image.kind != ShapeImage::of_plugin) {
-    const bool made =
-        image.kind == ShapeImage::half_space ? draft_half_space(call, image, draft) : draft_scenery(call, image, draft);
-    return (made && add_shape(call, engine_, draft, &handle)) ||
+    return (draft_built_in(call, image, draft) && add_shape(call, engine_, draft, &handle)) ||
            refuse(fault, SnapshotFault::corrupt, "a shape of the snapshot is none", call.message());
   }
   char name[220];

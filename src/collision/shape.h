@@ -12,6 +12,7 @@
 namespace carom::collision {
 
 struct Scenery;  // scenery/scenery.h: many triangles
+struct HullOf;   // hull_of.h: parts that are shapes
 
 /// Support function of a bounded convex set, the only code a shape brings. Same type as carom_support_fn in plugin.h.
 using SupportFn = std::int32_t (*)(void* user, const double* params, std::uint64_t count, const double dir[3],
@@ -77,6 +78,8 @@ struct Shape {
   HullFaces faces;  // polytope, box: for exact clipping; may be empty
 
   std::shared_ptr<const Scenery> scenery;  // Form::scenery: its triangles. It has no support function and no volume
+
+  std::shared_ptr<const HullOf> hull_of;  // null but of a hull of other shapes: those
 
   std::uint64_t handle = 0;  // the ABI's name for it, for reports
 };

@@ -24,7 +24,7 @@ get_property(shape_plugins DIRECTORY ${PROJECT_SOURCE_DIR}/plugins PROPERTY BUIL
 list(FILTER shape_plugins INCLUDE REGEX "^plugin_")
 list(TRANSFORM shape_plugins REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")
 add_test(NAME abi/libm COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_libm.py ${CMAKE_NM} ${CMAKE_C_COMPILER}
-  ${CMAKE_CURRENT_BINARY_DIR}/libm $<TARGET_OBJECTS:carom_collision> $<TARGET_OBJECTS:carom_dynamics> $<TARGET_OBJECTS:carom_abi>
+  ${CMAKE_CURRENT_BINARY_DIR}/libm $<TARGET_OBJECTS:carom_collision> $<TARGET_OBJECTS:carom_dynamics> $<TARGET_OBJECTS:carom_batch> $<TARGET_OBJECTS:carom_abi>
   $<TARGET_OBJECTS:carom_kit> ${shape_plugins} COMMAND_EXPAND_LISTS)
 set_tests_properties(abi/libm PROPERTIES TIMEOUT 60 LABELS abi)
 carom_script_test(symbols -DLIBRARY=$<TARGET_FILE:carom> -DSANITIZE=${CAROM_SANITIZE})

@@ -289,6 +289,10 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   add("plugin_describe", carom_plugin_describe(b.engine, b.box, &description, nullptr));
   add("shape_create", carom_shape_create(b.engine, b.sphere, &radius, 1, &handle, nullptr));
   add("shape_create_half_space", carom_shape_create_half_space(b.engine, kUp, 0, &handle, nullptr));
+  add("shape_create_hull_of",
+      carom_shape_create_hull_of(b.engine, &b.ball, 1, nullptr, nullptr, nullptr, 0, &handle, nullptr));
+  add("shape_get_parts",
+      carom_shape_get_parts(b.engine, b.ball, nullptr, nullptr, nullptr, nullptr, &count, nullptr, nullptr));
   add("shape_destroy", carom_shape_destroy(b.engine, b.ball, nullptr));
   add("shape_get_info", carom_shape_get_info(b.engine, b.ball, &info, nullptr));
   add("shape_get_params", carom_shape_get_params(b.engine, b.ball, v, &count, nullptr));

@@ -116,6 +116,8 @@ const Place kPlaces[] = {
     {"plugin_unload", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_plugin_unload(b.engine, h, e); }},
     {"plugin_describe", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { const carom_shape_plugin* p; return carom_plugin_describe(b.engine, h, &p, e); }},
     {"shape_create", kPlugin, 2, [](Bench& b, uint64_t h, carom_error* e) { double r = 1; carom_shape s; return carom_shape_create(b.engine, h, &r, 1, &s, e); }},
+    {"shape_create_hull_of", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_shape s; return carom_shape_create_hull_of(b.engine, &h, 1, nullptr, nullptr, nullptr, 0, &s, e); }},
+    {"shape_get_parts", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { uint64_t n = 0; return carom_shape_get_parts(b.engine, h, nullptr, nullptr, nullptr, nullptr, &n, nullptr, e); }},
     {"shape_destroy", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return carom_shape_destroy(b.engine, h, e); }},
     {"shape_get_info", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_shape_info i = {}; i.struct_size = sizeof i; return carom_shape_get_info(b.engine, h, &i, e); }},
     {"shape_get_params", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { double p[3]; uint64_t n = 3; return carom_shape_get_params(b.engine, h, p, &n, e); }},

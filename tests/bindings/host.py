@@ -6,6 +6,8 @@ missing, older or of another layout by an error that names the file and what to 
 usage: host.py LANGUAGE BUILD [--calls]       --calls: print what a call costs beside C, and test nothing
 Exits 77, with the reason, where the language is not installed, or too old.
 """
+import importlib.util
+import json
 import os
 import re
 import shutil
@@ -38,6 +40,7 @@ class Host:
 
     said_when_missing = r"libcarom\.so\.0\.9"  # the loader's words
     checks_layout = True
+    takes_path = False  # in $CAROM_LIBRARY; else the system's loader speaks, before the program does
 
     def __init__(self, language, build):
         self.build_dir = build
@@ -87,6 +90,18 @@ class Host:
         (folder / "libcarom.so.0.9").write_bytes(image)
         return folder
 
+    def altered(self):
+        """Libraries that the loader refuses: (what, file)."""
+        image = self.library.read_bytes()
+        newest = max(re.findall(rb"GLIBC_2\.(\d\d)\0", image), default=None)
+        for what, changed in (("other processor", image[:18] + b"\xf3\x00" + image[20:]),  # RISC-V
+                              ("newer C library", image.replace(b"GLIBC_2." + newest, b"GLIBC_9." + newest) if newest else None)):
+            if changed:
+                folder = self.place / what.replace(" ", "_")
+                folder.mkdir()
+                (folder / "libcarom.so.0.9").write_bytes(changed)
+                yield what, folder / "libcarom.so.0.9"
+
     def test(self):
         self.install()
         self.build(["hello", "scene"])
@@ -108,6 +123,11 @@ class Host:
         empty = self.place / "empty"
         empty.mkdir()
         self.refuses("missing", empty, self.said_when_missing)
+        for what, file in self.altered():
+            done = self.run(self.command("hello"), good=False, LD_LIBRARY_PATH=str(file.parent), **({"CAROM_LIBRARY": str(file)} if self.takes_path else {}))
+            pattern = rf"cannot load {file}.*Remedy: install" if self.takes_path else r"libcarom\.so\.0\.9"
+            if done.returncode == 0 or not re.search(pattern, done.stderr, re.S):
+                sys.exit(f"a library for a {what}: exit {done.returncode}, and no {pattern} in\n{done.stderr}")
         self.own_tests()
         print(f"{self.folder}: hello, scene, {'own tests, ' if self.has_own_tests else ''}libraries that do not fit")
 
@@ -203,6 +223,7 @@ class Go(Host):
 class Java(Host):
     folder, block, suffix = "java", "java", "java"
     said_when_missing = r"cannot load libcarom\.so\.0\.9. Remedy: .*CAROM_LIBRARY"
+    takes_path = True
 
     def needs(self):
         """$JAVA_HOME, else what is on the PATH, else what the system has: the first that is new enough."""
@@ -237,7 +258,52 @@ class Java(Host):
             sys.exit(f"a wrong CAROM_LIBRARY: {done.returncode}\n{done.stderr}")
 
 
-HOSTS = {"cpp": Cpp, "rust": Rust, "go": Go, "java": Java}
+class Csharp(Host):
+    folder, block, suffix = "csharp", "csharp", "cs"
+    said_when_missing = r"cannot load libcarom\.so\.0\.9: .*Remedy: install.*CAROM_LIBRARY"
+    takes_path = True
+
+    def needs(self):
+        """mcs, and a runtime: that of $DOTNET_ROOT, else of PyPI's package dotnetcore2."""
+        if not shutil.which("mcs"):
+            skip("C# is not installed: mcs (Debian: mono-mcs) is not on the PATH")
+        package = importlib.util.find_spec("dotnetcore2")
+        homes = [Path(os.environ.get("DOTNET_ROOT", "/none")), *(Path(at) / "bin" for at in (package.submodule_search_locations if package else []))]
+        for home in homes:
+            for core in sorted(home.glob("shared/Microsoft.NETCore.App/*/System.Private.CoreLib.dll")):
+                self.home, self.core = home, core.parent
+                return
+        skip("no .NET runtime in $DOTNET_ROOT, and the package dotnetcore2 is not installed: pip install dotnetcore2")
+
+    def compile(self, name, *more):
+        core = [*self.core.glob("System*.dll"), self.core / "netstandard.dll", self.core / "mscorlib.dll"]
+        (self.place / "core.rsp").write_text("\n".join(f'-r:"{file}"' for file in core))
+        self.run(["mcs", "-nostdlib", "-noconfig", "-unsafe", "-langversion:latest", "-nowarn:1702", "@core.rsp", *more, f"-out:{name}.dll"])
+        version = ".".join(self.core.name.split(".")[:2])
+        framework = {"name": "Microsoft.NETCore.App", "version": f"{version}.0"}
+        options = {"framework": framework, "configProperties": {"System.Globalization.Invariant": True}}
+        (self.place / f"{name}.runtimeconfig.json").write_text(json.dumps({"runtimeOptions": options}))
+
+    def build(self, names):
+        package = sorted((ROOT / "bindings/csharp/Carom").glob("*.cs"))
+        self.compile("Carom", "-target:library", *package)
+        for name in names:
+            (self.place / f"{name}.cs").write_text(self.program(name))
+            self.compile(name, "-r:Carom.dll", f"{name}.cs")
+
+    def command(self, name):
+        return [self.home / "dotnet", f"{name}.dll"]
+
+    def own_tests(self):
+        self.compile("CaromTest", *sorted((ROOT / "bindings/csharp/Carom").glob("*.cs")), ROOT / "bindings/csharp/test/CaromTest.cs")
+        if not re.search(r"^[1-9]\d* passed, 0 failed$", self.run(self.command("CaromTest")).stdout, re.M):
+            sys.exit("CaromTest ran no test")
+        done = self.run(self.command("hello"), good=False, CAROM_LIBRARY="/no/such/libcarom.so")
+        if done.returncode == 0 or not re.search(r"cannot load /no/such/libcarom.so: .*No such file.*Remedy: install", done.stderr):
+            sys.exit(f"a wrong CAROM_LIBRARY: {done.returncode}\n{done.stderr}")
+
+
+HOSTS = {"cpp": Cpp, "rust": Rust, "go": Go, "java": Java, "csharp": Csharp}
 
 
 def main():

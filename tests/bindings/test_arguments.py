@@ -126,6 +126,24 @@ class Arguments(unittest.TestCase):
             needed["turn"] = 1e-3
         return arguments, needed
 
+    def test_what_is_assigned_is_named_as_typed(self):
+        """What C refuses of a property, by the property's name, not by that of an argument in C."""
+        nan, seen = math.nan, []
+        vectors = {"orientation": (nan, 0, 0, 1), "damping": (0, nan), "drag": (nan, 0), "resistance": (0, nan),
+                   "surface_velocity": ((0, 0, 0), (0, nan, 0)), "pose": ((0, nan, 0), (0, 0, 0, 1))}
+        for text, function, arguments, needed in self.callables():
+            kind, name = text.partition(".")[::2]
+            if needed or list(arguments) != [name] or kind == "Particles" or not re.search("float|Vector", arguments[name]):
+                continue
+            whole = "Vector" in arguments[name] or "tuple" in arguments[name]
+            value = vectors.get(name, (0, nan, 0)) if whole else nan
+            with self.assertRaises((ValueError, TypeError), msg=text) as refused:
+                function(**{name: value})
+            seen.append(text)
+            if name != "pose":
+                self.assertRegex(str(refused.exception), rf"^{name}\b", text)
+        self.assertGreater(len(seen), 15, seen)
+
     def test_each_names_its_argument(self):
         self.assertGreater(len(self.callables()), 80)
         tried, failed = 0, []

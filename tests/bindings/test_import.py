@@ -1,5 +1,7 @@
 """Importing: without numpy all but arrays works; a library that does not fit is refused, and the text says where and what to do."""
 import os
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -44,6 +46,23 @@ class NoNumpy(unittest.TestCase):
         self.assertEqual((done.stdout, done.stderr), ("done\n", ""))
 
 
+class SystemLibrary(unittest.TestCase):
+    def test_found_by_its_name(self):
+        """As a distribution installs it: the loader finds the library, and shapes lie beside it."""
+        library, plugins = os.environ["CAROM_LIBRARY"], os.environ["CAROM_PLUGIN_DIR"]
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "carom").mkdir()
+            import carom
+            shutil.copy(Path(library).resolve(), Path(folder, carom.raw.SONAME))
+            Path(folder, "carom", "plugins").symlink_to(plugins)
+            environment = {**os.environ, "LD_LIBRARY_PATH": folder}
+            for name in ("CAROM_LIBRARY", "CAROM_PLUGIN_DIR"):
+                environment.pop(name)
+            code = "import carom; print(carom.Engine().sphere(1).params)"
+            done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
+            self.assertEqual((done.stdout, done.stderr), ("(1.0,)\n", ""))
+
+
 class BadLibrary(unittest.TestCase):
     def refused(self, library, why):
         done = subprocess.run([sys.executable, "-c", "import carom"], capture_output=True, text=True,
@@ -56,6 +75,19 @@ class BadLibrary(unittest.TestCase):
 
     def test_another(self):
         self.refused("libc.so.6", "older than this package: it lacks carom_.* Install libcarom")
+
+    def test_another_machine(self):
+        """Of a processor or a C library that are not here: file and cure."""
+        import carom
+        image = Path(carom.raw.LIBRARY).read_bytes()
+        newest = max(re.findall(rb"GLIBC_2\.(\d\d)\0", image), default=None)
+        if not newest:
+            self.skipTest("the library is not of this C library")
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, carom.raw.SONAME)
+            for changed in (image[:18] + b"\xf3\x00" + image[20:], image.replace(b"GLIBC_2." + newest, b"GLIBC_9." + newest)):
+                file.write_bytes(changed)
+                self.refused(file, f"{file}.*Install the wheel, or set CAROM_LIBRARY")
 
     def test_another_layout(self):
         """The library itself, but for one word of the layout that it tells: a double that is said to be a float."""

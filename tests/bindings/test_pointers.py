@@ -18,7 +18,7 @@ API = json.loads((ROOT / "bindings/api.json").read_text())
 FUNCTIONS = {f["name"]: f for f in API["functions"]}
 STRUCTS = {s["name"]: s for s in API["structs"]}
 # What ends the engine or world that the others need.
-ENDS = {"carom_engine_destroy", "carom_world_destroy"}
+ENDS = {"carom_engine_destroy", "carom_world_destroy", "carom_batch_destroy"}
 
 
 def pointers(owner, members="arguments"):
@@ -65,9 +65,9 @@ class Said(unittest.TestCase):
 class Owners(unittest.TestCase):
     def test_of_every_handle(self):
         owners = {h["name"]: h["owner"] for h in API["handles"] + API["opaque"]}
-        self.assertEqual((owners["carom_engine"], owners["carom_world"]), ("caller", "caller"))
+        self.assertEqual((owners["carom_engine"], owners["carom_world"], owners["carom_batch"]), ("caller",) * 3)
         self.assertEqual((owners["carom_plugin"], owners["carom_shape"]), ("engine", "engine"))
-        roots = ("carom_engine", "carom_world", "carom_plugin", "carom_shape")
+        roots = ("carom_engine", "carom_world", "carom_batch", "carom_plugin", "carom_shape")
         self.assertEqual({owners[name] for name in owners if name not in roots}, {"world"})
 
     def test_what_makes_and_ends_them_exists(self):
@@ -155,9 +155,22 @@ class Nullable(unittest.TestCase):
         self.alone = self.world.body(mass=1, inertia=(1, 0, 0, 0, 1, 0, 0, 0, 1)).handle  # a tree of six coordinates
         self.one = (ctypes.c_double * 3)(1, 0, 0)
         self.world.keep_ledger()
+        self.batch, first = ctypes.c_void_p(), ctypes.c_uint64()
+        raw.carom_batch_create(self.engine._pointer, ctypes.byref(self.batch), None)
+        raw.carom_batch_add_worlds(self.batch, self.world._pointer, 1, ctypes.byref(first), None)
+        self.gravity = self.column()
+        raw.carom_batch_add_column(self.batch, ctypes.byref(self.gravity), None, None)
 
     def tearDown(self):
+        raw.carom_batch_destroy(self.batch, None)
         self.engine.close()
+
+    def column(self):
+        """Of one number that each world has, at `one`."""
+        made = raw.carom_batch_column()
+        raw.carom_batch_column_init(ctypes.byref(made), ctypes.sizeof(made))
+        made.source, made.n, made.data = raw.CAROM_COLUMN_GRAVITY, 1, ctypes.addressof(self.one)
+        return made
 
     def handle(self, kind, function):
         if kind == "carom_shape" and re.search("scenery|triangles", function):
@@ -182,6 +195,8 @@ class Nullable(unittest.TestCase):
                     setattr(made.contents, field["name"], self.handle(field["type"], function))
                 if field["name"] == "scalar":
                     made.contents.scalar = raw.CAROM_SCALAR_F64
+            if base == "carom_batch_column":
+                made.contents.source, made.contents.n, made.contents.data = self.gravity.source, 1, self.gravity.data
             if base in ("carom_query_shapes", "carom_rays"):  # one question
                 made.contents.count = 1
                 for name in ("positions",) if base == "carom_query_shapes" else ("origins", "directions"):
@@ -226,6 +241,8 @@ class Nullable(unittest.TestCase):
                 values.append(self.number(argument, function["name"]))
             elif at == null:
                 values.append(None)
+            elif argument["type"] == "carom_batch *":
+                values.append(self.batch)
             elif argument["type"] in ("carom_engine *", "carom_world *"):
                 values.append((self.engine if "engine" in argument["type"] else self.world)._pointer)
             else:
@@ -240,7 +257,7 @@ class Nullable(unittest.TestCase):
         for argument, value in zip(function["arguments"], values):  # an engine or a world that it made goes again
             if argument["type"].endswith(" **") and result == raw.CAROM_OK and value:
                 made = ctypes.cast(value, ctypes.POINTER(ctypes.c_void_p))[0]
-                if "carom_engine" in argument["type"] or "carom_world" in argument["type"]:
+                if re.search("carom_(engine|world|batch)", argument["type"]):
                     getattr(raw, argument["type"].split()[0] + "_destroy")(made, None)
         return result, next((a.argument for a in alive if isinstance(a, raw.carom_error)), 0)
 

@@ -70,6 +70,30 @@ class Face(unittest.TestCase):
         self.assertTrue(self.engine.mesh([(0, 0, 0), (0, 0, 1), (1, 0, 0)], [(0, 1, 2)]).info.is_scenery)
         self.assertTrue(self.engine.height_field([[0, 0, 0], [0, 1, math.nan]], (1, 2)).info.is_scenery)
 
+    def test_hulls_of_shapes(self):
+        with carom.Engine() as engine:
+            ball, box = engine.sphere(0.25), engine.box(0.5, 0.1, 0.2)
+            sweep = engine.hull_of([(ball, (0, -1, 0)), (ball, (0, 1, 0))])
+            capsule = engine.capsule(0.25, 1).info
+            self.assertTrue(sweep.info.volume_min <= capsule.volume <= sweep.info.volume_max)
+            parts = [(box, (1.0, 0.0, 0.0), (0.0, 0.6, 0.0, 0.8), (1.0, -2.0, 1.0)), (ball, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), (1.0, 1.0, 1.0))]
+            mixed = engine.hull_of([parts[0], ball], radius=0.125)
+            self.assertEqual((mixed.parts, mixed.rounding), (parts, 0.125))
+            self.assertEqual((box.parts, box.rounding), ([], 0))
+            self.assertTrue(engine.hull_of([box, (box, (1, 0, 0))]).info.mass_exact)
+            with self.assertRaises(carom.errors.InUse):
+                ball.destroy()
+            with self.assertRaises(carom.errors.Unsupported):
+                engine.hull_of([engine.half_space()])
+            with self.assertRaises(carom.errors.OutOfRange):
+                engine.hull_of([])
+            with self.assertRaises(ValueError):
+                engine.hull_of([(ball, (0, 0, 0), (0, 0, 0, 1), (1, 1, 1), 5)])
+            with self.assertRaisesRegex(ValueError, r"parts\[0\] takes a Shape"):
+                engine.hull_of([3.5])
+            tapered = engine.tapered_capsule(0.5, 0.25, 1).info
+            self.assertAlmostEqual(tapered.aabb_max[1], 1.25, 12)
+
     def test_distance(self):
         answer = self.engine.distance(self.engine.sphere(1), self.engine.sphere(2), (0, 0, 0), (5, 0, 0), tolerance=1e-9)
         self.assertAlmostEqual(answer.separation, 2, 8)

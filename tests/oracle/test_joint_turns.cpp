@@ -147,6 +147,37 @@ void a_spring_winds_up_many_turns(void**) {
     }
 }
 
+/// Stiff drives to far away lead what hangs on an arm by radians a substep. It comes there, on its joint, from whatever it
+/// hangs on: the world, or a block that stands on the ground.
+void a_stiff_drive_keeps_its_arm(void**) {
+  struct Drive {
+    Real arm, frequency, damping, target;  // m, Hz, 1, rad
+    bool stands;
+  };
+  const Drive drives[] = {{0.4, 5, 1, 900, false},  {0.4, 5, 1, 300, true},  {1, 15, 0.5, -300, false},
+                          {0.15, 8, 1, 200, true},  {0.7, 3, 1, -250, true}, {0.25, 20, 0.7, 120, true},
+                          {0.9, 6, 0.6, 400, false}};
+  for (const Drive& d : drives) {
+    static OneOf turn(1, 3);
+    if (!turn.next()) continue;
+    TestWorld t;
+    std::uint32_t base = kInvalid;
+    if (d.stands) {
+      t.ground();
+      base = t.add(t.keep(box(Vec3(1.5, 0.5, 1.5))), Vec3(0, 0.5, 0));
+    }
+    const std::uint32_t arm = add_body(t, Vec3(d.arm, 2, 0), 1, Vec3(0.002, 0.014, 0.014));
+    const std::uint32_t j = join(t, JointKind::hinge, base, arm, Vec3(0, 2, 0), exp_map(Vec3(0, 0, kPi / 2)));
+    set_spring(t, j, Coordinate::twist, d.target, d.frequency, d.damping);
+    Real gap = 0;
+    for (int i = 0; i < 600; ++i) t.run(1, kStep), gap = std::max(gap, gap_of(t, j));
+    print_message("arm %g, %g Hz, to %g: at %g, gap %g\n", d.arm, d.frequency, d.target,
+                  coordinate(t, j, Coordinate::twist), gap);
+    assert_true(gap < 0.3 * d.arm);
+    assert_true(std::fabs(coordinate(t, j, Coordinate::twist) - d.target) < 0.01);
+  }
+}
+
 void snapshots_hold_turns(void**) {
   const auto bytes_of = [](const World& w) {
     std::vector<std::byte> bytes(save_state(w, nullptr, 0));
@@ -261,15 +292,11 @@ void a_cross_turns_both_ways(void**) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(a_stop_is_never_passed_by_a_motor),
-      cmocka_unit_test(nor_is_it_by_what_is_thrown),
-      cmocka_unit_test(turns_are_counted_at_any_speed),
-      cmocka_unit_test(a_spring_winds_up_many_turns),
-      cmocka_unit_test(snapshots_hold_turns),
-      cmocka_unit_test(a_body_that_is_put_back_stays_there),
-      cmocka_unit_test(poses_a_little_apart_are_counted),
-      cmocka_unit_test(gears_turn_their_hinges_many_times),
-      cmocka_unit_test(a_cross_turns_both_ways),
+      cmocka_unit_test(a_stop_is_never_passed_by_a_motor),   cmocka_unit_test(nor_is_it_by_what_is_thrown),
+      cmocka_unit_test(turns_are_counted_at_any_speed),      cmocka_unit_test(a_spring_winds_up_many_turns),
+      cmocka_unit_test(a_stiff_drive_keeps_its_arm),         cmocka_unit_test(snapshots_hold_turns),
+      cmocka_unit_test(a_body_that_is_put_back_stays_there), cmocka_unit_test(poses_a_little_apart_are_counted),
+      cmocka_unit_test(gears_turn_their_hinges_many_times),  cmocka_unit_test(a_cross_turns_both_ways),
   };
   return cmocka_run_group_tests_name("oracle/joint_turns", tests, nullptr, nullptr);
 }

@@ -25,6 +25,8 @@
 /* Of all hashes below. If bits change, it changes with those of tests/determinism. */
 static const uint64_t golden = 0xda403976bfe1c3a5u;
 
+static const uint64_t golden_hulls = 0x1ea4a7ab4cc09f65u; /* of the heap of hulls of shapes and tapered capsules */
+
 static carom_error error = CAROM_ERROR_INIT;
 static carom_engine* engine;
 
@@ -138,6 +140,39 @@ static uint64_t hash_of(uint32_t solver, double precision) {
   TRY(carom_world_destroy(world, &error));
   printf("  solver %u, %s: %016llx\n", solver, precision == CAROM_PRECISION_FLOAT ? "contacts in floats" : "doubles",
          (unsigned long long)hash);
+  return hash;
+}
+
+/* A heap of tapered capsules, sweeps, rounded and scaled shapes. After the scene above, whose bits are older. */
+static uint64_t hash_of_hulls(const char* plugins) {
+  static const double tapered[3] = {0.3, 0.15, 0.3}, turn[8] = {0, 0.6, 0, 0.8, 0, 0, 0, 1};
+  static const double apart[6] = {-0.25, 0, 0, 0.25, 0.125, 0}, scale[6] = {1, 0.5, 1, 0.75, -1, 1.25};
+  carom_shape made[5], two[2];
+  carom_world* world;
+  uint64_t hash;
+  int i;
+  if (plugins) {
+    char path[4096];
+    carom_plugin plugin;
+    snprintf(path, sizeof path, "%s/tapered_capsule" ENDING, plugins);
+    TRY(carom_plugin_load(engine, path, &plugin, &error));
+  }
+  TRY(carom_shape_create_named(engine, "tapered_capsule", tapered, 3, &made[0], &error));
+  two[0] = two[1] = shape_of[1]; /* corners alone: a polytope */
+  TRY(carom_shape_create_hull_of(engine, two, 2, apart, turn, NULL, 0, &made[1], &error));
+  two[0] = shape_of[0], two[1] = shape_of[5];
+  TRY(carom_shape_create_hull_of(engine, two, 2, apart, turn, scale, 0, &made[2], &error));
+  two[0] = shape_of[1], two[1] = shape_of[2];
+  TRY(carom_shape_create_hull_of(engine, two, 2, apart, NULL, scale, 0.0625, &made[3], &error));
+  two[0] = made[3], two[1] = made[0];
+  TRY(carom_shape_create_hull_of(engine, two, 2, apart, turn, NULL, 0, &made[4], &error));
+  TRY(carom_world_create(engine, NULL, &world, &error));
+  body_at(world, CAROM_BODY_STATIC, ground[0], 0, 0, 0);
+  for (i = 0; i < 20; ++i)
+    body_at(world, CAROM_BODY_DYNAMIC, made[i % 5], (i % 4) * 1.25 - 2, 1 + 0.75 * (i / 4), (i % 3) * 0.5 - 0.5);
+  for (i = 0; i < 120; ++i) TRY(carom_world_step(world, 1.0 / 60, &error));
+  TRY(carom_world_hash(world, &hash, &error));
+  TRY(carom_world_destroy(world, &error));
   return hash;
 }
 
@@ -258,7 +293,7 @@ static void names(void) {
 
 int main(int argc, char** argv) {
   static const double precisions[] = {CAROM_PRECISION_DOUBLE, CAROM_PRECISION_FLOAT};
-  uint64_t all = 0;
+  uint64_t all = 0, hulls;
   uint32_t solver;
   size_t k;
   const char* plugins = argc > 2 ? argv[1] : NULL;
@@ -266,9 +301,13 @@ int main(int argc, char** argv) {
   make_shapes(plugins);
   for (solver = 0; solver <= CAROM_SOLVER_AUTO; ++solver)
     for (k = 0; k < COUNT(precisions); ++k) all = (all ^ hash_of(solver, precisions[k])) * 0x100000001B3u + solver;
+  hulls = hash_of_hulls(plugins);
   if (plugins) wrong_files(plugins, argv[2]), names();
   printf("every shape, joint and solver: %016llx\n", (unsigned long long)all);
   if (all != golden) fprintf(stderr, "  other platforms have %016llx\n", (unsigned long long)golden), ++wrong;
+  printf("hulls of shapes: %016llx\n", (unsigned long long)hulls);
+  if (hulls != golden_hulls)
+    fprintf(stderr, "  other platforms have %016llx\n", (unsigned long long)golden_hulls), ++wrong;
   TRY(carom_engine_destroy(engine, &error));
   return wrong != 0;
 }

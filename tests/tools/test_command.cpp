@@ -47,7 +47,7 @@ static void errors_exit_nonzero_and_say_what_to_do(void**) {
       {"run falling --n 4 --gltf motion.obj", ".gltf or .glb"},
       {"run falling --n 4 --gltf /no/such/folder/x.glb", "folder"},
       {"run falling --n 4 --csv /no/such/folder/x.csv", "folder"},
-      {"run seesaw --mesh /no/such/mesh.obj", "--mesh"},
+      {"run seesaw --mesh /no/such/mesh.obj", "check the path and its permissions"},
       {"run falling --n 4 --force wnd", "the effects are: gyroscopic, "},
       {"plan sesaw", "did you mean 'seesaw'"},
       {"plan falling --n 4 --forbid gravty", "did you mean 'gravity'"},

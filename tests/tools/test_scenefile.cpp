@@ -219,6 +219,80 @@ static void pulleys_and_gears_travel_too(void**) {
   assert_true(bits_after(stage, 1, 0.01) == bits_after(again, 1, 0.01));
 }
 
+/// Hulls of shapes, one within another, stand in the document as parts; a tapered capsule is the extension's own.
+static void hulls_of_shapes_travel_too(void**) {
+  Engine engine(PluginPath({CAROM_PLUGIN_DIR})), other(PluginPath({CAROM_PLUGIN_DIR}));
+  Stage stage(engine), again(other);
+  const HullPart ball{"sphere", {0.3}, {0, 0.5, 0}, {0, 0, 0, 1}, {1, 1, 1}};
+  const HullPart crate{"box", {0.5, 0.25, 0.4}, {0, -0.25, 0}, {0, 0.6, 0, 0.8}, {1, -0.5, 1}};
+  const std::vector<double> bell = engine.add({{ball, crate}, 0.05});
+  const HullPart whole{"hull_of", bell, {0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}},
+      capsule{"tapered_capsule", {0.2, 0.1, 0.3}, {1, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}};
+  assert_true(engine.add({{ball, crate}, 0.05}) == bell);
+  const std::vector<std::pair<std::string, std::vector<double>>> shapes = {
+      {"hull_of", bell},
+      {"hull_of", engine.add({{whole, capsule}, 0})},
+      {"hull_of", engine.add({{crate, crate}, 0})},
+      {"tapered_capsule", {0.5, 0.2, 0.75}}};
+  Part ground;
+  ground.shape = "half_space", ground.params = {0, 1, 0, 0};
+  Actor floor;
+  floor.name = "floor", floor.kind = "ground", floor.type = CAROM_BODY_STATIC, floor.parts = {ground};
+  stage.add(floor);
+  for (std::size_t i = 0; i < 2 * shapes.size(); ++i) {
+    Part part;
+    part.shape = shapes[i % shapes.size()].first, part.params = shapes[i % shapes.size()].second;
+    Actor actor;
+    actor.name = "body " + std::to_string(i), actor.kind = "body",
+    actor.position = Vec(0.7 * double(i % 3), 1.5 + double(i), 0);
+    actor.parts = {part};
+    stage.add(actor);
+  }
+  const File file(".gltf");
+  write_scene(file.path, stage, 1, 0.01);
+  const json document = json::parse(std::ifstream(file.path));
+  assert_true(document.dump().find("\"parts\"") != std::string::npos);
+  read_scene(file.path, again);
+  assert_true(again.actors[4].parts[0].shape == "tapered_capsule");
+  assert_true(other.hull_of(again.actors[2].parts[0].params).parts[0].shape == "hull_of");
+  assert_true(bits_after(stage, 1, 0.01) == bits_after(again, 1, 0.01));
+}
+
+static void hulls_that_are_none_are_refused(void**) {
+  json nodes = {{{"name", "ball"}, {"extensions", physics({{"collider", json::object()}})}}};
+  nodes[0]["extensions"]["KHR_physics_rigid_bodies"]["collider"]["extensions"]["CAROM_physics"]["shape"] = 0;
+  const auto with = [&](json shapes) {
+    json document = scene(nodes);
+    document["extensions"]["CAROM_physics"]["shapes"] = std::move(shapes);
+    return document;
+  };
+  const json ball = {{"plugin", "sphere"}, {"params", json::array({1})}};
+  const auto hull = [](json part) {
+    json parts = json::array();
+    parts.push_back(std::move(part));
+    return json{{"parts", std::move(parts)}};
+  };
+  const auto list = [](json a, json b) {
+    json both = json::array();
+    both.push_back(std::move(a)), both.push_back(std::move(b));
+    return both;
+  };
+  { Read fine(with(list(hull({{"shape", 1}}), ball))); }
+  const std::pair<json, const char*> wrongs[] = {
+      {list(hull({{"shape", 0}}), ball), "too deep"},  // its own part
+      {list(hull({{"shape", 2}}), ball), "there are 2 shapes"},
+      {list(hull({{"shape", 1}, {"scale", {1, 0, 1}}}), ball), "scale"},
+      {list(hull({{"shape", 1}}), {{"plugin", "half_space"}, {"params", {0, 1, 0, 0}}}), "half_space"},
+      {list({{"parts", json::array()}}, ball), "/parts is empty"},
+      {list({{"plugin", "hull_of"}, {"params", json::array({0})}}, ball), "no name of a plugin"}};
+  for (const auto& [shapes, says] : wrongs) try {
+      Read r(with(shapes));
+      wrong_with("%s was read", shapes.dump().c_str());
+    } catch (const Error& e) {
+      if (!std::strstr(e.what(), says) || e.remedy.empty()) wrong_with("not '%s': '%s'", says, e.what());
+    }
+}
+
 static void a_scene_can_be_written_in_mid_run(void**) {
   Engine engine(PluginPath({CAROM_PLUGIN_DIR}));
   Stage stage(engine), again(engine);
@@ -612,6 +686,8 @@ int main(void) {
       cmocka_unit_test(scenes_that_are_written_and_read_step_the_same_bits),
       cmocka_unit_test(dials_and_effects_travel_too),
       cmocka_unit_test(every_attribute_of_a_body_travels_too),
+      cmocka_unit_test(hulls_of_shapes_travel_too),
+      cmocka_unit_test(hulls_that_are_none_are_refused),
       cmocka_unit_test(a_scene_can_be_written_in_mid_run),
       cmocka_unit_test(motion_is_read_as_the_extension_says),
       cmocka_unit_test(colliders_are_where_and_what_their_nodes_say),

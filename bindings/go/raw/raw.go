@@ -169,6 +169,60 @@ const CAROM_ISLAND_JOINTS_ALONE = uint32(4)
 // more substeps do not lessen its error, which is over the tolerance: contacts, mostly
 const CAROM_ISLAND_STALLED = uint32(8)
 
+// bodies: one CAROM_FIELD_*
+const CAROM_COLUMN_BODIES = uint32(0)
+
+// joints: one CAROM_JOINT_BULK_*
+const CAROM_COLUMN_JOINTS = uint32(1)
+
+// dynamic bodies: 1, kg; writing scales the inertia alike, the centre stays
+const CAROM_COLUMN_MASSES = uint32(2)
+
+// materials: 2, friction and restitution
+const CAROM_COLUMN_MATERIALS = uint32(3)
+
+// the world, n is 1: 3, m/s^2
+const CAROM_COLUMN_GRAVITY = uint32(4)
+
+// the world, n is 1: 1, s, simulated; read only
+const CAROM_COLUMN_TIME = uint32(5)
+
+// bodies: 3, N, world: normal forces on it, mean of the last step; read only
+const CAROM_COLUMN_CONTACT_FORCES = uint32(6)
+
+// bodies or the world: 1, how far along a ray something is met first, in parts of `direction`, `max` where nothing is; read only
+const CAROM_COLUMN_RAYS = uint32(7)
+
+const CAROM_COLUMN_COUNT = uint32(8)
+
+// by carom_batch_read() and carom_batch_write()
+const CAROM_WHEN_ON_CALL = uint32(0)
+
+// written before each step, too
+const CAROM_WHEN_BEFORE_STEP = uint32(1)
+
+// read after each step, too, and after calls that change worlds
+const CAROM_WHEN_AFTER_STEP = uint32(2)
+
+const CAROM_WHEN_COUNT = uint32(3)
+
+// it steps
+const CAROM_STOPPED_NO = uint32(0)
+
+// a step had faults: carom_batch_get_faults()
+const CAROM_STOPPED_FAULT = uint32(1)
+
+// there was no memory for a step: it is as before that
+const CAROM_STOPPED_MEMORY = uint32(2)
+
+// in [0, 1)
+const CAROM_RANDOM_UNIFORM = uint32(0)
+
+// mean 0, deviation 1
+const CAROM_RANDOM_NORMAL = uint32(1)
+
+const CAROM_RANDOM_COUNT = uint32(2)
+
 // root of a b
 const CAROM_MIX_GEOMETRIC_MEAN = uint32(0)
 
@@ -1226,6 +1280,8 @@ type ForceField uint64
 // a set of them
 type Spring uint64
 
+type Batch struct{ _ C.char }
+
 type Engine struct{ _ C.char }
 
 type World struct{ _ C.char }
@@ -1351,6 +1407,83 @@ var _ = [1]struct{}{}[unsafe.Sizeof(Growth{})-C.sizeof_carom_growth] // as large
 // NewGrowth has its size set.
 func NewGrowth() Growth {
 	return Growth{StructSize: uint32(unsafe.Sizeof(Growth{}))}
+}
+
+// What stands in an array of the host's, and when. Fill with carom_batch_column_init(). A row has n records one after
+// the other, each of as many numbers as the source says; rows are those of the worlds of one structure, in order.
+type BatchColumn struct {
+	StructSize uint32
+
+	// CAROM_COLUMN_BODIES or what follows it
+	Source uint32
+
+	// of BODIES CAROM_FIELD_*, of JOINTS CAROM_JOINT_BULK_*, else 0
+	Field uint32
+
+	// CAROM_WHEN_ON_CALL, BEFORE_STEP, AFTER_STEP; default ON_CALL
+	When uint32
+
+	// CAROM_SCALAR_*, default F64
+	Scalar uint32
+
+	// 0
+	Reserved uint32
+
+	// one of the structure: the first that carom_batch_add_worlds() gave, or any other
+	World uint64
+
+	// how many things, 1 or more; 1 of GRAVITY and TIME
+	N uint64
+
+	// [n] of the things; of RAYS bodies that the rays go with, or 0; NULL of GRAVITY and TIME
+	Handles *uint64
+
+	// [7 n] of RAYS: origin, m, direction, m, and max, in [0, 1e9], in the body's frame or the world's; the body itself is passed over. NULL of others
+	Rays *float64
+
+	// the first row; belongs to the host, and stays until the batch is destroyed
+	Data unsafe.Pointer
+
+	// bytes from one row to the next; 0: tightly packed
+	Stride uint64
+}
+
+var _ = [1]struct{}{}[unsafe.Sizeof(BatchColumn{})-C.sizeof_carom_batch_column] // as large as in C
+
+// NewBatchColumn has the library's defaults.
+func NewBatchColumn() (it BatchColumn) {
+	BatchColumnInit(&it, uint32(unsafe.Sizeof(BatchColumn{})))
+	return
+}
+
+// What a batch has, and what it costs.
+type BatchInfo struct {
+	StructSize uint32
+
+	// kinds of worlds
+	Structures uint32
+
+	// in all
+	Worlds uint64
+
+	// of them
+	Stopped uint64
+
+	// that were added
+	Columns uint64
+
+	// as many as threads were at work at once, at most, times structures
+	RealWorlds uint64
+
+	// of all states: divided by worlds, what one more world takes
+	StateBytes uint64
+}
+
+var _ = [1]struct{}{}[unsafe.Sizeof(BatchInfo{})-C.sizeof_carom_batch_info] // as large as in C
+
+// NewBatchInfo has its size set.
+func NewBatchInfo() BatchInfo {
+	return BatchInfo{StructSize: uint32(unsafe.Sizeof(BatchInfo{}))}
 }
 
 // Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides.
@@ -4073,6 +4206,136 @@ func WorldMeasureGrowth(world *World, dt float64, steps uint32, growth *Growth, 
 }
 
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE
+func BatchColumnInit(column *BatchColumn, struct_size uint32) int32 {
+	return int32(C.carom_batch_column_init((*C.carom_batch_column)(unsafe.Pointer(column)), C.uint32_t(struct_size)))
+}
+
+// Make a batch without worlds.
+// @param batch out: to be destroyed before the engine   @owns the caller: carom_batch_destroy()
+// @status OK; NULL_ARGUMENT; OUT_OF_MEMORY   @thread engine
+func BatchCreate(engine *Engine, batch **Batch, error_ *Error) int32 {
+	return int32(C.carom_batch_create((*C.carom_engine)(unsafe.Pointer(engine)), (**C.carom_batch)(unsafe.Pointer(batch)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @status OK; NULL_ARGUMENT; BUSY; REENTRANT
+func BatchDestroy(batch *Batch, error_ *Error) int32 {
+	return int32(C.carom_batch_destroy((*C.carom_batch)(unsafe.Pointer(batch)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Add n worlds that are as this one is now. The world itself is read, stays as it is, and may be destroyed. A ledger, a
+// recording and a budget of time are not copied.
+// @param batch of the same engine   @param n 1 to 2^24 in all   @param first out: the number of the first of them
+// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); WRONG_WORLD (of another engine); LIMIT (256 structures in all); BUSY;
+// REENTRANT; OUT_OF_MEMORY
+func BatchAddWorlds(batch *Batch, world *World, n uint64, first *uint64, error_ *Error) int32 {
+	return int32(C.carom_batch_add_worlds((*C.carom_batch)(unsafe.Pointer(batch)), (*C.carom_world)(unsafe.Pointer(world)), C.uint64_t(n), (*C.uint64_t)(unsafe.Pointer(first)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Say where numbers of worlds stand.
+// @param column out: its number, from 0 on; may be NULL
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; OUT_OF_RANGE (world, n, a ray); NOT_FINITE; *_HANDLE;
+// UNSUPPORTED (a joint or body that has no such field; read only: not BEFORE_STEP, nor fields that move
+// joints); BUFFER_TOO_SMALL (stride); LIMIT (4,096 columns); BUSY; REENTRANT; OUT_OF_MEMORY
+func BatchAddColumn(batch *Batch, desc *BatchColumn, column *uint32, error_ *Error) int32 {
+	return int32(C.carom_batch_add_column((*C.carom_batch)(unsafe.Pointer(batch)), (*C.carom_batch_column)(unsafe.Pointer(desc)), (*C.uint32_t)(unsafe.Pointer(column)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Advance worlds, each by steps of dt. First, all that columns BEFORE_STEP have for them is checked: where something is
+// refused no world has moved. A world that is stopped stays as it is, and so do its rows.
+// @param mask     [worlds] or NULL: all
+// @param dt       s, in [1e-9, 1]
+// @param steps    1 to 1e6, with the same numbers before each
+// @param stopped  out: how many worlds are stopped now, in all; may be NULL
+// @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED; BUSY; REENTRANT; OUT_OF_MEMORY; INTERNAL (a
+// callback left its thread: some worlds were stepped)
+func BatchStep(batch *Batch, mask *uint8, dt float64, steps uint32, stopped *uint64, error_ *Error) int32 {
+	return int32(C.carom_batch_step((*C.carom_batch)(unsafe.Pointer(batch)), (*C.uint8_t)(unsafe.Pointer(mask)), C.double(dt), C.uint32_t(steps), (*C.uint64_t)(unsafe.Pointer(stopped)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Read columns, of worlds as they are now. Contact forces are those of a step: 0 here.
+// @param columns [count]   @param mask [worlds] or NULL: all
+// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (a column); BUSY; REENTRANT; OUT_OF_MEMORY
+func BatchRead(batch *Batch, columns *uint32, count uint64, mask *uint8, error_ *Error) int32 {
+	return int32(C.carom_batch_read((*C.carom_batch)(unsafe.Pointer(batch)), (*C.uint32_t)(unsafe.Pointer(columns)), C.uint64_t(count), (*C.uint8_t)(unsafe.Pointer(mask)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Write columns, one after the other: poses, speeds, gains, friction, masses. All worlds or none are changed.
+// @param columns [count]   @param mask [worlds] or NULL: all
+// @status OK; NULL_ARGUMENT; OUT_OF_RANGE; NOT_FINITE; NOT_UNIT; UNSUPPORTED (read only, or joints that can't be moved);
+// BUSY; REENTRANT; OUT_OF_MEMORY
+func BatchWrite(batch *Batch, columns *uint32, count uint64, mask *uint8, error_ *Error) int32 {
+	return int32(C.carom_batch_write((*C.carom_batch)(unsafe.Pointer(batch)), (*C.uint32_t)(unsafe.Pointer(columns)), C.uint64_t(count), (*C.uint8_t)(unsafe.Pointer(mask)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Add a state that worlds of a structure may be reset to.
+// @param world  one of the structure   @param bytes [size] as carom_world_restore() takes them   @param size of bytes
+// @param start  out: its number among those of the structure, from 1 on; 0 is the state that its worlds were made with
+// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (world); CORRUPT; UNSUPPORTED; MISMATCH; BUSY; REENTRANT; OUT_OF_MEMORY
+func BatchAddStart(batch *Batch, world uint64, bytes unsafe.Pointer, size uint64, start *uint32, error_ *Error) int32 {
+	return int32(C.carom_batch_add_start((*C.carom_batch)(unsafe.Pointer(batch)), C.uint64_t(world), bytes, C.uint64_t(size), (*C.uint32_t)(unsafe.Pointer(start)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Put worlds back to where they began. Masses that were written stay; what else was written is as in the start.
+// A world that is stopped runs again.
+// @param mask   [worlds] or NULL: all   @param starts [worlds] numbers of starts, or NULL: 0
+// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (a start); BUSY; REENTRANT; OUT_OF_MEMORY
+func BatchReset(batch *Batch, mask *uint8, starts *uint32, error_ *Error) int32 {
+	return int32(C.carom_batch_reset((*C.carom_batch)(unsafe.Pointer(batch)), (*C.uint8_t)(unsafe.Pointer(mask)), (*C.uint32_t)(unsafe.Pointer(starts)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Write a snapshot of one world, as carom_world_save() with CAROM_SNAPSHOT_STATE: it goes into the world that was
+// copied (unless masses differ), or back by carom_batch_add_start(). Arguments as there.
+// @param world    its number
+// @param buffer   [capacity] bytes, or NULL to get the size alone
+// @param capacity bytes; 0 if buffer is NULL
+// @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
+// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (world); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY
+func BatchSave(batch *Batch, world uint64, buffer unsafe.Pointer, capacity uint64, needed *uint64, error_ *Error) int32 {
+	return int32(C.carom_batch_save((*C.carom_batch)(unsafe.Pointer(batch)), C.uint64_t(world), buffer, C.uint64_t(capacity), (*C.uint64_t)(unsafe.Pointer(needed)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// The hash of each world, as carom_world_hash().
+// @param hashes out, [worlds]   @param n how many worlds there are
+// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY; REENTRANT; OUT_OF_MEMORY
+func BatchGetHashes(batch *Batch, hashes *uint64, n uint64, error_ *Error) int32 {
+	return int32(C.carom_batch_get_hashes((*C.carom_batch)(unsafe.Pointer(batch)), (*C.uint64_t)(unsafe.Pointer(hashes)), C.uint64_t(n), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Which worlds are stopped, and why.
+// @param stopped out, [worlds] CAROM_STOPPED_*   @param n how many worlds there are
+// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY
+func BatchGetStopped(batch *Batch, stopped *uint32, n uint64, error_ *Error) int32 {
+	return int32(C.carom_batch_get_stopped((*C.carom_batch)(unsafe.Pointer(batch)), (*C.uint32_t)(unsafe.Pointer(stopped)), C.uint64_t(n), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// The faults of the step that stopped a world; none where it is not stopped.
+// @param world    its number
+// @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+// @param stride   sizeof(carom_fault) as the caller knows it
+// @param count    out: how many there are (may exceed capacity; capacity are written)
+// @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (world, stride); BUSY
+func BatchGetFaults(batch *Batch, world uint64, dst *Fault, stride uint64, capacity uint64, count *uint64, error_ *Error) int32 {
+	return int32(C.carom_batch_get_faults((*C.carom_batch)(unsafe.Pointer(batch)), C.uint64_t(world), (*C.carom_fault)(unsafe.Pointer(dst)), C.uint64_t(stride), C.uint64_t(capacity), (*C.uint64_t)(unsafe.Pointer(count)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
+func BatchGetInfo(batch *Batch, info *BatchInfo, error_ *Error) int32 {
+	return int32(C.carom_batch_get_info((*C.carom_batch)(unsafe.Pointer(batch)), (*C.carom_batch_info)(unsafe.Pointer(info)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Random numbers that follow from a key alone: n rows, each from its own key. So they do not depend on how many worlds
+// there are, in which order or on which thread, or machine, they are drawn. Philox4x32-10; the normal ones by Box and
+// Muller. A row that is longer begins as a shorter one of its key.
+// @param kind  CAROM_RANDOM_*
+// @param keys  [3 n]: of each row a seed, the number of a world, a step
+// @param width numbers in a row
+// @param dst   out, [n width]
+// @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; OUT_OF_RANGE (n, width)   @thread any
+func RandomFill(kind uint32, keys *uint64, n uint64, width uint64, dst *float64, error_ *Error) int32 {
+	return int32(C.carom_random_fill(C.uint32_t(kind), (*C.uint64_t)(unsafe.Pointer(keys)), C.uint64_t(n), C.uint64_t(width), (*C.double)(unsafe.Pointer(dst)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE
 func MaterialDescInit(desc *MaterialDesc, struct_size uint32) int32 {
 	return int32(C.carom_material_desc_init((*C.carom_material_desc)(unsafe.Pointer(desc)), C.uint32_t(struct_size)))
 }
@@ -4624,7 +4887,7 @@ func EngineCreate(desc *EngineDesc, engine **Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_create((*C.carom_engine_desc)(unsafe.Pointer(desc)), (**C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+// Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
 // REENTRANT   @thread writer: no other call may use the engine
 func EngineDestroy(engine *Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_destroy((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
@@ -4639,7 +4902,7 @@ func JobsDescInit(desc *JobsDesc, struct_size uint32) int32 {
 // functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
 // on the stepping one.
 // @param desc may be NULL: the stepping thread alone
-// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
 // no more threads); OUT_OF_MEMORY; REENTRANT
 func EngineSetJobs(engine *Engine, desc *JobsDesc, error_ *Error) int32 {
 	return int32(C.carom_engine_set_jobs((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_jobs_desc)(unsafe.Pointer(desc)), (*C.carom_error)(unsafe.Pointer(error_))))
@@ -5387,7 +5650,44 @@ func ShapeCreateHalfSpace(engine *Engine, normal *float64, offset float64, shape
 	return int32(C.carom_shape_create_half_space((*C.carom_engine)(unsafe.Pointer(engine)), (*C.double)(unsafe.Pointer(normal)), C.double(offset), (*C.carom_shape)(unsafe.Pointer(shape)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT
+// Make the convex hull of shapes that the engine has, each placed and scaled, and all of it rounded by a radius. The
+// same call makes
+// - the sweep of a shape along a straight line, without turning: the shape at both ends. Where it turns as well, the hull
+//
+//	of both ends leaves out what bulges between them: add poses in between;
+//
+// - a scaled shape: one part with a scale. A negative scale mirrors it;
+// - a rounded shape: one part and a radius, by which it grows on all sides.
+// Where all parts have corners only and the radius is 0, the hull is a polytope with exact mass and faces, and its
+// corners are its parameters. Else its parameters are none and its mass is derived. A part cannot be destroyed before
+// the hull.
+// @param parts         [count] handles of convex shapes, the same one as often as wanted
+// @param count         1 to 4096
+// @param positions     [3 * count] m, frame of the hull; NULL: 0
+// @param orientations  [4 * count] x, y, z, w, unit within 1e-6, part to hull; NULL: identity
+// @param scales        [3 * count] along the axes of the part, of a size of 1e-6 to 1e6; NULL: 1
+// @param radius        m, 0 or more
+// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (a part is a half-space or scenery);
+// PLUGIN_INVALID; LIMIT (hulls of hulls more than 8 deep, or of more than 4096 parts in all); OUT_OF_MEMORY
+// @since 0.9
+func ShapeCreateHullOf(engine *Engine, parts *Shape, count uint64, positions *float64, orientations *float64, scales *float64, radius float64, shape *Shape, error_ *Error) int32 {
+	return int32(C.carom_shape_create_hull_of((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_shape)(unsafe.Pointer(parts)), C.uint64_t(count), (*C.double)(unsafe.Pointer(positions)), (*C.double)(unsafe.Pointer(orientations)), (*C.double)(unsafe.Pointer(scales)), C.double(radius), (*C.carom_shape)(unsafe.Pointer(shape)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// What a hull of shapes is made of, as it was given. Of any other shape: no parts, radius 0.
+// @param parts         [*count] or NULL: only count and radius are written
+// @param positions     [3 * *count] m, or NULL   @param orientations [4 * *count] x, y, z, w, or NULL
+// @param scales        [3 * *count] or NULL
+// @param count         in: capacity in parts; out: number of parts
+// @param radius        m, or NULL
+// @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)
+// @since 0.9
+func ShapeGetParts(engine *Engine, shape Shape, parts *Shape, positions *float64, orientations *float64, scales *float64, count *uint64, radius *float64, error_ *Error) int32 {
+	return int32(C.carom_shape_get_parts((*C.carom_engine)(unsafe.Pointer(engine)), C.carom_shape(shape), (*C.carom_shape)(unsafe.Pointer(parts)), (*C.double)(unsafe.Pointer(positions)), (*C.double)(unsafe.Pointer(orientations)), (*C.double)(unsafe.Pointer(scales)), (*C.uint64_t)(unsafe.Pointer(count)), (*C.double)(unsafe.Pointer(radius)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, a hull of shapes, or a query on another thread, refers to
+// it); REENTRANT
 func ShapeDestroy(engine *Engine, shape Shape, error_ *Error) int32 {
 	return int32(C.carom_shape_destroy((*C.carom_engine)(unsafe.Pointer(engine)), C.carom_shape(shape), (*C.carom_error)(unsafe.Pointer(error_))))
 }
@@ -5749,6 +6049,27 @@ var Layout = []Row{
 	{"carom_growth.reserved", unsafe.Offsetof(Growth{}.Reserved), unsafe.Sizeof(Growth{}.Reserved), "u32"},
 	{"carom_growth.factor", unsafe.Offsetof(Growth{}.Factor), unsafe.Sizeof(Growth{}.Factor), "f64"},
 	{"carom_growth.rate", unsafe.Offsetof(Growth{}.Rate), unsafe.Sizeof(Growth{}.Rate), "f64"},
+	{"carom_batch_column", 0, unsafe.Sizeof(BatchColumn{}), "struct"},
+	{"carom_batch_column.struct_size", unsafe.Offsetof(BatchColumn{}.StructSize), unsafe.Sizeof(BatchColumn{}.StructSize), "u32"},
+	{"carom_batch_column.source", unsafe.Offsetof(BatchColumn{}.Source), unsafe.Sizeof(BatchColumn{}.Source), "u32"},
+	{"carom_batch_column.field", unsafe.Offsetof(BatchColumn{}.Field), unsafe.Sizeof(BatchColumn{}.Field), "u32"},
+	{"carom_batch_column.when", unsafe.Offsetof(BatchColumn{}.When), unsafe.Sizeof(BatchColumn{}.When), "u32"},
+	{"carom_batch_column.scalar", unsafe.Offsetof(BatchColumn{}.Scalar), unsafe.Sizeof(BatchColumn{}.Scalar), "u32"},
+	{"carom_batch_column.reserved", unsafe.Offsetof(BatchColumn{}.Reserved), unsafe.Sizeof(BatchColumn{}.Reserved), "u32"},
+	{"carom_batch_column.world", unsafe.Offsetof(BatchColumn{}.World), unsafe.Sizeof(BatchColumn{}.World), "u64"},
+	{"carom_batch_column.n", unsafe.Offsetof(BatchColumn{}.N), unsafe.Sizeof(BatchColumn{}.N), "u64"},
+	{"carom_batch_column.handles", unsafe.Offsetof(BatchColumn{}.Handles), unsafe.Sizeof(BatchColumn{}.Handles), "ptr"},
+	{"carom_batch_column.rays", unsafe.Offsetof(BatchColumn{}.Rays), unsafe.Sizeof(BatchColumn{}.Rays), "ptr"},
+	{"carom_batch_column.data", unsafe.Offsetof(BatchColumn{}.Data), unsafe.Sizeof(BatchColumn{}.Data), "ptr"},
+	{"carom_batch_column.stride", unsafe.Offsetof(BatchColumn{}.Stride), unsafe.Sizeof(BatchColumn{}.Stride), "u64"},
+	{"carom_batch_info", 0, unsafe.Sizeof(BatchInfo{}), "struct"},
+	{"carom_batch_info.struct_size", unsafe.Offsetof(BatchInfo{}.StructSize), unsafe.Sizeof(BatchInfo{}.StructSize), "u32"},
+	{"carom_batch_info.structures", unsafe.Offsetof(BatchInfo{}.Structures), unsafe.Sizeof(BatchInfo{}.Structures), "u32"},
+	{"carom_batch_info.worlds", unsafe.Offsetof(BatchInfo{}.Worlds), unsafe.Sizeof(BatchInfo{}.Worlds), "u64"},
+	{"carom_batch_info.stopped", unsafe.Offsetof(BatchInfo{}.Stopped), unsafe.Sizeof(BatchInfo{}.Stopped), "u64"},
+	{"carom_batch_info.columns", unsafe.Offsetof(BatchInfo{}.Columns), unsafe.Sizeof(BatchInfo{}.Columns), "u64"},
+	{"carom_batch_info.real_worlds", unsafe.Offsetof(BatchInfo{}.RealWorlds), unsafe.Sizeof(BatchInfo{}.RealWorlds), "u64"},
+	{"carom_batch_info.state_bytes", unsafe.Offsetof(BatchInfo{}.StateBytes), unsafe.Sizeof(BatchInfo{}.StateBytes), "u64"},
 	{"carom_material_desc", 0, unsafe.Sizeof(MaterialDesc{}), "struct"},
 	{"carom_material_desc.struct_size", unsafe.Offsetof(MaterialDesc{}.StructSize), unsafe.Sizeof(MaterialDesc{}.StructSize), "u32"},
 	{"carom_material_desc.friction_mix", unsafe.Offsetof(MaterialDesc{}.FrictionMix), unsafe.Sizeof(MaterialDesc{}.FrictionMix), "u32"},

@@ -94,6 +94,41 @@ public final class Raw {
     public static final int CAROM_ISLAND_JOINTS_ALONE = 4;
     /** more substeps do not lessen its error, which is over the tolerance: contacts, mostly */
     public static final int CAROM_ISLAND_STALLED = 8;
+    /** bodies: one CAROM_FIELD_* */
+    public static final int CAROM_COLUMN_BODIES = 0;
+    /** joints: one CAROM_JOINT_BULK_* */
+    public static final int CAROM_COLUMN_JOINTS = 1;
+    /** dynamic bodies: 1, kg; writing scales the inertia alike, the centre stays */
+    public static final int CAROM_COLUMN_MASSES = 2;
+    /** materials: 2, friction and restitution */
+    public static final int CAROM_COLUMN_MATERIALS = 3;
+    /** the world, n is 1: 3, m/s^2 */
+    public static final int CAROM_COLUMN_GRAVITY = 4;
+    /** the world, n is 1: 1, s, simulated; read only */
+    public static final int CAROM_COLUMN_TIME = 5;
+    /** bodies: 3, N, world: normal forces on it, mean of the last step; read only */
+    public static final int CAROM_COLUMN_CONTACT_FORCES = 6;
+    /** bodies or the world: 1, how far along a ray something is met first, in parts of `direction`, `max` where nothing is; read only */
+    public static final int CAROM_COLUMN_RAYS = 7;
+    public static final int CAROM_COLUMN_COUNT = 8;
+    /** by carom_batch_read() and carom_batch_write() */
+    public static final int CAROM_WHEN_ON_CALL = 0;
+    /** written before each step, too */
+    public static final int CAROM_WHEN_BEFORE_STEP = 1;
+    /** read after each step, too, and after calls that change worlds */
+    public static final int CAROM_WHEN_AFTER_STEP = 2;
+    public static final int CAROM_WHEN_COUNT = 3;
+    /** it steps */
+    public static final int CAROM_STOPPED_NO = 0;
+    /** a step had faults: carom_batch_get_faults() */
+    public static final int CAROM_STOPPED_FAULT = 1;
+    /** there was no memory for a step: it is as before that */
+    public static final int CAROM_STOPPED_MEMORY = 2;
+    /** in [0, 1) */
+    public static final int CAROM_RANDOM_UNIFORM = 0;
+    /** mean 0, deviation 1 */
+    public static final int CAROM_RANDOM_NORMAL = 1;
+    public static final int CAROM_RANDOM_COUNT = 2;
     /** root of a b */
     public static final int CAROM_MIX_GEOMETRIC_MEAN = 0;
     /** the larger */
@@ -911,6 +946,71 @@ public final class Raw {
         /** 1/s: ln(factor) over the time; below 0 where errors die out */
         public double rate() { return segment.get(JAVA_DOUBLE, 32); }
         public Growth rate(double it) { segment.set(JAVA_DOUBLE, 32, it); return this; }
+    }
+
+    /** What stands in an array of the host's, and when. Fill with carom_batch_column_init(). A row has n records one after
+     *  the other, each of as many numbers as the source says; rows are those of the worlds of one structure, in order. */
+    public static final class BatchColumn {
+        public static final int SIZE = 72;
+        public final MemorySegment segment;
+        public BatchColumn(Arena arena) { segment = arena.allocate(SIZE, 8); carom_batch_column_init(segment, SIZE); }
+        public BatchColumn(MemorySegment at) { segment = at; }
+        /** CAROM_COLUMN_BODIES or what follows it */
+        public int source() { return segment.get(JAVA_INT, 4); }
+        public BatchColumn source(int it) { segment.set(JAVA_INT, 4, it); return this; }
+        /** of BODIES CAROM_FIELD_*, of JOINTS CAROM_JOINT_BULK_*, else 0 */
+        public int field() { return segment.get(JAVA_INT, 8); }
+        public BatchColumn field(int it) { segment.set(JAVA_INT, 8, it); return this; }
+        /** CAROM_WHEN_ON_CALL, BEFORE_STEP, AFTER_STEP; default ON_CALL */
+        public int when() { return segment.get(JAVA_INT, 12); }
+        public BatchColumn when(int it) { segment.set(JAVA_INT, 12, it); return this; }
+        /** CAROM_SCALAR_*, default F64 */
+        public int scalar() { return segment.get(JAVA_INT, 16); }
+        public BatchColumn scalar(int it) { segment.set(JAVA_INT, 16, it); return this; }
+        /** one of the structure: the first that carom_batch_add_worlds() gave, or any other */
+        public long world() { return segment.get(JAVA_LONG, 24); }
+        public BatchColumn world(long it) { segment.set(JAVA_LONG, 24, it); return this; }
+        /** how many things, 1 or more; 1 of GRAVITY and TIME */
+        public long n() { return segment.get(JAVA_LONG, 32); }
+        public BatchColumn n(long it) { segment.set(JAVA_LONG, 32, it); return this; }
+        /** [n] of the things; of RAYS bodies that the rays go with, or 0; NULL of GRAVITY and TIME */
+        public MemorySegment handles() { return segment.get(ADDRESS, 40); }
+        public BatchColumn handles(MemorySegment it) { segment.set(ADDRESS, 40, it); return this; }
+        /** [7 n] of RAYS: origin, m, direction, m, and max, in [0, 1e9], in the body's frame or the world's; the body itself is passed over. NULL of others */
+        public MemorySegment rays() { return segment.get(ADDRESS, 48); }
+        public BatchColumn rays(MemorySegment it) { segment.set(ADDRESS, 48, it); return this; }
+        /** the first row; belongs to the host, and stays until the batch is destroyed */
+        public MemorySegment data() { return segment.get(ADDRESS, 56); }
+        public BatchColumn data(MemorySegment it) { segment.set(ADDRESS, 56, it); return this; }
+        /** bytes from one row to the next; 0: tightly packed */
+        public long stride() { return segment.get(JAVA_LONG, 64); }
+        public BatchColumn stride(long it) { segment.set(JAVA_LONG, 64, it); return this; }
+    }
+
+    /** What a batch has, and what it costs. */
+    public static final class BatchInfo {
+        public static final int SIZE = 48;
+        public final MemorySegment segment;
+        public BatchInfo(Arena arena) { segment = arena.allocate(SIZE, 8); segment.set(JAVA_INT, 0, SIZE); }
+        public BatchInfo(MemorySegment at) { segment = at; }
+        /** kinds of worlds */
+        public int structures() { return segment.get(JAVA_INT, 4); }
+        public BatchInfo structures(int it) { segment.set(JAVA_INT, 4, it); return this; }
+        /** in all */
+        public long worlds() { return segment.get(JAVA_LONG, 8); }
+        public BatchInfo worlds(long it) { segment.set(JAVA_LONG, 8, it); return this; }
+        /** of them */
+        public long stopped() { return segment.get(JAVA_LONG, 16); }
+        public BatchInfo stopped(long it) { segment.set(JAVA_LONG, 16, it); return this; }
+        /** that were added */
+        public long columns() { return segment.get(JAVA_LONG, 24); }
+        public BatchInfo columns(long it) { segment.set(JAVA_LONG, 24, it); return this; }
+        /** as many as threads were at work at once, at most, times structures */
+        public long realWorlds() { return segment.get(JAVA_LONG, 32); }
+        public BatchInfo realWorlds(long it) { segment.set(JAVA_LONG, 32, it); return this; }
+        /** of all states: divided by worlds, what one more world takes */
+        public long stateBytes() { return segment.get(JAVA_LONG, 40); }
+        public BatchInfo stateBytes(long it) { segment.set(JAVA_LONG, 40, it); return this; }
     }
 
     /** Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides. */
@@ -3387,6 +3487,184 @@ public final class Raw {
         try { return (int) carom_world_measure_growth_.CALL.invokeExact(world, dt, steps, growth, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
+    private static final class carom_batch_column_init_ {
+        static final MethodHandle CALL = Library.call("carom_batch_column_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
+    }
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE */
+    public static int carom_batch_column_init(MemorySegment column, int structSize) {
+        try { return (int) carom_batch_column_init_.CALL.invokeExact(column, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_create_ {
+        static final MethodHandle CALL = Library.call("carom_batch_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
+    }
+    /** Make a batch without worlds.
+     *  param: batch out: to be destroyed before the engine   owns: the caller: carom_batch_destroy()
+     *  status: OK; NULL_ARGUMENT; OUT_OF_MEMORY   thread: engine */
+    public static int carom_batch_create(MemorySegment engine, MemorySegment batch, MemorySegment error) {
+        try { return (int) carom_batch_create_.CALL.invokeExact(engine, batch, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_destroy_ {
+        static final MethodHandle CALL = Library.call("carom_batch_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
+    }
+    /** status: OK; NULL_ARGUMENT; BUSY; REENTRANT */
+    public static int carom_batch_destroy(MemorySegment batch, MemorySegment error) {
+        try { return (int) carom_batch_destroy_.CALL.invokeExact(batch, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_add_worlds_ {
+        static final MethodHandle CALL = Library.call("carom_batch_add_worlds", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Add n worlds that are as this one is now. The world itself is read, stays as it is, and may be destroyed. A ledger, a
+     *  recording and a budget of time are not copied.
+     *  param: batch of the same engine   param: n 1 to 2^24 in all   param: first out: the number of the first of them
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE (n); WRONG_WORLD (of another engine); LIMIT (256 structures in all); BUSY;
+     *          REENTRANT; OUT_OF_MEMORY */
+    public static int carom_batch_add_worlds(MemorySegment batch, MemorySegment world, long n, MemorySegment first, MemorySegment error) {
+        try { return (int) carom_batch_add_worlds_.CALL.invokeExact(batch, world, n, first, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_add_column_ {
+        static final MethodHandle CALL = Library.call("carom_batch_add_column", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
+    }
+    /** Say where numbers of worlds stand.
+     *  param: column out: its number, from 0 on; may be NULL
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; OUT_OF_RANGE (world, n, a ray); NOT_FINITE; *_HANDLE;
+     *          UNSUPPORTED (a joint or body that has no such field; read only: not BEFORE_STEP, nor fields that move
+     *          joints); BUFFER_TOO_SMALL (stride); LIMIT (4,096 columns); BUSY; REENTRANT; OUT_OF_MEMORY */
+    public static int carom_batch_add_column(MemorySegment batch, MemorySegment desc, MemorySegment column, MemorySegment error) {
+        try { return (int) carom_batch_add_column_.CALL.invokeExact(batch, desc, column, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_step_ {
+        static final MethodHandle CALL = Library.call("carom_batch_step", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_DOUBLE, JAVA_INT, ADDRESS, ADDRESS));
+    }
+    /** Advance worlds, each by steps of dt. First, all that columns BEFORE_STEP have for them is checked: where something is
+     *  refused no world has moved. A world that is stopped stays as it is, and so do its rows.
+     *  param: mask     [worlds] or NULL: all
+     *  param: dt       s, in [1e-9, 1]
+     *  param: steps    1 to 1e6, with the same numbers before each
+     *  param: stopped  out: how many worlds are stopped now, in all; may be NULL
+     *  status: OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED; BUSY; REENTRANT; OUT_OF_MEMORY; INTERNAL (a
+     *          callback left its thread: some worlds were stepped) */
+    public static int carom_batch_step(MemorySegment batch, MemorySegment mask, double dt, int steps, MemorySegment stopped, MemorySegment error) {
+        try { return (int) carom_batch_step_.CALL.invokeExact(batch, mask, dt, steps, stopped, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_read_ {
+        static final MethodHandle CALL = Library.call("carom_batch_read", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Read columns, of worlds as they are now. Contact forces are those of a step: 0 here.
+     *  param: columns [count]   param: mask [worlds] or NULL: all
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE (a column); BUSY; REENTRANT; OUT_OF_MEMORY */
+    public static int carom_batch_read(MemorySegment batch, MemorySegment columns, long count, MemorySegment mask, MemorySegment error) {
+        try { return (int) carom_batch_read_.CALL.invokeExact(batch, columns, count, mask, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_write_ {
+        static final MethodHandle CALL = Library.call("carom_batch_write", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Write columns, one after the other: poses, speeds, gains, friction, masses. All worlds or none are changed.
+     *  param: columns [count]   param: mask [worlds] or NULL: all
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE; NOT_FINITE; NOT_UNIT; UNSUPPORTED (read only, or joints that can't be moved);
+     *          BUSY; REENTRANT; OUT_OF_MEMORY */
+    public static int carom_batch_write(MemorySegment batch, MemorySegment columns, long count, MemorySegment mask, MemorySegment error) {
+        try { return (int) carom_batch_write_.CALL.invokeExact(batch, columns, count, mask, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_add_start_ {
+        static final MethodHandle CALL = Library.call("carom_batch_add_start", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Add a state that worlds of a structure may be reset to.
+     *  param: world  one of the structure   param: bytes [size] as carom_world_restore() takes them   param: size of bytes
+     *  param: start  out: its number among those of the structure, from 1 on; 0 is the state that its worlds were made with
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE (world); CORRUPT; UNSUPPORTED; MISMATCH; BUSY; REENTRANT; OUT_OF_MEMORY */
+    public static int carom_batch_add_start(MemorySegment batch, long world, MemorySegment bytes, long size, MemorySegment start, MemorySegment error) {
+        try { return (int) carom_batch_add_start_.CALL.invokeExact(batch, world, bytes, size, start, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_reset_ {
+        static final MethodHandle CALL = Library.call("carom_batch_reset", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
+    }
+    /** Put worlds back to where they began. Masses that were written stay; what else was written is as in the start.
+     *  A world that is stopped runs again.
+     *  param: mask   [worlds] or NULL: all   param: starts [worlds] numbers of starts, or NULL: 0
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE (a start); BUSY; REENTRANT; OUT_OF_MEMORY */
+    public static int carom_batch_reset(MemorySegment batch, MemorySegment mask, MemorySegment starts, MemorySegment error) {
+        try { return (int) carom_batch_reset_.CALL.invokeExact(batch, mask, starts, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_save_ {
+        static final MethodHandle CALL = Library.call("carom_batch_save", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Write a snapshot of one world, as carom_world_save() with CAROM_SNAPSHOT_STATE: it goes into the world that was
+     *  copied (unless masses differ), or back by carom_batch_add_start(). Arguments as there.
+     *  param: world    its number
+     *  param: buffer   [capacity] bytes, or NULL to get the size alone
+     *  param: capacity bytes; 0 if buffer is NULL
+     *  param: needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE (world); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY */
+    public static int carom_batch_save(MemorySegment batch, long world, MemorySegment buffer, long capacity, MemorySegment needed, MemorySegment error) {
+        try { return (int) carom_batch_save_.CALL.invokeExact(batch, world, buffer, capacity, needed, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_get_hashes_ {
+        static final MethodHandle CALL = Library.call("carom_batch_get_hashes", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS));
+    }
+    /** The hash of each world, as carom_world_hash().
+     *  param: hashes out, [worlds]   param: n how many worlds there are
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY; REENTRANT; OUT_OF_MEMORY */
+    public static int carom_batch_get_hashes(MemorySegment batch, MemorySegment hashes, long n, MemorySegment error) {
+        try { return (int) carom_batch_get_hashes_.CALL.invokeExact(batch, hashes, n, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_get_stopped_ {
+        static final MethodHandle CALL = Library.call("carom_batch_get_stopped", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS));
+    }
+    /** Which worlds are stopped, and why.
+     *  param: stopped out, [worlds] CAROM_STOPPED_*   param: n how many worlds there are
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY */
+    public static int carom_batch_get_stopped(MemorySegment batch, MemorySegment stopped, long n, MemorySegment error) {
+        try { return (int) carom_batch_get_stopped_.CALL.invokeExact(batch, stopped, n, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_get_faults_ {
+        static final MethodHandle CALL = Library.call("carom_batch_get_faults", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** The faults of the step that stopped a world; none where it is not stopped.
+     *  param: world    its number
+     *  param: dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+     *  param: stride   sizeof(carom_fault) as the caller knows it
+     *  param: count    out: how many there are (may exceed capacity; capacity are written)
+     *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (world, stride); BUSY */
+    public static int carom_batch_get_faults(MemorySegment batch, long world, MemorySegment dst, long stride, long capacity, MemorySegment count, MemorySegment error) {
+        try { return (int) carom_batch_get_faults_.CALL.invokeExact(batch, world, dst, stride, capacity, count, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_batch_get_info_ {
+        static final MethodHandle CALL = Library.call("carom_batch_get_info", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
+    }
+    /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
+    public static int carom_batch_get_info(MemorySegment batch, MemorySegment info, MemorySegment error) {
+        try { return (int) carom_batch_get_info_.CALL.invokeExact(batch, info, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_random_fill_ {
+        static final MethodHandle CALL = Library.call("carom_random_fill", FunctionDescriptor.of(JAVA_INT, JAVA_INT, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Random numbers that follow from a key alone: n rows, each from its own key. So they do not depend on how many worlds
+     *  there are, in which order or on which thread, or machine, they are drawn. Philox4x32-10; the normal ones by Box and
+     *  Muller. A row that is longer begins as a shorter one of its key.
+     *  param: kind  CAROM_RANDOM_*
+     *  param: keys  [3 n]: of each row a seed, the number of a world, a step
+     *  param: width numbers in a row
+     *  param: dst   out, [n width]
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; OUT_OF_RANGE (n, width)   thread: any */
+    public static int carom_random_fill(int kind, MemorySegment keys, long n, long width, MemorySegment dst, MemorySegment error) {
+        try { return (int) carom_random_fill_.CALL.invokeExact(kind, keys, n, width, dst, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
     private static final class carom_material_desc_init_ {
         static final MethodHandle CALL = Library.call("carom_material_desc_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
@@ -4165,7 +4443,7 @@ public final class Raw {
     private static final class carom_engine_destroy_ {
         static final MethodHandle CALL = Library.call("carom_engine_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** Destroy an engine; its worlds must be gone.   status: OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    /** Destroy an engine; its worlds and batches must be gone.   status: OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
      *  REENTRANT   thread: writer: no other call may use the engine */
     public static int carom_engine_destroy(MemorySegment engine, MemorySegment error) {
         try { return (int) carom_engine_destroy_.CALL.invokeExact(engine, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4186,7 +4464,7 @@ public final class Raw {
      *  functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
      *  on the stepping one.
      *  param: desc may be NULL: the stepping thread alone
-     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
      *  no more threads); OUT_OF_MEMORY; REENTRANT */
     public static int carom_engine_set_jobs(MemorySegment engine, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_engine_set_jobs_.CALL.invokeExact(engine, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -5255,10 +5533,51 @@ public final class Raw {
         try { return (int) carom_shape_create_half_space_.CALL.invokeExact(engine, normal, offset, shape, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
+    private static final class carom_shape_create_hull_of_ {
+        static final MethodHandle CALL = Library.call("carom_shape_create_hull_of", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, JAVA_DOUBLE, ADDRESS, ADDRESS));
+    }
+    /** Make the convex hull of shapes that the engine has, each placed and scaled, and all of it rounded by a radius. The
+     *  same call makes
+     *  - the sweep of a shape along a straight line, without turning: the shape at both ends. Where it turns as well, the hull
+     *    of both ends leaves out what bulges between them: add poses in between;
+     *  - a scaled shape: one part with a scale. A negative scale mirrors it;
+     *  - a rounded shape: one part and a radius, by which it grows on all sides.
+     *  Where all parts have corners only and the radius is 0, the hull is a polytope with exact mass and faces, and its
+     *  corners are its parameters. Else its parameters are none and its mass is derived. A part cannot be destroyed before
+     *  the hull.
+     *  param: parts         [count] handles of convex shapes, the same one as often as wanted
+     *  param: count         1 to 4096
+     *  param: positions     [3 * count] m, frame of the hull; NULL: 0
+     *  param: orientations  [4 * count] x, y, z, w, unit within 1e-6, part to hull; NULL: identity
+     *  param: scales        [3 * count] along the axes of the part, of a size of 1e-6 to 1e6; NULL: 1
+     *  param: radius        m, 0 or more
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (a part is a half-space or scenery);
+     *          PLUGIN_INVALID; LIMIT (hulls of hulls more than 8 deep, or of more than 4096 parts in all); OUT_OF_MEMORY
+     *  since: 0.9 */
+    public static int carom_shape_create_hull_of(MemorySegment engine, MemorySegment parts, long count, MemorySegment positions, MemorySegment orientations, MemorySegment scales, double radius, MemorySegment shape, MemorySegment error) {
+        try { return (int) carom_shape_create_hull_of_.CALL.invokeExact(engine, parts, count, positions, orientations, scales, radius, shape, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_shape_get_parts_ {
+        static final MethodHandle CALL = Library.call("carom_shape_get_parts", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS, ADDRESS, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
+    }
+    /** What a hull of shapes is made of, as it was given. Of any other shape: no parts, radius 0.
+     *  param: parts         [*count] or NULL: only count and radius are written
+     *  param: positions     [3 * *count] m, or NULL   param: orientations [4 * *count] x, y, z, w, or NULL
+     *  param: scales        [3 * *count] or NULL
+     *  param: count         in: capacity in parts; out: number of parts
+     *  param: radius        m, or NULL
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)
+     *  since: 0.9 */
+    public static int carom_shape_get_parts(MemorySegment engine, long shape, MemorySegment parts, MemorySegment positions, MemorySegment orientations, MemorySegment scales, MemorySegment count, MemorySegment radius, MemorySegment error) {
+        try { return (int) carom_shape_get_parts_.CALL.invokeExact(engine, shape, parts, positions, orientations, scales, count, radius, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
     private static final class carom_shape_destroy_ {
         static final MethodHandle CALL = Library.call("carom_shape_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS));
     }
-    /** status: OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
+    /** status: OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, a hull of shapes, or a query on another thread, refers to
+     *          it); REENTRANT */
     public static int carom_shape_destroy(MemorySegment engine, long shape, MemorySegment error) {
         try { return (int) carom_shape_destroy_.CALL.invokeExact(engine, shape, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5729,6 +6048,27 @@ carom_growth.sensitive 16 4 u32
 carom_growth.reserved 20 4 u32
 carom_growth.factor 24 8 f64
 carom_growth.rate 32 8 f64
+carom_batch_column 0 72 struct
+carom_batch_column.struct_size 0 4 u32
+carom_batch_column.source 4 4 u32
+carom_batch_column.field 8 4 u32
+carom_batch_column.when 12 4 u32
+carom_batch_column.scalar 16 4 u32
+carom_batch_column.reserved 20 4 u32
+carom_batch_column.world 24 8 u64
+carom_batch_column.n 32 8 u64
+carom_batch_column.handles 40 8 ptr
+carom_batch_column.rays 48 8 ptr
+carom_batch_column.data 56 8 ptr
+carom_batch_column.stride 64 8 u64
+carom_batch_info 0 48 struct
+carom_batch_info.struct_size 0 4 u32
+carom_batch_info.structures 4 4 u32
+carom_batch_info.worlds 8 8 u64
+carom_batch_info.stopped 16 8 u64
+carom_batch_info.columns 24 8 u64
+carom_batch_info.real_worlds 32 8 u64
+carom_batch_info.state_bytes 40 8 u64
 carom_material_desc 0 32 struct
 carom_material_desc.struct_size 0 4 u32
 carom_material_desc.friction_mix 4 4 u32

@@ -81,6 +81,41 @@ export const CAROM_ISLAND_BOUND: 2;
 export const CAROM_ISLAND_JOINTS_ALONE: 4;
 /** more substeps do not lessen its error, which is over the tolerance: contacts, mostly */
 export const CAROM_ISLAND_STALLED: 8;
+/** bodies: one CAROM_FIELD_* */
+export const CAROM_COLUMN_BODIES: 0;
+/** joints: one CAROM_JOINT_BULK_* */
+export const CAROM_COLUMN_JOINTS: 1;
+/** dynamic bodies: 1, kg; writing scales the inertia alike, the centre stays */
+export const CAROM_COLUMN_MASSES: 2;
+/** materials: 2, friction and restitution */
+export const CAROM_COLUMN_MATERIALS: 3;
+/** the world, n is 1: 3, m/s^2 */
+export const CAROM_COLUMN_GRAVITY: 4;
+/** the world, n is 1: 1, s, simulated; read only */
+export const CAROM_COLUMN_TIME: 5;
+/** bodies: 3, N, world: normal forces on it, mean of the last step; read only */
+export const CAROM_COLUMN_CONTACT_FORCES: 6;
+/** bodies or the world: 1, how far along a ray something is met first, in parts of `direction`, `max` where nothing is; read only */
+export const CAROM_COLUMN_RAYS: 7;
+export const CAROM_COLUMN_COUNT: 8;
+/** by carom_batch_read() and carom_batch_write() */
+export const CAROM_WHEN_ON_CALL: 0;
+/** written before each step, too */
+export const CAROM_WHEN_BEFORE_STEP: 1;
+/** read after each step, too, and after calls that change worlds */
+export const CAROM_WHEN_AFTER_STEP: 2;
+export const CAROM_WHEN_COUNT: 3;
+/** it steps */
+export const CAROM_STOPPED_NO: 0;
+/** a step had faults: carom_batch_get_faults() */
+export const CAROM_STOPPED_FAULT: 1;
+/** there was no memory for a step: it is as before that */
+export const CAROM_STOPPED_MEMORY: 2;
+/** in [0, 1) */
+export const CAROM_RANDOM_UNIFORM: 0;
+/** mean 0, deviation 1 */
+export const CAROM_RANDOM_NORMAL: 1;
+export const CAROM_RANDOM_COUNT: 2;
 /** root of a b */
 export const CAROM_MIX_GEOMETRIC_MEAN: 0;
 /** the larger */

@@ -1,4 +1,5 @@
 // An engine: shapes, and the worlds that share them.
+import { callback } from "./callback.js";
 import * as constants from "./constants.js";
 import { unsupported } from "./errors.js";
 import { net, Owned } from "./owner.js";
@@ -8,6 +9,47 @@ import { World } from "./world.js";
 /** @returns {{ pointer: number }} for engine.useShape()   @throws TypeError (no side module of a shape) */
 export async function bringShape(module, source) {
   return { pointer: await bring(module, source) };
+}
+
+/** A function as a shape: slower than a side module, and of modules with one thread.
+ *  @param support (params, direction) => [3] m, the farthest point of the shape along the direction; a pure function
+ *  @param params  [[name, unit, least, most]] of the numbers that it takes   @returns {{ pointer: number }} for
+ *  engine.useShape() */
+export function bringSupport(m, support, id, params) {
+  if (m.threads > 1)
+    throw unsupported("bringSupport", 1, "a function of this thread is no shape for others", "Load with one thread");
+  const held = (bytes) => {
+    const at = m.claim(bytes); // as long as the module: engines go on reading it
+    new Uint8Array(m.buffer, at, bytes).fill(0);
+    return at;
+  };
+  const call = (_, from, n, direction, to) => {
+    try {
+      const point = support(m.doubles(from, Number(n)), m.doubles(direction, 3));
+      new Float64Array(m.buffer, to, 3).set(point);
+      return 0;
+    } catch {
+      return 1; // the engine tells it as a fault
+    }
+  };
+  const size = m.structs.size("carom_param"),
+    rows = held(size * params.length),
+    text = (value) => m.putText(held, value);
+  params.forEach(([name, unit, min, max], i) =>
+    m.structs.write(m.view, "carom_param", rows + i * size, { name: text(name), unit: text(unit), min, max }),
+  );
+  const about = held(m.structs.size("carom_shape_plugin"));
+  m.structs.write(m.view, "carom_shape_plugin", about, {
+    struct_size: m.structs.size("carom_shape_plugin"),
+    abi_major: constants.CAROM_PLUGIN_ABI_MAJOR,
+    abi_minor: constants.CAROM_PLUGIN_ABI_MINOR,
+    id: text(id),
+    version: 1,
+    param_count: params.length,
+    params: rows,
+    support: callback(m, "iilii", call),
+  });
+  return { pointer: about };
 }
 
 /** A shape of an engine, shared by any number of bodies. */
@@ -25,8 +67,8 @@ export class Shape {
       (at) => m.raw.carom_shape_get_info(this.engine.pointer, this.handle, at, m.error),
       "shape.info",
     );
-    const plugin = info.plugin ? this.engine.pluginId(info.plugin) : info.is_half_space ? "half_space" : "scenery";
-    return { ...info, kind: plugin };
+    const built = info.is_half_space ? "half_space" : info.is_scenery ? "scenery" : "hull_of";
+    return { ...info, kind: info.plugin ? this.engine.pluginId(info.plugin) : built };
   }
 
   /** The numbers that it was made of: of a box its half extents (m). */
@@ -140,6 +182,10 @@ export class Engine {
   capsule(radius, halfHeight) {
     return this.shape("capsule", [radius, halfHeight]);
   }
+  /** The hull of two balls on the axis y.   @param halfHeight  m, from the middle to the centre of a ball */
+  taperedCapsule(radiusBottom, radiusTop, halfHeight) {
+    return this.shape("tapered_capsule", [radiusBottom, radiusTop, halfHeight]);
+  }
   cylinder(radius, halfHeight) {
     return this.shape("cylinder", [radius, halfHeight]);
   }
@@ -152,6 +198,37 @@ export class Engine {
   /** Convex hull of points. @param points [3n] m */
   hull(points) {
     return this.shape("hull", points);
+  }
+
+  /** Convex hull of shapes. One at two places gives its sweep, one part with a scale a scaled shape, one with a radius a
+   * rounded one.   @param parts  [{ shape, position, orientation, scale }]   @param radius  m, by which all of it grows */
+  hullOf(parts, radius = 0) {
+    const m = this.module,
+      n = parts.length;
+    return new Shape(
+      this,
+      m.frame((room) => {
+        const handles = room(8 * n),
+          out = room(8);
+        parts.forEach(({ shape }, i) => m.view.setBigUint64(handles + 8 * i, shape.handle, true));
+        const column = (key, usual) => {
+          const all = parts.flatMap((part) => Array.from(part[key] ?? usual));
+          return m.putDoubles(room, all, usual.length * n, `hullOf(parts): ${key}`);
+        };
+        m.call(
+          "carom_shape_create_hull_of",
+          this.pointer,
+          handles,
+          BigInt(n),
+          column("position", [0, 0, 0]),
+          column("orientation", [0, 0, 0, 1]),
+          column("scale", [1, 1, 1]),
+          radius,
+          out,
+        );
+        return m.view.getBigUint64(out, true);
+      }),
+    );
   }
 
   /** All points p with normal . p <= offset.   @param normal [3] unit   @param offset m */
@@ -234,6 +311,12 @@ export class Engine {
         return m.view.getBigUint64(out, true);
       }),
     );
+  }
+
+  /** A shape whose support function is written here; see carom.bringSupport().   @returns its id, for shape(id, params)
+   *  @throws CaromError (UNSUPPORTED with threads; the engine refuses it, e.g. as invalid) */
+  supportPlugin(support, id, params) {
+    return this.useShape(bringSupport(this.module, support, id, params));
   }
 
   /** Id of a plugin, by handle: "carom.box". */

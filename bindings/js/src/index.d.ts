@@ -6,6 +6,7 @@ export { constants };
 export type Vector = ArrayLike<number>;
 export type Quaternion = ArrayLike<number>;
 export type Handle = bigint;
+export type Support = (params: number[], direction: number[]) => Vector;
 
 /** What a call that failed throws. The call changed nothing. */
 export class CaromError extends Error {
@@ -46,6 +47,9 @@ export interface Carom {
   stopThreads(): void;
   /** A shape plugin as a side module, for any number of engines: engine.useShape(). */
   bringShape(source: Source): Promise<ShapePlugin>;
+  /** A function as a shape: the farthest point of the shape along a direction. It is slower than a side module, and of
+   * modules with one thread.   @param params  [name, unit, least, most] of the numbers that it takes */
+  bringSupport(support: Support, id: string, params: [string, string, number, number][]): ShapePlugin;
   dials(): Dial[];
   /** Names by CAROM_PRESET_*. */
   presets(): string[];
@@ -86,10 +90,12 @@ export class Engine {
   /** Half extents, m. */
   box(x: number, y: number, z: number): Shape;
   capsule(radius: number, halfHeight: number): Shape;
+  taperedCapsule(radiusBottom: number, radiusTop: number, halfHeight: number): Shape;
   cylinder(radius: number, halfHeight: number): Shape;
   cone(radius: number, halfHeight: number): Shape;
   ellipsoid(x: number, y: number, z: number): Shape;
   hull(points: Vector): Shape;
+  hullOf(parts: { shape: Shape; position?: Vector; orientation?: Vector; scale?: Vector }[], radius?: number): Shape;
   halfSpace(normal?: Vector, offset?: number): Shape;
   mesh(vertices: Vector, triangles: ArrayLike<number>, options?: { twoSided?: boolean }): Shape;
   heightField(heights: Vector, columns: number, spacing: Vector): Shape;
@@ -97,6 +103,8 @@ export class Engine {
   loadShape(source: Source): Promise<string>;
   /** A shape that carom.bringShape() brought.   @returns its id */
   useShape(plugin: ShapePlugin): string;
+  /** A function as a shape, see Carom.bringSupport().   @returns its id, for shape(id, params) */
+  supportPlugin(support: Support, id: string, params: [string, string, number, number][]): string;
   /** What shape(id, params) takes at least. */
   parameters(id: string): { name: string; unit: string; min: number; max: number }[];
   world(options?: { gravity?: Vector; body_capacity?: number | bigint }): World;
@@ -325,6 +333,19 @@ export class World {
   faults(): Record<string, unknown>[];
   draw(what: number, options?: { colouring?: number; scale?: number }): { points: Float32Array; colours: Uint32Array };
   castRay(origin: Vector, direction: Vector, max?: number): Hit | null;
+  /** What a shape meets first as it moves by `motion` without turning; time is a fraction of it. */
+  castShape(shape: Shape, position: Vector, motion: Vector, orientation?: Quaternion): Hit | null;
+  /** All that a shape at a place overlaps. */
+  overlaps(shape: Shape, position: Vector, orientation?: Quaternion): Hit[];
+  /** Keep events from now on.   @param kinds  CAROM_EVENTS_* bits   @param hitSpeed m/s: faster contacts are hits */
+  collectEvents(kinds?: number, hitSpeed?: number): void;
+  /** Of the last step. */
+  contactEvents(): ContactEvent[];
+  /** A field of CAROM_JOINT_BULK_*, as "position", of all joints or of some: each one's numbers in turn. */
+  readJoints(field: string, joints?: Joint[]): Float64Array;
+  writeJoints(field: string, numbers: Vector, joints?: Joint[]): void;
+  /** The tree of joints that a body belongs to. */
+  tree(body: Body): Tree;
   colliders(
     radius?: number,
   ): { handle: Handle; body: Body; shape: Handle; position: number[]; orientation: number[]; density: number }[];
@@ -337,6 +358,81 @@ export class World {
     density: number;
   };
   free(): void;
+}
+
+export interface ContactEvent {
+  kind: "begin" | "end" | "hit";
+  body_a: Body;
+  body_b: Body;
+  collider_a: Handle;
+  collider_b: Handle;
+  point: number[];
+  normal: number[];
+  impulse: number;
+  approach_speed: number;
+}
+
+/** Inverse dynamics of bodies that joints connect without a loop: carom/tree.h. */
+export interface Tree {
+  readonly size: number;
+  /** Forces that give these accelerations at the present pose, N or N m.   @param options  accelerations [size], by
+   * default 0; speeds [size], by default those that it has */
+  forces(options?: { accelerations?: Vector; speeds?: Vector }): Float64Array;
+  /** The mass matrix, [size size] row by row. */
+  mass(): Float64Array;
+}
+
+/** A shape that walks; it is no body. A frame is world.step(dt), move(walk, dt), push(dt). */
+export class Character {
+  /** @param options  fields of carom_character_desc, too: step_up, max_slope, ... */
+  constructor(
+    world: World,
+    shape: Shape,
+    options?: { position?: Vector; orientation?: Quaternion; [field: string]: unknown },
+  );
+  readonly world: World;
+  /** All of carom_character. */
+  readonly state: Record<string, unknown>;
+  /** m, of the shape's origin. Setting it teleports. */
+  position: number[];
+  /** m/s: on firm ground along it and relative to it, else in the world. */
+  readonly velocity: number[];
+  /** m, from the origin down to the lowest point. */
+  readonly foot: number;
+  /** "firm": it can walk and jump; "steep": it slides; "air": it falls. */
+  readonly ground: "air" | "steep" | "firm";
+  /** What was in its way in the last move. */
+  readonly contacts: { body: Body; point: number[]; normal: number[]; speed: number }[];
+  /** @param walk m/s, relative to the ground   @param jump m/s, taken off with from firm ground */
+  move(walk: Vector, dt?: number, jump?: number): void;
+  /** Leave forces on what the last move met and on what it stands on, for the next step. */
+  push(dt?: number): void;
+  /** To crouch, to stand up.   @returns false: there is no place for it, and nothing has changed */
+  setShape(shape: Shape, always?: boolean): boolean;
+  save(): Uint8Array;
+  restore(saved: Uint8Array): void;
+}
+
+/** A dynamic body on wheels that are no bodies. A frame is drive(input, dt), then world.step(dt). */
+export class Vehicle {
+  /** @param wheels  fields of carom_wheel_desc of each   @param about  fields of carom_vehicle_desc */
+  constructor(chassis: Body, wheels: Record<string, unknown>[], about?: Record<string, unknown>);
+  readonly chassis: Body;
+  /** m/s, forward */
+  readonly speed: number;
+  /** All of carom_vehicle. */
+  readonly state: Record<string, unknown>;
+  /** All of carom_wheel, of each. */
+  readonly wheels: Record<string, unknown>[];
+  /** @param input  throttle, brake, handbrake 0 to 1; steer -1 to 1: to the left; gear 0: neutral, -1: reverse */
+  drive(
+    input?: { throttle?: number; brake?: number; handbrake?: number; steer?: number; gear?: number },
+    dt?: number,
+  ): void;
+  /** Of all wheels, rad/s, forward. */
+  setSpin(spin: number): void;
+  save(): Uint8Array;
+  restore(saved: Uint8Array): void;
 }
 
 /** A session that was recorded: of World.record(), of `carom run --record`, of any host. */

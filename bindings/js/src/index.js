@@ -1,6 +1,6 @@
 // Carom for JavaScript: the C interface in WebAssembly, with objects, exceptions and views. See ../README.md.
 import * as constants from "./constants.js";
-import { bringShape, Engine } from "./engine.js";
+import { bringShape, bringSupport, Engine } from "./engine.js";
 import { instantiate } from "./module.js";
 import { instantiateShared, stopThreads, threadsToUse } from "./threads.js";
 
@@ -8,6 +8,7 @@ export { Body, Joint } from "./body.js";
 export { constants };
 export { Engine, Shape } from "./engine.js";
 export { CaromError } from "./errors.js";
+export { Character, Vehicle } from "./kit.js";
 export { Recording } from "./recording.js";
 export { BodyView } from "./view.js";
 export { World } from "./world.js";
@@ -45,6 +46,13 @@ class Carom {
   /** A shape plugin as a side module, for any number of engines.   @throws TypeError (no side module of a shape) */
   bringShape(source) {
     return bringShape(this.module, source);
+  }
+
+  /** A function as a shape, for any number of engines: engine.useShape(). It is slower than a side module, and of modules
+   *  with one thread.   @param support (params, direction) => [3] m, the farthest point of the shape along the direction
+   *  @param params  [[name, unit, least, most]] of the numbers that it takes   @throws CaromError (UNSUPPORTED) */
+  bringSupport(support, id, params) {
+    return bringSupport(this.module, support, id, params);
   }
 
   /** Every dial: name, bounds, choices, what it trades. */

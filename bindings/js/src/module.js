@@ -1,8 +1,11 @@
 // The WebAssembly module: its memory, its errors, and calls of the C interface.
+import { ofNode } from "./node.js";
 import { CaromError } from "./errors.js";
 import { Structs } from "./structs.js";
 import { imports } from "./wasi.js";
 
+// What addresses are relative to: the page, else this file. Not with `new URL` in one expression, which bundlers take for a file of theirs.
+const BASE = globalThis.document?.baseURI ?? globalThis.location?.href ?? import.meta.url;
 const SCRATCH = 4096; // bytes: arguments of one call
 
 export class Module {
@@ -192,9 +195,9 @@ export async function compile(source) {
 export async function read(source) {
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return source;
   if (typeof Response !== "undefined" && source instanceof Response) return source.arrayBuffer();
-  const url = new URL(source, import.meta.url);
+  const url = new URL(source, BASE);
   if (url.protocol === "file:") {
-    const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
+    const { readFile } = await ofNode("fs/promises");
     return readFile(url);
   }
   const response = await fetch(url);

@@ -53,6 +53,88 @@ export interface Raw {
    *  @thread reader */
   carom_world_measure_growth(world: number, dt: number, steps: number, growth: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_batch_column_init(column: number, struct_size: number): number;
+  /** Make a batch without worlds.
+   *  @param batch out: to be destroyed before the engine   @owns the caller: carom_batch_destroy()
+   *  @status OK; NULL_ARGUMENT; OUT_OF_MEMORY   @thread engine */
+  carom_batch_create(engine: number, batch: number, error: number): number;
+  /** @status OK; NULL_ARGUMENT; BUSY; REENTRANT */
+  carom_batch_destroy(batch: number, error: number): number;
+  /** Add n worlds that are as this one is now. The world itself is read, stays as it is, and may be destroyed. A ledger, a
+   *  recording and a budget of time are not copied.
+   *  @param batch of the same engine   @param n 1 to 2^24 in all   @param first out: the number of the first of them
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); WRONG_WORLD (of another engine); LIMIT (256 structures in all); BUSY;
+   *          REENTRANT; OUT_OF_MEMORY */
+  carom_batch_add_worlds(batch: number, world: number, n: bigint, first: number, error: number): number;
+  /** Say where numbers of worlds stand.
+   *  @param column out: its number, from 0 on; may be NULL
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; OUT_OF_RANGE (world, n, a ray); NOT_FINITE; *_HANDLE;
+   *          UNSUPPORTED (a joint or body that has no such field; read only: not BEFORE_STEP, nor fields that move
+   *          joints); BUFFER_TOO_SMALL (stride); LIMIT (4,096 columns); BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_batch_add_column(batch: number, desc: number, column: number, error: number): number;
+  /** Advance worlds, each by steps of dt. First, all that columns BEFORE_STEP have for them is checked: where something is
+   *  refused no world has moved. A world that is stopped stays as it is, and so do its rows.
+   *  @param mask     [worlds] or NULL: all
+   *  @param dt       s, in [1e-9, 1]
+   *  @param steps    1 to 1e6, with the same numbers before each
+   *  @param stopped  out: how many worlds are stopped now, in all; may be NULL
+   *  @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED; BUSY; REENTRANT; OUT_OF_MEMORY; INTERNAL (a
+   *          callback left its thread: some worlds were stepped) */
+  carom_batch_step(batch: number, mask: number, dt: number, steps: number, stopped: number, error: number): number;
+  /** Read columns, of worlds as they are now. Contact forces are those of a step: 0 here.
+   *  @param columns [count]   @param mask [worlds] or NULL: all
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE (a column); BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_batch_read(batch: number, columns: number, count: bigint, mask: number, error: number): number;
+  /** Write columns, one after the other: poses, speeds, gains, friction, masses. All worlds or none are changed.
+   *  @param columns [count]   @param mask [worlds] or NULL: all
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE; NOT_FINITE; NOT_UNIT; UNSUPPORTED (read only, or joints that can't be moved);
+   *          BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_batch_write(batch: number, columns: number, count: bigint, mask: number, error: number): number;
+  /** Add a state that worlds of a structure may be reset to.
+   *  @param world  one of the structure   @param bytes [size] as carom_world_restore() takes them   @param size of bytes
+   *  @param start  out: its number among those of the structure, from 1 on; 0 is the state that its worlds were made with
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE (world); CORRUPT; UNSUPPORTED; MISMATCH; BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_batch_add_start(batch: number, world: bigint, bytes: number, size: bigint, start: number, error: number): number;
+  /** Put worlds back to where they began. Masses that were written stay; what else was written is as in the start.
+   *  A world that is stopped runs again.
+   *  @param mask   [worlds] or NULL: all   @param starts [worlds] numbers of starts, or NULL: 0
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE (a start); BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_batch_reset(batch: number, mask: number, starts: number, error: number): number;
+  /** Write a snapshot of one world, as carom_world_save() with CAROM_SNAPSHOT_STATE: it goes into the world that was
+   *  copied (unless masses differ), or back by carom_batch_add_start(). Arguments as there.
+   *  @param world    its number
+   *  @param buffer   [capacity] bytes, or NULL to get the size alone
+   *  @param capacity bytes; 0 if buffer is NULL
+   *  @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE (world); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_batch_save(batch: number, world: bigint, buffer: number, capacity: bigint, needed: number, error: number): number;
+  /** The hash of each world, as carom_world_hash().
+   *  @param hashes out, [worlds]   @param n how many worlds there are
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY; REENTRANT; OUT_OF_MEMORY */
+  carom_batch_get_hashes(batch: number, hashes: number, n: bigint, error: number): number;
+  /** Which worlds are stopped, and why.
+   *  @param stopped out, [worlds] CAROM_STOPPED_*   @param n how many worlds there are
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY */
+  carom_batch_get_stopped(batch: number, stopped: number, n: bigint, error: number): number;
+  /** The faults of the step that stopped a world; none where it is not stopped.
+   *  @param world    its number
+   *  @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+   *  @param stride   sizeof(carom_fault) as the caller knows it
+   *  @param count    out: how many there are (may exceed capacity; capacity are written)
+   *  @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (world, stride); BUSY */
+  carom_batch_get_faults(batch: number, world: bigint, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
+  carom_batch_get_info(batch: number, info: number, error: number): number;
+  /** Random numbers that follow from a key alone: n rows, each from its own key. So they do not depend on how many worlds
+   *  there are, in which order or on which thread, or machine, they are drawn. Philox4x32-10; the normal ones by Box and
+   *  Muller. A row that is longer begins as a shorter one of its key.
+   *  @param kind  CAROM_RANDOM_*
+   *  @param keys  [3 n]: of each row a seed, the number of a world, a step
+   *  @param width numbers in a row
+   *  @param dst   out, [n width]
+   *  @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; OUT_OF_RANGE (n, width)   @thread any */
+  carom_random_fill(kind: number, keys: number, n: bigint, width: bigint, dst: number, error: number): number;
+  /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_material_desc_init(desc: number, struct_size: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY */
   carom_material_create(world: number, desc: number, material: number, error: number): number;
@@ -377,7 +459,7 @@ export interface Raw {
   /** Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY */
   carom_engine_create(desc: number, engine: number, error: number): number;
-  /** Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+  /** Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
    *  REENTRANT   @thread writer: no other call may use the engine */
   carom_engine_destroy(engine: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
@@ -386,7 +468,7 @@ export interface Raw {
    *  functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
    *  on the stepping one.
    *  @param desc may be NULL: the stepping thread alone
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
    *  no more threads); OUT_OF_MEMORY; REENTRANT */
   carom_engine_set_jobs(engine: number, desc: number, error: number): number;
   /** Load a shape plugin from a shared object. @param path absolute.
@@ -810,7 +892,36 @@ export interface Raw {
    *  @param normal [3] unit (within 1e-6)   @param offset m
    *  @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY */
   carom_shape_create_half_space(engine: number, normal: number, offset: number, shape: number, error: number): number;
-  /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT */
+  /** Make the convex hull of shapes that the engine has, each placed and scaled, and all of it rounded by a radius. The
+   *  same call makes
+   *  - the sweep of a shape along a straight line, without turning: the shape at both ends. Where it turns as well, the hull
+   *    of both ends leaves out what bulges between them: add poses in between;
+   *  - a scaled shape: one part with a scale. A negative scale mirrors it;
+   *  - a rounded shape: one part and a radius, by which it grows on all sides.
+   *  Where all parts have corners only and the radius is 0, the hull is a polytope with exact mass and faces, and its
+   *  corners are its parameters. Else its parameters are none and its mass is derived. A part cannot be destroyed before
+   *  the hull.
+   *  @param parts         [count] handles of convex shapes, the same one as often as wanted
+   *  @param count         1 to 4096
+   *  @param positions     [3 * count] m, frame of the hull; NULL: 0
+   *  @param orientations  [4 * count] x, y, z, w, unit within 1e-6, part to hull; NULL: identity
+   *  @param scales        [3 * count] along the axes of the part, of a size of 1e-6 to 1e6; NULL: 1
+   *  @param radius        m, 0 or more
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (a part is a half-space or scenery);
+   *          PLUGIN_INVALID; LIMIT (hulls of hulls more than 8 deep, or of more than 4096 parts in all); OUT_OF_MEMORY
+   *  @since 0.9 */
+  carom_shape_create_hull_of(engine: number, parts: number, count: bigint, positions: number, orientations: number, scales: number, radius: number, shape: number, error: number): number;
+  /** What a hull of shapes is made of, as it was given. Of any other shape: no parts, radius 0.
+   *  @param parts         [*count] or NULL: only count and radius are written
+   *  @param positions     [3 * *count] m, or NULL   @param orientations [4 * *count] x, y, z, w, or NULL
+   *  @param scales        [3 * *count] or NULL
+   *  @param count         in: capacity in parts; out: number of parts
+   *  @param radius        m, or NULL
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)
+   *  @since 0.9 */
+  carom_shape_get_parts(engine: number, shape: bigint, parts: number, positions: number, orientations: number, scales: number, count: number, radius: number, error: number): number;
+  /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, a hull of shapes, or a query on another thread, refers to
+   *          it); REENTRANT */
   carom_shape_destroy(engine: number, shape: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE */
   carom_shape_get_info(engine: number, shape: bigint, info: number, error: number): number;

@@ -1,5 +1,6 @@
 // Recorded sessions (carom/record.h): written here, or by any host, and done again step by step.
 import { CALLS } from "./recorded_calls.js";
+import { callback } from "./callback.js";
 import * as C from "./constants.js";
 
 const MAGIC = "CAROMREC",
@@ -221,12 +222,6 @@ export class Recording {
   }
 }
 
-// A module that exports what it imports: a function that a table of the engine's can hold.
-const BRIDGE = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 8, 1, 96, 3, 127, 127, 126, 1, 127, 2, 7, 1, 1, 104, 1, 119, 0, 0, 7, 5, 1, 1, 119, 0,
-  0,
-]);
-
 /** Where recordings of a module's worlds go. */
 class Sinks {
   constructor(module) {
@@ -236,9 +231,7 @@ class Sinks {
       this.open.get(user)?.push(new Uint8Array(module.buffer, from, Number(size)).slice());
       return 0;
     };
-    const table = module.raw.__indirect_function_table;
-    this.callback = table.grow(1);
-    table.set(this.callback, new WebAssembly.Instance(new WebAssembly.Module(BRIDGE), { h: { w: take } }).exports.w);
+    this.callback = callback(module, "iil", take);
   }
 }
 const sinks = new WeakMap();

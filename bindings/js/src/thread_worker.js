@@ -1,10 +1,10 @@
 // One thread of carom.threads.wasm: a worker with an instance of its own on the memory of all. It is told first what to
 // instantiate, then which thread it is, and from then on it works or waits inside the module.
+import { ofNode } from "./node.js";
+import { sharedImports } from "./shared_imports.js";
 import { bringCopy } from "./side_module.js";
-import { sharedImports } from "./threads.js";
 
-const port = globalThis.postMessage ? globalThis : (await import(/* @vite-ignore */ "node:worker_threads")).parentPort;
-
+let port = null; // to the thread that loads; no top-level await: bundlers make classic scripts of workers
 let exports = null;
 
 async function instantiate({ compiled, memory }) {
@@ -35,5 +35,12 @@ const hear = (data) =>
         (error) => port.postMessage(String(error)),
       )
     : run(data);
-if (port.on) port.on("message", hear);
-else port.addEventListener("message", (event) => hear(event.data));
+if (globalThis.postMessage) {
+  port = globalThis;
+  port.addEventListener("message", (event) => hear(event.data));
+} else {
+  ofNode("worker_threads").then(({ parentPort }) => {
+    port = parentPort;
+    port.on("message", hear);
+  });
+}

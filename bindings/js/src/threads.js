@@ -2,12 +2,11 @@
 // the other side, wasm/threads.cpp the pool that runs on them.
 import { unsupported } from "./errors.js";
 import { compile, Module } from "./module.js";
-import { imports } from "./wasi.js";
+import { ofNode } from "./node.js";
+import { sharedImports } from "./shared_imports.js";
 
-const PAGE = 65536; // bytes
 const FIRST_PAGES = 64; // as wasm/CMakeLists.txt has it
 const MOST_PAGES = [65536, 32768, 16384, 8192]; // all that there can be, else less: some browsers reserve it at once
-const GROWTH_PAGES = 16; // at least, if there are as many: all threads are told of it
 const MOST_THREADS = 256;
 const AUTO_THREADS = 4; // at most, of "auto": workers that wait for work take a core for moments
 
@@ -23,7 +22,7 @@ function whyAlone() {
 async function processors() {
   const { hardwareConcurrency } = globalThis.navigator ?? {};
   if (hardwareConcurrency) return hardwareConcurrency;
-  const { availableParallelism, cpus } = await import(/* @vite-ignore */ "node:os");
+  const { availableParallelism, cpus } = await ofNode("os");
   return availableParallelism?.() ?? cpus().length;
 }
 
@@ -44,36 +43,6 @@ export async function threadsToUse(asked) {
   return asked;
 }
 
-/** What the module asks of its host, on any thread.   @param own  of this thread alone */
-export function sharedImports(compiled, memory, say, own) {
-  const needs = imports(() => memory, say);
-  Object.assign(needs.env, {
-    memory,
-    emscripten_get_now: () => performance.now(),
-    emscripten_date_now: () => Date.now(),
-    emscripten_check_blocking_allowed() {},
-    emscripten_resize_heap(bytes) {
-      const needed = Math.ceil((bytes >>> 0) / PAGE) - memory.grow(0); // what it is by now, in all threads
-      if (needed <= 0) return 1;
-      for (const pages of [Math.max(needed, GROWTH_PAGES), needed])
-        try {
-          memory.grow(pages);
-          return 1;
-        } catch (error) {
-          if (!(error instanceof RangeError)) throw error;
-        }
-      return 0;
-    },
-    ...own,
-  });
-  for (const { module, name, kind } of WebAssembly.Module.imports(compiled))
-    if (kind === "function")
-      needs[module][name] ??= () => {
-        throw new Error(`the engine stopped itself (${name})`);
-      };
-  return needs;
-}
-
 function sharedMemory() {
   for (const maximum of MOST_PAGES)
     try {
@@ -92,7 +61,7 @@ function listen(worker, kind, act) {
 
 /** A worker that has instantiated the module and waits for its thread. */
 async function openWorker(compiled, memory) {
-  const Worker = globalThis.Worker ?? (await import(/* @vite-ignore */ "node:worker_threads")).Worker;
+  const Worker = globalThis.Worker ?? (await ofNode("worker_threads")).Worker;
   const worker = new Worker(new URL("./thread_worker.js", import.meta.url), { type: "module", execArgv: [] });
   await new Promise((ready, fail) => {
     listen(worker, "message", (text) => (text === "ready" ? ready() : fail(new Error(text))));

@@ -5,6 +5,7 @@ import { Body, Joint } from "./body.js";
 import { net, Owned } from "./owner.js";
 import { particlePositions } from "./particles.js";
 import { record } from "./recording.js";
+import { joints } from "./tree.js";
 import { BodyView } from "./view.js";
 
 const FIELDS = {
@@ -273,6 +274,20 @@ export class World {
   contacts() {
     return this.#list("carom_contact", "carom_world_get_contacts");
   }
+  /** Keep events from now on; they are those of the last step.   @param kinds  CAROM_EVENTS_* bits   @param hitSpeed m/s:
+   *  faster contacts are hits */
+  collectEvents(kinds = C.CAROM_EVENTS_CONTACT, hitSpeed = 1) {
+    this.module.call("carom_world_collect_events", this.pointer, kinds, hitSpeed);
+  }
+  /** Contacts that began, ended or hit in the last step: `kind` "begin", "end" or "hit". */
+  contactEvents() {
+    return this.#list("carom_contact_event", "carom_world_get_contact_events").map((event) => ({
+      ...event,
+      kind: ["begin", "end", "hit"][event.kind],
+      body_a: new Body(this, event.body_a),
+      body_b: new Body(this, event.body_b),
+    }));
+  }
   /** What the last step ran, for what, at what cost, and what it left out. */
   plan() {
     return this.#list("carom_plan_line", "carom_world_get_plan");
@@ -342,6 +357,47 @@ export class World {
     });
   }
 
+  /** One shape to ask with, where it stands and how it moves. */
+  #asking(room, shape, position, orientation, motion) {
+    const m = this.module,
+      handle = room(8),
+      given = (values, n, what) => (values ? m.putDoubles(room, values, n, what) : 0);
+    m.view.setBigUint64(handle, shape.handle, true);
+    return m.put(room, "carom_query_shapes", {
+      scalar: C.CAROM_SCALAR_F64,
+      count: 1n,
+      shapes: handle,
+      positions: m.putDoubles(room, position, 3, "position"),
+      orientations: given(orientation, 4, "orientation"),
+      motions: given(motion, 3, "motion"),
+    });
+  }
+
+  /** What a shape meets first as it moves without turning, or null.   @param motion [3] m   @returns as castRay(); time is
+   * a fraction of the motion */
+  castShape(shape, position, motion, orientation) {
+    const m = this.module,
+      size = m.structs.size("carom_world_hit");
+    return m.frame((room) => {
+      const asking = this.#asking(room, shape, position, orientation, motion),
+        at = room(size);
+      m.call("carom_world_cast_shapes", this.pointer, asking, C.CAROM_WANT_FIRST, 0, at, BigInt(size));
+      const hit = m.structs.read(m.view, "carom_world_hit", at);
+      return hit.collider ? { ...hit, body: new Body(this, hit.body) } : null;
+    });
+  }
+
+  /** All that a shape at a place overlaps.   @returns [as castRay()] */
+  overlaps(shape, position, orientation) {
+    return this.module
+      .frame((room) => {
+        const asking = this.#asking(room, shape, position, orientation);
+        return this.#list("carom_world_hit", "carom_world_overlap_shapes", asking, 0);
+      })
+      .filter((hit) => hit.collider)
+      .map((hit) => ({ ...hit, body: new Body(this, hit.body) }));
+  }
+
   /** Every collider, however the world was made: handle, body, shape, pose on the body.
    *  @param radius m: of a ball about the origin in which they are looked for */
   colliders(radius = 1e7) {
@@ -349,15 +405,7 @@ export class World {
       ball = this.engine.sphere(radius);
     try {
       const found = m.frame((room) => {
-        const shape = room(8),
-          position = room(24);
-        m.view.setBigUint64(shape, ball.handle, true);
-        const shapes = m.put(room, "carom_query_shapes", {
-          scalar: C.CAROM_SCALAR_F64,
-          count: 1n,
-          shapes: shape,
-          positions: position,
-        });
+        const shapes = this.#asking(room, ball, [0, 0, 0]);
         const desc = m.put(room, "carom_query_desc", { flags: C.CAROM_ASK_SENSORS });
         return this.#list("carom_world_hit", "carom_world_overlap_shapes", shapes, desc);
       });
@@ -381,5 +429,5 @@ export class World {
     });
   }
 }
-Object.defineProperties(World.prototype, Object.getOwnPropertyDescriptors(accuracy));
+for (const part of [accuracy, joints]) Object.defineProperties(World.prototype, Object.getOwnPropertyDescriptors(part));
 if (Symbol.dispose) World.prototype[Symbol.dispose] = World.prototype.free;

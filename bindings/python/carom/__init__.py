@@ -9,9 +9,10 @@
 
 SI units, radians, right-handed frames, quaternions x, y, z, w. `carom.raw` is the C interface under its own names.
 """
-from . import errors, raw, records
+from . import errors, jobs, raw, records
 from ._c import VERSION as __version__
 from .attributes import Attributes, attribute_infos
+from .batch import Batch, Column
 from .body import Body, Collider, Material
 from .dials import dial_infos
 from .engine import Engine
@@ -20,6 +21,7 @@ from .force import ForceField, Spring, Water
 from .host import share
 from .joint import Joint
 from .kit import Character, Vehicle, Wheel
+from .notebook import Film, Picture, film
 from .particles import Particles
 from .report import effects
 from .run import run
@@ -29,6 +31,6 @@ from .tree import JointTree
 from .tune import Tuned, tune
 from .world import World
 
-__all__ = ["Attributes", "Body", "CaromError", "Character", "Closed", "Collider", "Engine", "ForceField", "Joint", "JointTree", "Material",
-           "Particles", "Shape", "Spring", "SupportPlugin", "Tuned", "Vehicle", "Water", "Wheel", "World", "attribute_infos", "dial_infos",
-           "effects", "errors", "raw", "records", "run", "share", "tune", "__version__"]
+__all__ = ["Attributes", "Batch", "Body", "CaromError", "Character", "Closed", "Collider", "Column", "Engine", "Film", "ForceField", "Joint", "JointTree",
+           "Material", "Particles", "Picture", "Shape", "Spring", "SupportPlugin", "Tuned", "Vehicle", "Water", "Wheel", "World", "attribute_infos",
+           "dial_infos", "effects", "errors", "film", "jobs", "raw", "records", "run", "share", "tune", "__version__"]

@@ -1,5 +1,5 @@
 """ctypes declarations of include/carom. Written by bindings/gen/generate from include/carom; do not edit."""
-from ctypes import CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_uint32, c_uint64, c_void_p
+from ctypes import CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_uint8, c_uint32, c_uint64, c_void_p
 
 VERSION = '0.9.0'
 SONAME = 'libcarom.so.0.9'
@@ -46,6 +46,25 @@ CAROM_ISLAND_ESTIMATED = 1
 CAROM_ISLAND_BOUND = 2
 CAROM_ISLAND_JOINTS_ALONE = 4
 CAROM_ISLAND_STALLED = 8
+CAROM_COLUMN_BODIES = 0
+CAROM_COLUMN_JOINTS = 1
+CAROM_COLUMN_MASSES = 2
+CAROM_COLUMN_MATERIALS = 3
+CAROM_COLUMN_GRAVITY = 4
+CAROM_COLUMN_TIME = 5
+CAROM_COLUMN_CONTACT_FORCES = 6
+CAROM_COLUMN_RAYS = 7
+CAROM_COLUMN_COUNT = 8
+CAROM_WHEN_ON_CALL = 0
+CAROM_WHEN_BEFORE_STEP = 1
+CAROM_WHEN_AFTER_STEP = 2
+CAROM_WHEN_COUNT = 3
+CAROM_STOPPED_NO = 0
+CAROM_STOPPED_FAULT = 1
+CAROM_STOPPED_MEMORY = 2
+CAROM_RANDOM_UNIFORM = 0
+CAROM_RANDOM_NORMAL = 1
+CAROM_RANDOM_COUNT = 2
 CAROM_MIX_GEOMETRIC_MEAN = 0
 CAROM_MIX_MAXIMUM = 1
 CAROM_MIX_MINIMUM = 2
@@ -420,6 +439,10 @@ class carom_island(Structure):
     _fields_ = [("body", carom_body), ("bodies", c_uint32), ("substeps", c_uint32), ("order", c_uint32), ("flags", c_uint32), ("work", c_uint64), ("place", c_double), ("turn", c_double), ("share", c_double)]
 class carom_growth(Structure):
     _fields_ = [("struct_size", c_uint32), ("steps", c_uint32), ("body", carom_body), ("sensitive", c_uint32), ("reserved", c_uint32), ("factor", c_double), ("rate", c_double)]
+class carom_batch_column(Structure):
+    _fields_ = [("struct_size", c_uint32), ("source", c_uint32), ("field", c_uint32), ("when", c_uint32), ("scalar", c_uint32), ("reserved", c_uint32), ("world", c_uint64), ("n", c_uint64), ("handles", POINTER(c_uint64)), ("rays", POINTER(c_double)), ("data", c_void_p), ("stride", c_uint64)]
+class carom_batch_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("structures", c_uint32), ("worlds", c_uint64), ("stopped", c_uint64), ("columns", c_uint64), ("real_worlds", c_uint64), ("state_bytes", c_uint64)]
 class carom_material_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("friction_mix", c_uint32), ("restitution_mix", c_uint32), ("reserved", c_uint32), ("friction", c_double), ("restitution", c_double)]
 class carom_body_desc(Structure):
@@ -558,6 +581,8 @@ STRUCTS = {
     "carom_accuracy": carom_accuracy,
     "carom_island": carom_island,
     "carom_growth": carom_growth,
+    "carom_batch_column": carom_batch_column,
+    "carom_batch_info": carom_batch_info,
     "carom_material_desc": carom_material_desc,
     "carom_body_desc": carom_body_desc,
     "carom_attribute_info": carom_attribute_info,
@@ -664,6 +689,22 @@ FUNCTIONS = {
     "carom_world_get_accuracy": ("0.9", c_int32, (c_void_p, POINTER(carom_accuracy), POINTER(c_uint32), POINTER(carom_error),)),
     "carom_world_get_islands": ("0.9", c_int32, (c_void_p, POINTER(carom_island), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_measure_growth": ("0.9", c_int32, (c_void_p, c_double, c_uint32, POINTER(carom_growth), POINTER(carom_error),)),
+    "carom_batch_column_init": ("0.9", c_int32, (POINTER(carom_batch_column), c_uint32,)),
+    "carom_batch_create": ("0.9", c_int32, (c_void_p, POINTER(c_void_p), POINTER(carom_error),)),
+    "carom_batch_destroy": ("0.9", c_int32, (c_void_p, POINTER(carom_error),)),
+    "carom_batch_add_worlds": ("0.9", c_int32, (c_void_p, c_void_p, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_batch_add_column": ("0.9", c_int32, (c_void_p, POINTER(carom_batch_column), POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_batch_step": ("0.9", c_int32, (c_void_p, POINTER(c_uint8), c_double, c_uint32, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_batch_read": ("0.9", c_int32, (c_void_p, POINTER(c_uint32), c_uint64, POINTER(c_uint8), POINTER(carom_error),)),
+    "carom_batch_write": ("0.9", c_int32, (c_void_p, POINTER(c_uint32), c_uint64, POINTER(c_uint8), POINTER(carom_error),)),
+    "carom_batch_add_start": ("0.9", c_int32, (c_void_p, c_uint64, c_void_p, c_uint64, POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_batch_reset": ("0.9", c_int32, (c_void_p, POINTER(c_uint8), POINTER(c_uint32), POINTER(carom_error),)),
+    "carom_batch_save": ("0.9", c_int32, (c_void_p, c_uint64, c_void_p, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_batch_get_hashes": ("0.9", c_int32, (c_void_p, POINTER(c_uint64), c_uint64, POINTER(carom_error),)),
+    "carom_batch_get_stopped": ("0.9", c_int32, (c_void_p, POINTER(c_uint32), c_uint64, POINTER(carom_error),)),
+    "carom_batch_get_faults": ("0.9", c_int32, (c_void_p, c_uint64, POINTER(carom_fault), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
+    "carom_batch_get_info": ("0.9", c_int32, (c_void_p, POINTER(carom_batch_info), POINTER(carom_error),)),
+    "carom_random_fill": ("0.9", c_int32, (c_uint32, POINTER(c_uint64), c_uint64, c_uint64, POINTER(c_double), POINTER(carom_error),)),
     "carom_material_desc_init": ("0.9", c_int32, (POINTER(carom_material_desc), c_uint32,)),
     "carom_material_create": ("0.9", c_int32, (c_void_p, POINTER(carom_material_desc), POINTER(carom_material), POINTER(carom_error),)),
     "carom_material_update": ("0.9", c_int32, (c_void_p, carom_material, POINTER(carom_material_desc), POINTER(carom_error),)),
@@ -849,6 +890,8 @@ FUNCTIONS = {
     "carom_shape_create": ("0.9", c_int32, (c_void_p, carom_plugin, POINTER(c_double), c_uint64, POINTER(carom_shape), POINTER(carom_error),)),
     "carom_shape_create_named": ("0.9", c_int32, (c_void_p, c_char_p, POINTER(c_double), c_uint64, POINTER(carom_shape), POINTER(carom_error),)),
     "carom_shape_create_half_space": ("0.9", c_int32, (c_void_p, POINTER(c_double), c_double, POINTER(carom_shape), POINTER(carom_error),)),
+    "carom_shape_create_hull_of": ("0.9", c_int32, (c_void_p, POINTER(carom_shape), c_uint64, POINTER(c_double), POINTER(c_double), POINTER(c_double), c_double, POINTER(carom_shape), POINTER(carom_error),)),
+    "carom_shape_get_parts": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(carom_shape), POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_uint64), POINTER(c_double), POINTER(carom_error),)),
     "carom_shape_destroy": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(carom_error),)),
     "carom_shape_get_info": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(carom_shape_info), POINTER(carom_error),)),
     "carom_shape_get_params": ("0.9", c_int32, (c_void_p, carom_shape, POINTER(c_double), POINTER(c_uint64), POINTER(carom_error),)),

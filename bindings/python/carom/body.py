@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Callable, ClassVar, Iterable
 
 from . import raw
 from .attributes import Attributes
-from .errors import Busy, Closed, Reentrant
+from .errors import Busy, CaromError, Closed, Reentrant, as_typed
 from .records import BodyRecord, ColliderRecord
 from ._root import count_of
 from ._values import bits, describe, enum, flag, handle_of, handles_out, mask, number, record, vec3, vector, whole, word
@@ -74,6 +74,14 @@ class Thing:
     def _call(self, function: Callable[..., int], *arguments: object) -> None:
         self.world._call(function, self.handle, *arguments)
 
+    def _assign(self, names: tuple[str, ...], function: Callable[..., int], *arguments: object) -> None:
+        """As _call(), for what is assigned to a property that C has another word for: a refusal names what was typed.
+        @param names  one for each of `arguments`"""
+        try:
+            self._call(function, *arguments)
+        except CaromError as refused:
+            raise as_typed(refused, names, 3) from None
+
     def _get(self, function: Callable[..., int], type: Any) -> Any:
         out = type()
         self.world._call(function, self.handle, ctypes.byref(out))
@@ -97,7 +105,7 @@ class Material(Thing):
 
     @resistance.setter
     def resistance(self, value: tuple[float, float]) -> None:
-        self._call(raw.carom_material_set_resistance, *vector(value, 2, "resistance"))
+        self._assign(("resistance[0]", "resistance[1]"), raw.carom_material_set_resistance, *vector(value, 2, "resistance"))
 
     def _about(self) -> str:
         rolling, spinning = self.resistance
@@ -249,7 +257,7 @@ class Body(Thing):
 
     @damping.setter
     def damping(self, value: tuple[float, float]) -> None:
-        self._call(raw.carom_body_set_damping, *vector(value, 2, "damping"))
+        self._assign(("damping[0]", "damping[1]"), raw.carom_body_set_damping, *vector(value, 2, "damping"))
 
     @property
     def linear_damping(self) -> float:
@@ -258,7 +266,7 @@ class Body(Thing):
 
     @linear_damping.setter
     def linear_damping(self, value: float) -> None:
-        self._call(raw.carom_body_set_damping, number(value, "linear_damping"), self.damping[1])
+        self._assign(("linear_damping",), raw.carom_body_set_damping, number(value, "linear_damping"), self.damping[1])
 
     @property
     def angular_damping(self) -> float:
@@ -267,7 +275,7 @@ class Body(Thing):
 
     @angular_damping.setter
     def angular_damping(self, value: float) -> None:
-        self._call(raw.carom_body_set_damping, self.damping[0], number(value, "angular_damping"))
+        self._assign(("", "angular_damping"), raw.carom_body_set_damping, self.damping[0], number(value, "angular_damping"))
 
     @property
     def user(self) -> int:
@@ -342,7 +350,7 @@ class Body(Thing):
 
     @gravity_factor.setter
     def gravity_factor(self, value: float) -> None:
-        self._call(raw.carom_body_set_gravity_factor, number(value, "gravity_factor"))
+        self._assign(("gravity_factor",), raw.carom_body_set_gravity_factor, number(value, "gravity_factor"))
 
     @property
     def locks(self) -> int:
@@ -380,7 +388,7 @@ class Body(Thing):
 
     @drag.setter
     def drag(self, value: tuple[float, float]) -> None:
-        self._call(raw.carom_body_set_drag, *vector(value, 2, "drag"))
+        self._assign(("drag[0]", "drag[1]"), raw.carom_body_set_drag, *vector(value, 2, "drag"))
 
     def set_filter(self, category: int = 1, mask: int = 2**64 - 1, group: int = 0) -> None:
         """Of all colliders that it has now."""
@@ -473,7 +481,9 @@ class Collider(Thing):
 
     @surface_velocity.setter
     def surface_velocity(self, value: tuple[Vector, Vector]) -> None:
-        self.set_surface_velocity(*pair(value, "surface_velocity"))
+        linear, angular = pair(value, "surface_velocity")
+        self._assign(("surface_velocity[0]", "surface_velocity[1]"), raw.carom_collider_set_surface_velocity,
+                     vec3(linear, "surface_velocity[0]"), vec3(angular, "surface_velocity[1]"))
 
     @property
     def filter(self) -> tuple[int, int, int]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable, Sequence
 
 from . import raw
 from ._root import Root, check, count_of
-from ._values import bits, describe, doubles, handle_of, listed, number, vec3, vector, whole
+from ._values import bits, describe, doubles, handle_of, listed, number, shape_of, vec3, vector, whole
 from .errors import AlreadyExists, NotFound
 from .host import Allocator, Jobs, put_allocator, put_jobs
 from .pair import PairQuestions
@@ -21,19 +21,32 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._values import Rows, Vector
+    from .batch import Batch
     from .records import DialKeywords, FormWord
+
+
+def _file_of_library() -> Path:
+    """Where the library is, also where the system's loader found it by its name."""
+    class Info(ctypes.Structure):
+        _fields_ = [("file", ctypes.c_char_p), ("base", ctypes.c_void_p), ("name", ctypes.c_char_p), ("address", ctypes.c_void_p)]
+
+    info = Info()
+    if not os.path.dirname(raw.LIBRARY) and os.name == "posix":
+        if ctypes.CDLL(None).dladdr(ctypes.cast(raw.carom_version, ctypes.c_void_p), ctypes.byref(info)) and info.file:
+            return Path(os.fsdecode(info.file))
+    return Path(raw.LIBRARY)
 
 
 def plugin_folders() -> list[Path]:
     """Where shape plugins are looked for: $CAROM_PLUGIN_DIR, this package, beside the library."""
-    library = Path(raw.LIBRARY)
+    library = _file_of_library()
     given = os.environ.get("CAROM_PLUGIN_DIR")
     return ([Path(given)] if given else []) + [Path(__file__).parent / "lib" / "plugins", library.parent / "carom" / "plugins",
                                                library.parent.parent / "plugins"]
 
 
 class Engine(Root, PairQuestions):
-    """Owns plugins and shapes; makes worlds. Closing it closes its worlds.
+    """Owns plugins and shapes; makes worlds. Closing it closes its worlds and batches.
 
         with carom.Engine(threads=2) as engine, engine.world() as world: ...
 
@@ -64,6 +77,7 @@ class Engine(Root, PairQuestions):
         check(raw.carom_engine_create, ctypes.byref(desc), ctypes.byref(pointer))
         super().__init__(pointer.value, raw.carom_engine_destroy, *alive)
         self._worlds: weakref.WeakSet[World] = weakref.WeakSet()
+        self._batches: weakref.WeakSet[Batch] = weakref.WeakSet()
         self._plugins: dict[str, int] = {}
         self._threads = None if jobs is not None else max(threads, 1)
         if threads > 1 or jobs is not None:
@@ -80,6 +94,8 @@ class Engine(Root, PairQuestions):
 
     def close(self) -> None:
         if not self._closed:
+            for batch in list(self._batches):
+                batch.close()
             for world in list(self._worlds):
                 world.close()
         super().close()
@@ -137,6 +153,11 @@ class Engine(Root, PairQuestions):
         """Axis y. @param half_height  m, of the segment between the two balls' centres"""
         return self.shape("carom.capsule", (number(radius, "radius"), number(half_height, "half_height")))
 
+    def tapered_capsule(self, radius_bottom: float, radius_top: float, half_height: float) -> Shape:
+        """The hull of two balls on the axis y. @param half_height  m, from the middle to the centre of a ball"""
+        return self.shape("carom.tapered_capsule", (number(radius_bottom, "radius_bottom"), number(radius_top, "radius_top"),
+                                                    number(half_height, "half_height")))
+
     def cylinder(self, radius: float, half_height: float) -> Shape:
         """Axis y."""
         return self.shape("carom.cylinder", (number(radius, "radius"), number(half_height, "half_height")))
@@ -153,6 +174,28 @@ class Engine(Root, PairQuestions):
         """The convex hull of points, m."""
         rows = [vec3(point, f"points[{i}]") for i, point in enumerate(listed(points, "points", "rows of 3 numbers"))]
         return self.shape("carom.hull", (x for row in rows for x in row))
+
+    def hull_of(self, parts: Iterable[Shape | Sequence[Any]], radius: float = 0) -> Shape:
+        """The convex hull of shapes. A part is a shape, or (shape, position), (shape, position, orientation) or (shape,
+        position, orientation, scale). A shape at two places gives its sweep, one part with a scale a scaled shape, one
+        with a radius a rounded shape.
+        @param radius  m, by which all of it grows"""
+        grown = number(radius, "radius")
+        rows = [part if isinstance(part, (tuple, list)) else (part,) for part in listed(parts, "parts", "shapes")]
+        for i, row in enumerate(rows):
+            if not 1 <= len(row) <= 4:
+                raise ValueError(f"parts[{i}] takes a shape, position, orientation, scale; got {len(row)} values")
+        handles = (ctypes.c_uint64 * len(rows))(*(shape_of(row[0], f"parts[{i}]") for i, row in enumerate(rows)))
+
+        def column(at: int, usual: tuple[float, ...], name: str) -> ctypes.Array[ctypes.c_double]:
+            each = [vector(row[at], len(usual), f"{name} of parts[{i}]") if len(row) > at else usual for i, row in enumerate(rows)]
+            return (ctypes.c_double * (len(usual) * len(rows)))(*(x for row in each for x in row))
+
+        handle = ctypes.c_uint64()
+        self._call(raw.carom_shape_create_hull_of, handles, len(rows), column(1, (0, 0, 0), "position"),
+                   column(2, (0, 0, 0, 1), "orientation"), column(3, (1, 1, 1), "scale"), grown,
+                   ctypes.byref(handle))
+        return Shape(self, handle.value)
 
     def half_space(self, normal: Vector = (0, 1, 0), offset: float = 0) -> Shape:
         """All x with normal . x <= offset: ground without end, for static bodies."""

@@ -1,6 +1,8 @@
 """One exception for each result code, with what is wrong and what to do in its text."""
 from __future__ import annotations
 
+import re
+
 from . import raw
 
 
@@ -48,6 +50,16 @@ for _name in dir(raw):
 
 class Closed(CaromError, ReferenceError):
     """The engine or world was closed, or the object's handle is no longer anybody's."""
+
+
+def as_typed(refused: CaromError, names: tuple[str, ...], first: int) -> CaromError:
+    """The same refusal in the words of what was typed, where C has other words for its arguments.
+    @param first  position in C of the argument that names[0] is"""
+    index = refused.argument - first
+    if not 0 <= index < len(names):
+        return refused
+    about = re.sub(r"^\w+", names[index], refused.message, count=1)
+    return type(refused)(about, refused.remedy, refused.argument, refused.witness, refused.code)
 
 
 def raise_for(result: int, error: raw.carom_error | None) -> None:

@@ -52,6 +52,25 @@ CAROM_ISLAND_ESTIMATED: int
 CAROM_ISLAND_BOUND: int
 CAROM_ISLAND_JOINTS_ALONE: int
 CAROM_ISLAND_STALLED: int
+CAROM_COLUMN_BODIES: int
+CAROM_COLUMN_JOINTS: int
+CAROM_COLUMN_MASSES: int
+CAROM_COLUMN_MATERIALS: int
+CAROM_COLUMN_GRAVITY: int
+CAROM_COLUMN_TIME: int
+CAROM_COLUMN_CONTACT_FORCES: int
+CAROM_COLUMN_RAYS: int
+CAROM_COLUMN_COUNT: int
+CAROM_WHEN_ON_CALL: int
+CAROM_WHEN_BEFORE_STEP: int
+CAROM_WHEN_AFTER_STEP: int
+CAROM_WHEN_COUNT: int
+CAROM_STOPPED_NO: int
+CAROM_STOPPED_FAULT: int
+CAROM_STOPPED_MEMORY: int
+CAROM_RANDOM_UNIFORM: int
+CAROM_RANDOM_NORMAL: int
+CAROM_RANDOM_COUNT: int
 CAROM_MIX_GEOMETRIC_MEAN: int
 CAROM_MIX_MAXIMUM: int
 CAROM_MIX_MINIMUM: int
@@ -453,6 +472,30 @@ class carom_growth(ctypes.Structure):
     reserved: int
     factor: float
     rate: float
+class carom_batch_column(ctypes.Structure):
+    """What stands in an array of the host's, and when. Fill with carom_batch_column_init(). A row has n records one after
+    the other, each of as many numbers as the source says; rows are those of the worlds of one structure, in order."""
+    struct_size: int
+    source: int
+    field: int
+    when: int
+    scalar: int
+    reserved: int
+    world: int
+    n: int
+    handles: Any
+    rays: Any
+    data: Any
+    stride: int
+class carom_batch_info(ctypes.Structure):
+    """What a batch has, and what it costs."""
+    struct_size: int
+    structures: int
+    worlds: int
+    stopped: int
+    columns: int
+    real_worlds: int
+    state_bytes: int
 class carom_material_desc(ctypes.Structure):
     """Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides."""
     struct_size: int
@@ -1371,6 +1414,104 @@ def carom_world_measure_growth(world: Any, dt: Any, steps: Any, growth: Any, err
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; NOT_FINITE; OUT_OF_RANGE; LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY
     @thread reader"""
     ...
+def carom_batch_column_init(column: Any, struct_size: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    ...
+def carom_batch_create(engine: Any, batch: Any, error: Any) -> int:
+    """Make a batch without worlds.
+    @param batch out: to be destroyed before the engine   @owns the caller: carom_batch_destroy()
+    @status OK; NULL_ARGUMENT; OUT_OF_MEMORY   @thread engine"""
+    ...
+def carom_batch_destroy(batch: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; BUSY; REENTRANT"""
+    ...
+def carom_batch_add_worlds(batch: Any, world: Any, n: Any, first: Any, error: Any) -> int:
+    """Add n worlds that are as this one is now. The world itself is read, stays as it is, and may be destroyed. A ledger, a
+    recording and a budget of time are not copied.
+    @param batch of the same engine   @param n 1 to 2^24 in all   @param first out: the number of the first of them
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); WRONG_WORLD (of another engine); LIMIT (256 structures in all); BUSY;
+            REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_batch_add_column(batch: Any, desc: Any, column: Any, error: Any) -> int:
+    """Say where numbers of worlds stand.
+    @param column out: its number, from 0 on; may be NULL
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; OUT_OF_RANGE (world, n, a ray); NOT_FINITE; *_HANDLE;
+            UNSUPPORTED (a joint or body that has no such field; read only: not BEFORE_STEP, nor fields that move
+            joints); BUFFER_TOO_SMALL (stride); LIMIT (4,096 columns); BUSY; REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_batch_step(batch: Any, mask: Any, dt: Any, steps: Any, stopped: Any, error: Any) -> int:
+    """Advance worlds, each by steps of dt. First, all that columns BEFORE_STEP have for them is checked: where something is
+    refused no world has moved. A world that is stopped stays as it is, and so do its rows.
+    @param mask     [worlds] or NULL: all
+    @param dt       s, in [1e-9, 1]
+    @param steps    1 to 1e6, with the same numbers before each
+    @param stopped  out: how many worlds are stopped now, in all; may be NULL
+    @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED; BUSY; REENTRANT; OUT_OF_MEMORY; INTERNAL (a
+            callback left its thread: some worlds were stepped)"""
+    ...
+def carom_batch_read(batch: Any, columns: Any, count: Any, mask: Any, error: Any) -> int:
+    """Read columns, of worlds as they are now. Contact forces are those of a step: 0 here.
+    @param columns [count]   @param mask [worlds] or NULL: all
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE (a column); BUSY; REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_batch_write(batch: Any, columns: Any, count: Any, mask: Any, error: Any) -> int:
+    """Write columns, one after the other: poses, speeds, gains, friction, masses. All worlds or none are changed.
+    @param columns [count]   @param mask [worlds] or NULL: all
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE; NOT_FINITE; NOT_UNIT; UNSUPPORTED (read only, or joints that can't be moved);
+            BUSY; REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_batch_add_start(batch: Any, world: Any, bytes: Any, size: Any, start: Any, error: Any) -> int:
+    """Add a state that worlds of a structure may be reset to.
+    @param world  one of the structure   @param bytes [size] as carom_world_restore() takes them   @param size of bytes
+    @param start  out: its number among those of the structure, from 1 on; 0 is the state that its worlds were made with
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE (world); CORRUPT; UNSUPPORTED; MISMATCH; BUSY; REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_batch_reset(batch: Any, mask: Any, starts: Any, error: Any) -> int:
+    """Put worlds back to where they began. Masses that were written stay; what else was written is as in the start.
+    A world that is stopped runs again.
+    @param mask   [worlds] or NULL: all   @param starts [worlds] numbers of starts, or NULL: 0
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE (a start); BUSY; REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_batch_save(batch: Any, world: Any, buffer: Any, capacity: Any, needed: Any, error: Any) -> int:
+    """Write a snapshot of one world, as carom_world_save() with CAROM_SNAPSHOT_STATE: it goes into the world that was
+    copied (unless masses differ), or back by carom_batch_add_start(). Arguments as there.
+    @param world    its number
+    @param buffer   [capacity] bytes, or NULL to get the size alone
+    @param capacity bytes; 0 if buffer is NULL
+    @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE (world); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_batch_get_hashes(batch: Any, hashes: Any, n: Any, error: Any) -> int:
+    """The hash of each world, as carom_world_hash().
+    @param hashes out, [worlds]   @param n how many worlds there are
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY; REENTRANT; OUT_OF_MEMORY"""
+    ...
+def carom_batch_get_stopped(batch: Any, stopped: Any, n: Any, error: Any) -> int:
+    """Which worlds are stopped, and why.
+    @param stopped out, [worlds] CAROM_STOPPED_*   @param n how many worlds there are
+    @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY"""
+    ...
+def carom_batch_get_faults(batch: Any, world: Any, dst: Any, stride: Any, capacity: Any, count: Any, error: Any) -> int:
+    """The faults of the step that stopped a world; none where it is not stopped.
+    @param world    its number
+    @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    @param stride   sizeof(carom_fault) as the caller knows it
+    @param count    out: how many there are (may exceed capacity; capacity are written)
+    @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (world, stride); BUSY"""
+    ...
+def carom_batch_get_info(batch: Any, info: Any, error: Any) -> int:
+    """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
+    ...
+def carom_random_fill(kind: Any, keys: Any, n: Any, width: Any, dst: Any, error: Any) -> int:
+    """Random numbers that follow from a key alone: n rows, each from its own key. So they do not depend on how many worlds
+    there are, in which order or on which thread, or machine, they are drawn. Philox4x32-10; the normal ones by Box and
+    Muller. A row that is longer begins as a shorter one of its key.
+    @param kind  CAROM_RANDOM_*
+    @param keys  [3 n]: of each row a seed, the number of a world, a step
+    @param width numbers in a row
+    @param dst   out, [n width]
+    @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; OUT_OF_RANGE (n, width)   @thread any"""
+    ...
 def carom_material_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
@@ -1772,7 +1913,7 @@ def carom_engine_create(desc: Any, engine: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY"""
     ...
 def carom_engine_destroy(engine: Any, error: Any) -> int:
-    """Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    """Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
     REENTRANT   @thread writer: no other call may use the engine"""
     ...
 def carom_jobs_desc_init(desc: Any, struct_size: Any) -> int:
@@ -1783,7 +1924,7 @@ def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
     functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
     on the stepping one.
     @param desc may be NULL: the stepping thread alone
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
     no more threads); OUT_OF_MEMORY; REENTRANT"""
     ...
 def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
@@ -2314,8 +2455,39 @@ def carom_shape_create_half_space(engine: Any, normal: Any, offset: Any, shape: 
     @param normal [3] unit (within 1e-6)   @param offset m
     @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY"""
     ...
+def carom_shape_create_hull_of(engine: Any, parts: Any, count: Any, positions: Any, orientations: Any, scales: Any, radius: Any, shape: Any, error: Any) -> int:
+    """Make the convex hull of shapes that the engine has, each placed and scaled, and all of it rounded by a radius. The
+    same call makes
+    - the sweep of a shape along a straight line, without turning: the shape at both ends. Where it turns as well, the hull
+      of both ends leaves out what bulges between them: add poses in between;
+    - a scaled shape: one part with a scale. A negative scale mirrors it;
+    - a rounded shape: one part and a radius, by which it grows on all sides.
+    Where all parts have corners only and the radius is 0, the hull is a polytope with exact mass and faces, and its
+    corners are its parameters. Else its parameters are none and its mass is derived. A part cannot be destroyed before
+    the hull.
+    @param parts         [count] handles of convex shapes, the same one as often as wanted
+    @param count         1 to 4096
+    @param positions     [3 * count] m, frame of the hull; NULL: 0
+    @param orientations  [4 * count] x, y, z, w, unit within 1e-6, part to hull; NULL: identity
+    @param scales        [3 * count] along the axes of the part, of a size of 1e-6 to 1e6; NULL: 1
+    @param radius        m, 0 or more
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (a part is a half-space or scenery);
+            PLUGIN_INVALID; LIMIT (hulls of hulls more than 8 deep, or of more than 4096 parts in all); OUT_OF_MEMORY
+    @since 0.9"""
+    ...
+def carom_shape_get_parts(engine: Any, shape: Any, parts: Any, positions: Any, orientations: Any, scales: Any, count: Any, radius: Any, error: Any) -> int:
+    """What a hull of shapes is made of, as it was given. Of any other shape: no parts, radius 0.
+    @param parts         [*count] or NULL: only count and radius are written
+    @param positions     [3 * *count] m, or NULL   @param orientations [4 * *count] x, y, z, w, or NULL
+    @param scales        [3 * *count] or NULL
+    @param count         in: capacity in parts; out: number of parts
+    @param radius        m, or NULL
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)
+    @since 0.9"""
+    ...
 def carom_shape_destroy(engine: Any, shape: Any, error: Any) -> int:
-    """@status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT"""
+    """@status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, a hull of shapes, or a query on another thread, refers to
+            it); REENTRANT"""
     ...
 def carom_shape_get_info(engine: Any, shape: Any, info: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE"""

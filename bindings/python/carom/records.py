@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 # Words: each is a constant without its prefix, CAROM_BODY_STATIC "static". Numbers pass, too.
 ScalarWord = Literal["f32", "f64"]
 IslandFlagsWord = Literal["estimated", "bound", "joints_alone", "stalled"]
+ColumnWord = Literal["bodies", "joints", "masses", "materials", "gravity", "time", "contact_forces", "rays"]
+WhenWord = Literal["on_call", "before_step", "after_step"]
+StoppedWord = Literal["no", "fault", "memory"]
+RandomWord = Literal["uniform", "normal"]
 MixWord = Literal["geometric_mean", "maximum", "minimum", "average", "multiply"]
 BodyTypeWord = Literal["static", "kinematic", "dynamic"]
 BodyFieldsWord = Literal["mass", "center", "inertia"]
@@ -612,6 +616,16 @@ class DrawLineRecord(Record):
     colour: int
     kind: int
     body: Body | None
+
+
+class BatchInfoRecord(Record):
+    """What a batch has"""
+    structures: int
+    worlds: int
+    stopped: int
+    columns: int
+    real_worlds: int
+    state_bytes: int
 
 
 class MaterialKeywords(TypedDict, total=False):

@@ -51,6 +51,26 @@ class Shape:
         self.engine._call(raw.carom_shape_get_params, self.handle, values, ctypes.byref(count))
         return tuple(values)
 
+    @property
+    def parts(self) -> list[tuple[Shape, tuple[float, ...], tuple[float, ...], tuple[float, ...]]]:
+        """Of a hull of shapes: shape, position, orientation and scale of each, as engine.hull_of() takes them. Else none."""
+        count = ctypes.c_uint64()
+        ask = raw.carom_shape_get_parts
+        self.engine._call(ask, self.handle, None, None, None, None, ctypes.byref(count), None)
+        n = count.value
+        handles = (ctypes.c_uint64 * n)()
+        p, q, s = (ctypes.c_double * (3 * n))(), (ctypes.c_double * (4 * n))(), (ctypes.c_double * (3 * n))()
+        self.engine._call(ask, self.handle, handles, p, q, s, ctypes.byref(count), None)
+        return [(Shape(self.engine, handles[i]), tuple(p[3 * i:3 * i + 3]), tuple(q[4 * i:4 * i + 4]), tuple(s[3 * i:3 * i + 3]))
+                for i in range(n)]
+
+    @property
+    def rounding(self) -> float:
+        """Of a hull of shapes: m, by which it grew on all sides. Else 0."""
+        count, radius = ctypes.c_uint64(), ctypes.c_double()
+        self.engine._call(raw.carom_shape_get_parts, self.handle, None, None, None, None, ctypes.byref(count), ctypes.byref(radius))
+        return radius.value
+
     def destroy(self) -> None:
         """@raise InUse while a collider uses it"""
         self.engine._call(raw.carom_shape_destroy, self.handle)

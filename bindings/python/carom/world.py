@@ -10,10 +10,11 @@ from ._values import describe, enum, flag, handle_of, handles_out, number, vec3
 from .body import Body, Collider, Material, Thing, collider_desc
 from .bulk import Bulk
 from .dials import Dials
-from .errors import Busy, Closed, Reentrant
+from .errors import Busy, CaromError, Closed, Reentrant, as_typed
 from .force import ForceField, Spring, Water
 from .joint import Joint, make_joint
 from .particles import Particles
+from .notebook import Shown
 from .query import Questions
 from .report import Reports
 from .shape import Shape
@@ -33,7 +34,7 @@ _OBJECTS: dict[str, type[Thing]] = {"carom_body": Body, "carom_collider": Collid
             "carom_particles": Particles, "carom_force_field": ForceField, "carom_spring": Spring}
 
 
-class World(Root, Bulk, Questions, Reports, Snapshots):
+class World(Root, Bulk, Questions, Reports, Snapshots, Shown):
     """Made by Engine.world(). One thread steps it, or any number read it; who comes at the wrong time gets Busy.
     A step lets other Python threads run."""
 
@@ -216,7 +217,10 @@ class World(Root, Bulk, Questions, Reports, Snapshots):
 
     @wind.setter
     def wind(self, value: Vector) -> None:
-        self._call(raw.carom_world_set_wind, vec3(value, "wind"))
+        try:
+            self._call(raw.carom_world_set_wind, vec3(value, "wind"))
+        except CaromError as refused:
+            raise as_typed(refused, ("wind",), 2) from None
 
     @property
     def bodies(self) -> list[Body]:

@@ -42,9 +42,11 @@ fn installed() -> PathBuf {
     }
 }
 
-/// The archive with all shapes in it, from the sources that this crate lies among.
+/// The archive with all shapes in it, from the sources in this crate, or those that it lies among.
 fn vendored() {
-    let root = Path::new(&env::var("CARGO_MANIFEST_DIR").unwrap()).join("../../..");
+    let here = PathBuf::from(env::var("CARGO_MANIFEST_DIR").unwrap());
+    let (own, around) = (here.join("vendor"), here.join("../../.."));
+    let root = if own.exists() { own } else { around }; // as a package has them, or a checkout
     if !root.join("src/abi/carom.map").exists() {
         refuse(&format!(
             "feature vendored builds the sources of Carom, which are not at {}: take the crate from a checkout",
@@ -63,7 +65,7 @@ fn vendored() {
         }
         Err(problem) => refuse(&format!("cmake cannot be run: {problem}")),
     };
-    let switches = ["TOOLS", "TESTS"].map(|what| format!("-DCAROM_BUILD_{what}=OFF"));
+    let switches = ["BUILD_TOOLS", "BUILD_TESTS", "INSTALL"].map(|what| format!("-DCAROM_{what}=OFF"));
     let archive = build.join("archive");
     cmake(
         Command::new("cmake")

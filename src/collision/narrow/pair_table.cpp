@@ -7,14 +7,14 @@
 namespace carom::collision {
 
 void PairTable::update(const Array<Pair>& pairs, Jobs* jobs) {
-  constexpr std::size_t kPairsAPart = 2048;
-  if (!jobs || pairs.size() <= kPairsAPart || has_runs_ || inactive_count_ > 0) return update_runs(pairs);
+  constexpr std::size_t kKeptAPart = 2048;
+  if (!jobs || pairs.size() <= kKeptAPart || has_runs_ || inactive_count_ > 0) return update_runs(pairs);
   const std::size_t n = pairs.size();
   next_.resize(n), free_.reserve(records_.size() + n), dropped_.resize(order_.size());
-  blocks_.resize((n + kPairsAPart - 1) / kPairsAPart);
+  blocks_.resize((n + kKeptAPart - 1) / kKeptAPart);
   std::size_t old = 0;
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const std::size_t first = i * kPairsAPart, last = std::min(first + kPairsAPart, n);
+    const std::size_t first = i * kKeptAPart, last = std::min(first + kKeptAPart, n);
     const auto before = [](const Place& place, const Pair& p) { return place.pair < p; };
     const auto end = last < n ? std::lower_bound(order_.begin(), order_.end(), pairs[last], before) : order_.end();
     blocks_[i] = {first, last, old, static_cast<std::size_t>(end - order_.begin()), 0, false, false};

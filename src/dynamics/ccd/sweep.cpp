@@ -12,6 +12,7 @@
 #include "dynamics/quarantine.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/solver/direct.h"
+#include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
@@ -25,7 +26,7 @@ void tell_contacts(const World& world) {
   if (world.contacts->rows.empty()) return;
   refresh_rotations(world);
   refresh_separations(world);
-  if (!world.wide->manifolds.empty()) measure_lanes(world);
+  if (!world.wide->manifolds.empty()) measure_lanes(world), measure_far_turns(world, *world.wide);
   for (GroupRest& rest : world.direct->rest) rest.lasts = false;
 }
 

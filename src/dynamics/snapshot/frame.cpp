@@ -118,10 +118,10 @@ class Writer {
     const Section* const* const all = sections(count);
     for (std::size_t k = 0; k < count; ++k) section(all[k]->tag, [&](Saver& io) { all[k]->save(io, world); });
   }
-  std::uint64_t finish() {
+  std::uint64_t finish(Origin origin = Origin::host) {
     header_.size = io_.size();
     if (io_.size() > capacity_ || !to_) return io_.size();
-    header_.checksum = checksum(to_ + kHeader, io_.size() - kHeader);
+    if (origin == Origin::host) header_.checksum = checksum(to_ + kHeader, io_.size() - kHeader);
     io_.put_at(0, &header_, kHeader);
     return io_.size();
   }
@@ -156,7 +156,7 @@ bool refuse(SnapshotFault& fault, SnapshotFault::Kind kind, const char* format, 
   return false;
 }
 
-bool find_sections(const std::byte* bytes, std::uint64_t n, Found& found, SnapshotFault& fault) {
+bool find_sections(const std::byte* bytes, std::uint64_t n, Found& found, SnapshotFault& fault, Origin origin) {
   Header header;
   if (n < kHeader) return refuse(fault, SnapshotFault::corrupt, "%llu bytes are no snapshot", (unsigned long long)n);
   std::memcpy(&header, bytes, kHeader);
@@ -167,7 +167,8 @@ bool find_sections(const std::byte* bytes, std::uint64_t n, Found& found, Snapsh
   if (header.size != n)
     return refuse(fault, SnapshotFault::corrupt, "the snapshot has %llu bytes, %llu are given",
                   (unsigned long long)header.size, (unsigned long long)n);
-  if (header.format == 0 || header.reserved != 0 || header.checksum != checksum(bytes + kHeader, n - kHeader))
+  if (header.format == 0 || header.reserved != 0 ||
+      (origin == Origin::host && header.checksum != checksum(bytes + kHeader, n - kHeader)))
     return refuse(fault, SnapshotFault::corrupt, "the checksum of the snapshot is not that of its bytes");
   std::size_t count = 0;
   const Section* const* const all = sections(count);
@@ -204,10 +205,34 @@ bool check_structure_of(const World& world, const Found& found, bool built, Snap
 
 }  // namespace snapshot
 
-std::uint64_t save_state(const World& world, std::byte* to, std::uint64_t capacity) {
+std::uint64_t save_state(const World& world, std::byte* to, std::uint64_t capacity, Origin origin) {
   snapshot::Writer writer(to, capacity);
   writer.state(world);
-  return writer.finish();
+  return writer.finish(origin);
+}
+
+bool next_section(const std::byte* bytes, std::uint64_t n, std::uint64_t& at, SectionBytes& out) {
+  using namespace snapshot;
+  if (at == 0) at = kHeader;
+  if (at >= n) return false;
+  SectionHeader s;
+  std::memcpy(&s, bytes + at, kSectionHeader);
+  out = {s.tag, bytes + at + kSectionHeader, s.size};
+  at += kSectionHeader + s.size + (-s.size % 8);
+  return true;
+}
+
+std::uint64_t put_header(std::byte* to, std::uint64_t n) {
+  snapshot::Header header;
+  header.size = n;
+  std::memcpy(to, &header, snapshot::kHeader);
+  return snapshot::kHeader;
+}
+
+std::uint64_t put_section_header(std::byte* to, std::uint32_t tag, std::uint64_t size) {
+  const snapshot::SectionHeader s{tag, 0, size};
+  std::memcpy(to, &s, snapshot::kSectionHeader);
+  return snapshot::kSectionHeader;
 }
 
 std::uint64_t save_world(const World& world, const ShapeNames& names, std::byte* to, std::uint64_t capacity) {

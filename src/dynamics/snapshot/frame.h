@@ -26,7 +26,8 @@ struct Found {
   bool is_whole() const { return whole_begin[0] != nullptr; }
 };
 /// @return false: the bytes are no snapshot, or not all of it
-bool find_sections(const std::byte* bytes, std::uint64_t n, Found& found, SnapshotFault& fault);
+bool find_sections(const std::byte* bytes, std::uint64_t n, Found& found, SnapshotFault& fault,
+                   Origin origin = Origin::host);
 
 /// Whether a world is of the structure that a snapshot is of.
 /// @param built  the world was made of these bytes: it is as they say, where they don't say it twice

@@ -121,10 +121,10 @@ void World::abandon_step() {
   ++scene.collider_revision;
 }
 
-bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault) {
+bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault, Origin origin) {
   using namespace snapshot;
   Found found;
-  if (!find_sections(bytes, n, found, fault) || !check_structure_of(world, found, false, fault) ||
+  if (!find_sections(bytes, n, found, fault, origin) || !check_structure_of(world, found, false, fault) ||
       !check_state(world, found, fault))
     return false;
   load_state(world, found);

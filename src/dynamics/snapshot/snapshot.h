@@ -22,16 +22,33 @@ struct SnapshotFault {
   char text[240] = {0};
 };
 
+/// Whose bytes they are: those that never left the library need no checksum.
+enum class Origin { host, own };
+
 /// All that a step reads and that is not structure, and what a host can set without changing structure. May be called
 /// by several threads at once, while nothing changes the world.
 /// @param to  [capacity] filled if it is large enough
 /// @return    bytes that it takes
-std::uint64_t save_state(const World& world, std::byte* to, std::uint64_t capacity);
+std::uint64_t save_state(const World& world, std::byte* to, std::uint64_t capacity, Origin origin = Origin::host);
 
 /// Put back what save_state() took from this world, or from another of the same structure. From here on both go on
 /// alike, bit for bit. Lists and residuals of the last step are empty until the next one.
 /// @throw std::bad_alloc  then nothing has changed
-bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault);
+bool restore_state(World& world, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault,
+                   Origin origin = Origin::host);
+
+/// A section of own bytes, for who keeps them in another form.
+struct SectionBytes {
+  std::uint32_t tag = 0;
+  const std::byte* begin = nullptr;
+  std::uint64_t size = 0;  // up to a multiple of 8 zeros follow
+};
+/// @param at  0 to begin with; goes on behind the section   @return  false: there is no other
+bool next_section(const std::byte* bytes, std::uint64_t n, std::uint64_t& at, SectionBytes& out);
+/// The reverse: what stands before the first section, of own bytes that will be n in all, and before each section.
+/// @return  bytes written
+std::uint64_t put_header(std::byte* to, std::uint64_t n);
+std::uint64_t put_section_header(std::byte* to, std::uint32_t tag, std::uint64_t size);
 
 /// What of a world is not as a snapshot of its structure says.
 struct Difference {
@@ -44,11 +61,12 @@ bool compare_state(const World& world, const std::byte* bytes, std::uint64_t n, 
 
 /// What a shape is made of, by names and numbers that mean the same elsewhere.
 struct ShapeImage {
-  enum Kind : std::uint8_t { of_plugin, half_space, mesh, height_field, known, count } kind = of_plugin;
+  enum Kind : std::uint8_t { of_plugin, half_space, mesh, height_field, known, hull_of, count } kind = of_plugin;
   std::string_view plugin;          // of_plugin: its id
   std::uint32_t version = 0;        // likewise
   std::span<const double> numbers;  // parameters; normal and offset; vertices, m; heights, m
   std::span<const std::uint32_t> corners;
+  std::span<const Shape* const> parts;  // hull_of: numbers as HullOf::numbers
   std::uint32_t columns = 0, rows = 0, dropped = 0;
   double spacing_x = 1, spacing_z = 1;  // m
   bool two_sided = false;
@@ -70,7 +88,7 @@ class ShapeMaker {
 
 /// The state, and all that it takes to build such a world. Otherwise as save_state().
 std::uint64_t save_world(const World& world, const ShapeNames& names, std::byte* to, std::uint64_t capacity);
-/// The shapes of a world in the order of their numbers in a snapshot.
+/// The shapes of a world in the order of their numbers in a snapshot: parts of a hull of shapes before it.
 Array<const Shape*> shapes_of(const World& world, Memory* memory);
 /// Nothing was ever made in this world, so no handle of it is about.
 bool is_untouched(const World& world);

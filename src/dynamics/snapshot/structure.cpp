@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "collision/hull_of.h"
 #include "collision/scenery/scenery.h"
 #include "core/hash.h"
 #include "dynamics/snapshot/structure_cache.h"
@@ -23,6 +24,10 @@ std::uint64_t print_of(const Shape& s) {
   for (const double p : s.params) h.add(p);
   h.add(s.core_radius), h.add(s.bounding_radius), h.add(s.mass.volume), h.add(s.offset);
   add(h, s.bounds.lo), add(h, s.bounds.hi), add(h, s.mass.inertia), add(h, s.normal);
+  if (s.hull_of) {
+    for (const double x : s.hull_of->numbers) h.add(x);
+    for (const HullOf::Part& part : s.hull_of->parts) h.add(print_of(*part.shape));
+  }
   if (!s.scenery) return h.value();
   const Scenery& g = *s.scenery;
   h.add(std::uint64_t(g.two_sided)), h.add((std::uint64_t(g.columns) << 32) | g.rows);

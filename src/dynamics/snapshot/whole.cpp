@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "collision/hull_of.h"
 #include "dynamics/mass.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/snapshot/section.h"
@@ -321,7 +322,7 @@ void save_whole(std::size_t section, Saver& io, const World& world, const ShapeN
     case kShapes: {
       const Array<const Shape*> shapes = shapes_of(world, world.memory);
       io.value(static_cast<std::uint64_t>(shapes.size()));
-      for (const Shape* shape : shapes) save_shape(io, *shape, names);
+      for (std::size_t k = 0; k < shapes.size(); ++k) save_shape(io, *shapes[k], {shapes.data(), k}, names);
       return;
     }
     case kBodiesMade:
@@ -381,13 +382,16 @@ namespace carom::dynamics {
 
 Array<const Shape*> shapes_of(const World& world, Memory* memory) {
   Array<const Shape*> met(memory), in_order(memory);
+  const auto meet = [&](const auto& self, const Shape* shape) -> void {
+    const auto find = [&] { return std::lower_bound(met.begin(), met.end(), shape, std::less<>()); };
+    if (const auto at = find(); at != met.end() && *at == shape) return;
+    if (shape->hull_of)
+      for (const HullOf::Part& part : shape->hull_of->parts) self(self, part.shape);
+    met.insert(find(), shape);
+    in_order.push_back(shape);
+  };
   const Colliders& c = world.scene.colliders;
-  for (const std::uint32_t slot : c.live) {
-    const auto at = std::lower_bound(met.begin(), met.end(), c.shape[slot], std::less<>());
-    if (at != met.end() && *at == c.shape[slot]) continue;
-    met.insert(at, c.shape[slot]);
-    in_order.push_back(c.shape[slot]);
-  }
+  for (const std::uint32_t slot : c.live) meet(meet, c.shape[slot]);
   return in_order;
 }
 

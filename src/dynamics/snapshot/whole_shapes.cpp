@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "collision/hull_of.h"
 #include "collision/scenery/scenery.h"
 
 namespace carom::dynamics::snapshot {
@@ -12,6 +13,7 @@ constexpr std::size_t kLongestId = 200;
 
 ShapeImage::Kind kind_of(const Shape& s) {
   if (s.form == Form::half_space) return ShapeImage::half_space;
+  if (s.hull_of) return ShapeImage::hull_of;
   if (!is_scenery(s)) return ShapeImage::of_plugin;
   return s.scenery->is_field() ? ShapeImage::height_field : ShapeImage::mesh;
 }
@@ -26,6 +28,8 @@ std::span<const double> numbers_of(const Shape& s, std::array<double, 4>& plane)
       return {reinterpret_cast<const double*>(s.scenery->vertex.data()), 3 * s.scenery->vertex.size()};
     case ShapeImage::height_field:
       return s.scenery->heights;
+    case ShapeImage::hull_of:
+      return s.hull_of->numbers;
     default:
       return s.params;
   }
@@ -34,7 +38,7 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
 }  // namespace
 
-void save_shape(Saver& io, const Shape& shape, const ShapeNames& names) {
+void save_shape(Saver& io, const Shape& shape, std::span<const Shape* const> before, const ShapeNames& names) {
   std::string_view plugin;
   std::uint32_t version = 0;
   const bool named = names.name(shape, plugin, version);
@@ -45,6 +49,9 @@ void save_shape(Saver& io, const Shape& shape, const ShapeNames& names) {
   std::array<double, 4> plane;
   const std::span<const double> numbers = numbers_of(shape, plane);
   list(io, numbers);
+  if (kind == ShapeImage::hull_of)
+    for (const HullOf::Part& part : shape.hull_of->parts)
+      io.value(static_cast<std::uint32_t>(std::ranges::find(before, part.shape) - before.begin()));
   if (!is_scenery(shape)) return;
   const Scenery& s = *shape.scenery;
   if (kind == ShapeImage::mesh)
@@ -76,6 +83,16 @@ void build_shape(Checker& io, Builder& b) {
     image.columns = io.value(0u), image.rows = io.value(0u);
     image.spacing_x = io.value(0.0), image.spacing_z = io.value(0.0);
     io.demand(std::uint64_t(image.columns) * image.rows == numbers.size());
+  }
+  Array<const Shape*> parts(memory);
+  if (image.kind == ShapeImage::hull_of) {
+    io.demand(numbers.size() % HullOf::kNumbers == 1 && numbers.size() > 1);
+    for (std::size_t n = numbers.size() / HullOf::kNumbers; n > 0 && !io.bad(); --n) {
+      const std::uint32_t part = io.value(0u);
+      io.demand(part < b.shape.size());
+      if (!io.bad()) parts.push_back(b.shape[part]);
+    }
+    image.parts = parts;
   }
   io.demand(image.kind != ShapeImage::half_space || numbers.size() == 4);
   if (io.bad()) return;

@@ -1,4 +1,4 @@
-// Shapes of a whole snapshot: a plugin's name and parameters, or what scenery is made of.
+// Shapes of a whole snapshot: a plugin's name and parameters, or what scenery and hulls of shapes are made of.
 #pragma once
 
 #include "dynamics/snapshot/whole.h"
@@ -17,7 +17,8 @@ void list(Io& io, List& values) {
   }
 }
 
-void save_shape(Saver& io, const Shape& shape, const ShapeNames& names);
+/// @param before  those that have lower numbers
+void save_shape(Saver& io, const Shape& shape, std::span<const Shape* const> before, const ShapeNames& names);
 /// Into builder.shape.
 void build_shape(Checker& io, Builder& builder);
 

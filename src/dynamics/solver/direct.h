@@ -66,7 +66,7 @@ struct GroupRest {
 };
 
 /// The stages of the direct solver over the groups it solves, for it and for what chooses among solvers.
-/// What lanes solve is here with the joints of its forest alone. Allocates.
+/// What lanes solve is here with its joints alone. Allocates.
 /// @param most_factor  block products of a factorisation; a group that takes more is solved by sweeps
 void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor = ~std::uint64_t{0});
 /// Velocities.

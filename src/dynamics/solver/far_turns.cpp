@@ -294,4 +294,17 @@ void heed_far_turns(const World& world, WideContacts& wide, Real h) {
   if (wide.far_turners) renew(world, wide, h);
 }
 
+void measure_far_turns(const World& world, WideContacts& wide) {
+  if (!wide.far_turners) return;
+  with_lanes(wide, [&](auto& lanes, const auto&) {
+    for (const WideContacts::Manifold& m : wide.manifolds) {
+      const auto& pair = lanes.pairs[m.pair];
+      if (!wide.far_turn[pair.a[m.lane]].again && !wide.far_turn[pair.b[m.lane]].again) continue;
+      for (std::uint32_t k = 0; k < m.points; ++k)
+        set(lanes.points[pair.first + k].separation, static_cast<int>(m.lane),
+            world.contacts->geometry[m.row + k].separation);
+    }
+  });
+}
+
 }  // namespace carom::dynamics

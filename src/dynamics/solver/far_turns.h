@@ -42,5 +42,7 @@ void end_far_turns(const World& world, Velocities& to, WideContacts& wide, Real 
 /// Before the sweeps at the end of a substep: rows as bodies are now. What has opened because a body turned gives no
 /// impulse back, for that impulse did not act where it would be taken.
 void heed_far_turns(const World& world, WideContacts& wide, Real h);
+/// After a sweep: gaps that heed_far_turns() holds are none to measure from. Separations are those of the rows.
+void measure_far_turns(const World& world, WideContacts& wide);
 
 }  // namespace carom::dynamics

@@ -7,7 +7,7 @@ import pathlib
 import sys
 
 INTERNAL = {"raw", "_c", "_root", "_values", "support"}  # modules that are not for users
-ROBOTS = ("__init__", "robot", "problems")  # those of carom.robots that are
+PARTS = (("robots", ("__init__", "robot", "problems")), ("gym", ("__init__", "env", "task", "tasks")))  # those of packages within that are
 
 
 def signature(node):
@@ -75,7 +75,8 @@ def main(folder):
           "Defaults of keywords are those of the C descriptors.\n")
     package = pathlib.Path(folder)
     modules = [(f"carom.{path.stem}", path) for path in sorted(package.glob("*.py")) if path.stem not in INTERNAL]
-    for name, path in modules + [(f"carom.robots.{stem}", package / "robots" / f"{stem}.py") for stem in ROBOTS]:
+    modules += [(f"carom.{part}.{stem}", package / part / f"{stem}.py") for part, stems in PARTS for stem in stems]
+    for name, path in modules:
         told = path.with_suffix(".pyi")  # where classes are made as the module is read
         tree = ast.parse((told if told.exists() else path).read_text(encoding="utf-8"))
         classes = [node for node in tree.body if isinstance(node, ast.ClassDef) and public(node)]

@@ -6,9 +6,49 @@ const sheet = Object.assign(document.createElement("link"), {
   href: new URL("pagefind/pagefind-ui.css", root),
 });
 const script = Object.assign(document.createElement("script"), { src: new URL("pagefind/pagefind-ui.js", root) });
-script.onload = () =>
-  new globalThis.PagefindUI({ element: box, showImages: false, baseUrl: root.pathname, resetStyles: false });
+script.onload = () => {
+  const face = new globalThis.PagefindUI({
+    element: box,
+    showImages: false,
+    showSubResults: true,
+    baseUrl: root.pathname,
+    resetStyles: false,
+  });
+  const asked = new URLSearchParams(location.search).get("q"); // from the page of scenes
+  if (asked) face.triggerSearch(asked);
+};
 document.head.append(sheet, script);
+
+// The gallery: what is typed leaves the cards that have all of its words.
+const cards = [...document.querySelectorAll(".gallery section")];
+if (cards.length) {
+  const sieve = Object.assign(document.createElement("input"), {
+    type: "search",
+    className: "sieve",
+    placeholder: `Words that ${cards.length} scenes are sought by`,
+    ariaLabel: "Show the scenes that have these words",
+  });
+  sieve.oninput = () => {
+    const words = sieve.value.toLowerCase().split(/\s+/);
+    for (const card of cards) card.hidden = !words.every((word) => card.textContent.toLowerCase().includes(word));
+    for (const group of document.querySelectorAll(".gallery"))
+      group.previousElementSibling.hidden = !group.querySelector("section:not([hidden])");
+  };
+  document.querySelector(".gallery").previousElementSibling.before(sieve);
+}
+
+// Each program can be copied.
+for (const pre of document.querySelectorAll("main pre")) {
+  const box = Object.assign(document.createElement("div"), { className: "program" }),
+    button = Object.assign(document.createElement("button"), { type: "button", textContent: "Copy" });
+  button.onclick = async () => {
+    await navigator.clipboard.writeText(pre.textContent).catch(() => getSelection().selectAllChildren(pre));
+    button.textContent = "Copied";
+    setTimeout(() => (button.textContent = "Copy"), 1500);
+  };
+  pre.replaceWith(box);
+  box.append(pre, button);
+}
 
 // Programs in several languages: one is seen, the same in all places and on all pages.
 const REMEMBERED = "carom language";

@@ -5,6 +5,8 @@ import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { dirname, extname, join, normalize, posix, relative } from "node:path";
 import { apiPages } from "./api.mjs";
 import { SCENES } from "./curves/scenes.js";
+import { examples } from "./examples.mjs";
+import { galleryPage } from "./gallery.mjs";
 
 export const ROOT = new URL("../../../", import.meta.url).pathname;
 const OWN = /^src\/site\/docs\/(start|topics)\/(.+)\.md$/; // pages that are in no folder of what they tell of
@@ -55,22 +57,15 @@ function included(line) {
   return block[0];
 }
 
-const EXAMPLES = {
-  c: "c/examples/NAME.c",
-  cpp: "cpp/examples/NAME.cpp",
-  python: "python/examples/NAME.py",
-  js: "js/examples/NAME.js",
-  rust: "rust/carom/examples/NAME.rs",
-};
-
-/** A line `@example NAME` stands for that program in each language that has it; tests/bindings/examples.py runs them. */
+/** A line `@example NAME [LANGUAGE]` stands for that program in each language, that one first; tests/bindings/examples.py
+ *  runs them. */
 function example(line) {
-  const name = /^@example (\w+)$/.exec(line)?.[1];
-  const found = Object.entries(EXAMPLES)
-    .map(([language, file]) => [`bindings/${file.replace("NAME", name)}`, language])
-    .filter(([file]) => existsSync(ROOT + file));
-  if (!found.length) throw new Error(`${line}: there is no such example`);
-  return found.map((each) => included(`@include ${each.join(" ")}`)).join("\n\n");
+  const [, name, first] = /^@example (\w+)(?: (\w+))?$/.exec(line) ?? [];
+  const found = examples().find((each) => each.name === name);
+  if (!found) throw new Error(`${line}: there is no such example`);
+  const order = Object.entries(found.files).sort(([a], [b]) => (b === first) - (a === first));
+  const programs = order.map(([language, file]) => included(`@include ${relative(ROOT, file)} ${language}`));
+  return `${programs.join("\n\n")}\n\n[Run it beside its picture](run:example_${name})`;
 }
 
 /** A line `@curve SCENE` stands for a curve of curves/scenes.js, measured where the page is read. */
@@ -93,7 +88,11 @@ export class Pages {
     const read = [...markdown()].map((file) => ({ file, text: readFileSync(ROOT + file, "utf8") }));
     this.pages = [...read, ...apiPages(ROOT)].map(({ file, text }) => {
       if (OWN.test(file))
-        text = text.replace(/^@include .*$/gm, included).replace(/^@example .*$/gm, example).replace(/^@curve .*$/gm, curve);
+        text = text
+          .replace(/^@include .*$/gm, included)
+          .replace(/^@example .*$/gm, example)
+          .replace(/^@curve .*$/gm, curve)
+          .replace(/^@gallery$/gm, galleryPage);
       const heading = /^# (.+)$/m.exec(text);
       if (!heading) throw new Error(`${file} has no heading`);
       const title = heading[1].replace(/[`*]/g, "");
@@ -131,6 +130,7 @@ export class Pages {
 
   /** Where a link of a page leads, as an address from the page's own.   @param plain  to Markdown instead of pages */
   target(page, href, plain = false) {
+    if (href.startsWith("run:")) return `${relative(`/${page.address}`, "/") || "."}/../?scene=${href.slice(4)}`;
     if (/^([a-z]+:|#|\/\/)/i.test(href)) return href;
     const [path, anchor] = href.split("#"),
       end = anchor === undefined ? "" : `#${anchor}`;

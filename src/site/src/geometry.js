@@ -23,20 +23,22 @@ function hull(points) {
   return new ConvexGeometry(vectors);
 }
 
-const ball = ([x, y = x, z = x], fine) =>
-  round(new THREE.SphereGeometry(1, fine ? 24 : 12, fine ? 16 : 8).scale(x, y, z), [x, y, z]);
+/** Corners around what is round: of few bodies, of a crowd, of a crowd that the processor draws. */
+export const [FINE, COARSE, ROUGH] = [24, 12, 8];
+const ball = ([x, y = x, z = x], around) =>
+  round(new THREE.SphereGeometry(1, around, (2 * around) / 3).scale(x, y, z), [x, y, z]);
 const KNOWN = {
   "carom.sphere": ball,
   "carom.ellipsoid": ball,
   "carom.box": ([x, y, z]) => new THREE.BoxGeometry(2 * x, 2 * y, 2 * z),
-  "carom.capsule": ([r, h], fine) => new THREE.CapsuleGeometry(r, 2 * h, fine ? 8 : 4, fine ? 20 : 10),
-  "carom.cylinder": ([r, h], fine) => quartered(creased(new THREE.CylinderGeometry(r, r, 2 * h, fine ? 32 : 16)), r),
-  "carom.cone": ([r, h], fine) => new THREE.ConeGeometry(r, 2 * h, fine ? 32 : 16),
+  "carom.capsule": ([r, h], around) => new THREE.CapsuleGeometry(r, 2 * h, Math.round(around / 3), around),
+  "carom.cylinder": ([r, h], around) => quartered(creased(new THREE.CylinderGeometry(r, r, 2 * h, around + 8)), r),
+  "carom.cone": ([r, h], around) => new THREE.ConeGeometry(r, 2 * h, around + 8),
   "carom.hull": (points) => hull(points),
 };
 
-/** @param fine  false: of few corners, for a crowd   @returns geometry, or null for a half-space */
-export function geometryOf(shape, fine = true) {
+/** @param around  corners of what is round   @returns geometry, or null for a half-space */
+export function geometryOf(shape, around = FINE) {
   const { kind } = shape.info;
   if (kind === "half_space") return null;
   if (kind === "scenery") {
@@ -45,7 +47,7 @@ export function geometryOf(shape, fine = true) {
     return creased(geometry, false);
   }
   if (!KNOWN[kind]) return creased(hull(shape.supports(spread(DIRECTIONS))));
-  const geometry = KNOWN[kind](shape.params, fine);
+  const geometry = KNOWN[kind](shape.params, around);
   return geometry.attributes.rim ? geometry : creased(geometry);
 }
 

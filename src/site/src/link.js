@@ -13,6 +13,7 @@ const KNOWN = [
   "do_b",
   "threads",
   "embed",
+  "code",
 ];
 const LONGEST = 12000; // letters; beyond, browsers and mailers cut
 
@@ -60,7 +61,13 @@ export function readLink(query, presets, dials) {
   };
   const sides = [{ settings: settings(""), log: log("do") }];
   if (given.get("ab") === "1") sides.push({ settings: settings("_b"), log: log("do_b") });
-  return { scene: given.get("scene"), step, plays: !given.has("step") || given.get("play") === "1", sides };
+  return {
+    scene: given.get("scene"),
+    code: given.has("code"),
+    step,
+    plays: !given.has("step") || given.get("play") === "1",
+    sides,
+  };
 }
 
 function settingsOf(settings, presets, suffix, out) {

@@ -1,36 +1,20 @@
 // The scenes that there are, and one of other numbers, as `carom view` makes it.
 import { Truth } from "./truth.js";
 
-/** Scenes that the page makes itself: things.js. */
-export const THINGS = [
-  {
-    name: "drive",
-    thing: "yard",
-    summary: "A car with an engine, gears, springs and tyres, in a yard.",
-    look_for: "crates, dominoes, a ramp",
-  },
-  {
-    name: "walk",
-    thing: "course",
-    summary: "A character on steps, slopes of 20, 40 and 60 degrees, a moving platform.",
-    look_for: "what it can climb and push",
-  },
-  {
-    name: "arm",
-    thing: "arm",
-    summary: "A robot's arm of three hinges reaches for a mark.",
-    look_for: "how far the hand stays off",
-  },
-];
+export { THINGS } from "./things_list.js";
 
-/** Scenes in their order; those that one steers, and those whose truth is known, as groups of their own. */
+/** Scenes in their order; those that one steers, examples, and those whose truth is known, as groups of their own. */
 export function listScenes(select, rows) {
   const group = (label) => Object.assign(document.createElement("optgroup"), { label }),
     plain = group("To watch and to push"),
     steered = group("To steer"),
-    known = group("The truth is known");
-  for (const { name, truth, thing } of rows) (thing ? steered : truth ? known : plain).append(new Option(name, name));
-  select.append(...[plain, steered, known].filter((g) => g.children.length));
+    known = group("The truth is known"),
+    programs = group("Examples, with their code");
+  for (const { name, truth, thing, example } of rows)
+    (thing ? steered : truth ? known : example ? programs : plain).append(
+      new Option(name.replace(/^example_/, ""), name),
+    );
+  select.append(...[plain, steered, programs, known].filter((g) => g.children.length));
 }
 
 /** @param values  by knob   @returns { row, start }   @throws Error that says why it was not made */

@@ -1,6 +1,7 @@
 // The page: scenes, time, tools, settings and a comparison, put together. What each part does stands in its own file.
 import { Recording } from "carom";
 import { AccuracyPanel, number, TRIALS } from "./accuracy.js";
+import { besideOf, CodePanel, exampleRows, run } from "./code.js";
 import { Dials } from "./dials.js";
 import { plotAll, plotCauses } from "./curves.js";
 import { engine } from "./engine.js";
@@ -40,7 +41,7 @@ const state = {
   touched: false, // by a visitor: until then a scene begins anew when it has ended
 };
 const shown = { ...SHOWN };
-let carom, rows, stage, panel, pointer, plan, accuracy, keys;
+let carom, rows, stage, panel, pointer, plan, accuracy, keys, code;
 
 /** @param isNote  it says what is, not what went wrong */
 function say(text, isNote = false) {
@@ -66,7 +67,8 @@ function begin(row, start, sides) {
   const engine = carom.engine(),
     made = [];
   try {
-    for (const { plugin } of state.shapes) engine.useShape(plugin);
+    for (const plugin of [...(row.plugins ?? []), ...state.shapes.map((shape) => shape.plugin)])
+      engine.useShape(plugin);
     const recording = row.recording ? new Recording(engine, row.recording) : null;
     for (const { settings, log } of sides) {
       const sim = new Simulation(engine, start, row.dt ?? 1 / 60, [...settings], recording, row.driver);
@@ -93,7 +95,7 @@ function clear() {
 
 function show(other) {
   state.pictures = state.sims.map((sim) => {
-    const picture = new Picture(sim, state.row);
+    const picture = new Picture(sim, state.row, stage.cheap);
     picture.shown = shown;
     stage.scene.add(picture.group);
     return picture;
@@ -105,6 +107,7 @@ function show(other) {
   $("difference").hidden = !two;
   $("error").hidden = !state.row.truth;
   keys.show();
+  code.look(state.row);
   for (const picture of state.pictures) picture.update();
   if (other) stage.look(state.row, state.pictures);
   else stage.follow(state.pictures, Infinity);
@@ -152,13 +155,10 @@ function tell() {
     hash = sim.hash();
   $("hash").textContent = state.sims.map((s) => s.hash()).join("  ");
   const plain = !sim.settings.length && !(sim.lastAction >= 0 && Math.min(...sim.actions.keys()) <= sim.step);
+  const other = state.row.example ? "the program" : state.row.recording ? "the recording" : "the native build";
   const native = plain ? state.row.hashes?.[sim.step] : undefined;
   $("native").textContent =
-    native === undefined
-      ? ""
-      : native === hash
-        ? "the native build has the same bits"
-        : `the native build has ${native}`;
+    native === undefined ? "" : native === hash ? `${other} has the same bits` : `${other} has ${native}`;
   $("native").dataset.same = native === undefined ? "" : String(native === hash);
   $("at").textContent = sim.step;
   $("scrub").max = Math.max(sim.newest, sim.step);
@@ -238,6 +238,12 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
     const { start, row: more } = (await import("./things.js")).madeHere(carom, row.thing);
     return shownAs(name, { ...row, ...more }, start, sides);
   }
+  if (row.example) {
+    const text = await (await fetch(`examples/${row.files.js}`)).text(),
+      result = await run(text, await compiled());
+    if (result.error) throw new Error(`the example stopped: ${result.error}`);
+    return shownProgram(row, result, sides);
+  }
   const response = await fetch(`scenes/${row.world}`);
   if (!response.ok) throw new Error(`scenes/${row.world} is missing: build the page again`);
   const bytes = new Uint8Array(await response.arrayBuffer());
@@ -247,12 +253,42 @@ async function open(name, sides = [{ settings: [], log: [] }]) {
   return shownAs(name, { ...row, ...file.row, ...truth, ...meshes }, file.start, sides);
 }
 
+/** The engine's code, for workers that run programs. */
+function compiled() {
+  compiled.once ??= WebAssembly.compileStreaming(fetch("carom.wasm"));
+  return compiled.once;
+}
+
+/** The world of a program that ran: its calls are made again, step by step. */
+async function shownProgram(row, { printed, recording, shapes, beside, floor }, sides = [{ settings: [], log: [] }]) {
+  const plugins = shapes.map(({ text, id, params }) => {
+    try {
+      const support = new Function(`return (${text})`)(); // of the visitor's own program
+      support(
+        params.map(([, , least, most]) => Math.min(most, Math.max(least, 1))),
+        [0, 1, 0],
+      );
+      return carom.bringSupport(support, id, params);
+    } catch (error) {
+      throw new Error(
+        `the shape ${id} is not shown here: its function needs more than what it is given (${error.message})`,
+      );
+    }
+  });
+  const { start, row: more } = await opened(carom, `${row.example}.rec`, recording, plugins),
+    seconds = more.dt * Object.keys(more.hashes).length;
+  const about = { ...row, ...more, printed, plugins, seconds, beside: besideOf(beside), ground: floor ? 10 : 0 };
+  return shownAs(row.name, about, start, sides);
+}
+
 function shownAs(name, row, start, sides) {
   begin(row, start, sides);
   $("scene").value = name;
   $("trials").value = TRIALS.some(([trial]) => trial === name) ? name : "";
   $("whole").href = `?scene=${name}`;
-  $("about").textContent = `${row.summary} Look for: ${row.look_for}.`;
+  $("about").textContent = row.example
+    ? `${row.summary} It prints: ${row.says}.`
+    : `${row.summary} Look for: ${row.look_for}.`;
 }
 
 async function make(name, values) {
@@ -301,6 +337,47 @@ function link() {
   history.replaceState(null, "", query);
   navigator.clipboard?.writeText(location.href).catch(() => {});
   return undefined;
+}
+
+/** Offer a file of this scene at this step. */
+function download(blob, ending) {
+  const a = document.createElement("a");
+  a.href = URL.createObjectURL(blob);
+  a.download = `${state.row.name ?? "world"}-${state.sims[0].step}.${ending}`;
+  a.click();
+  setTimeout(() => URL.revokeObjectURL(a.href), 1000);
+}
+
+/** A film of the picture, from this click to the next. */
+function film() {
+  if (film.recorder) return film.recorder.stop();
+  const kind = ["video/mp4", "video/webm"].find((type) => globalThis.MediaRecorder?.isTypeSupported(type));
+  if (!kind) return say("this browser makes no films: take a picture, or copy the link");
+  const parts = [],
+    button = $("film"),
+    show = (on) => (
+      (button.textContent = on ? "End the film" : "Film"),
+      button.setAttribute("aria-pressed", String(on))
+    );
+  const recorder = new MediaRecorder($("view").captureStream(30), { mimeType: kind, videoBitsPerSecond: 6e6 });
+  recorder.ondataavailable = ({ data }) => parts.push(data);
+  recorder.onstop = () => (
+    (film.recorder = null),
+    show(false),
+    download(new Blob(parts, { type: kind }), kind.slice(6))
+  );
+  recorder.start();
+  film.recorder = recorder;
+  show(true);
+  return play(true);
+}
+
+/** The code in place of numbers and settings, or these again. */
+function showCode(on) {
+  $("code-box").hidden = !on;
+  document.body.classList.toggle("coding", on);
+  $("code").setAttribute("aria-expanded", String(on));
+  code.look(state.row);
 }
 
 /** Take up a tool. */
@@ -375,13 +452,7 @@ function controls() {
     );
   $("scene").onchange = () => open($("scene").value).catch((e) => say(e.message));
   $("link").onclick = link;
-  $("save").onclick = () => {
-    const a = document.createElement("a");
-    a.href = URL.createObjectURL(new Blob([state.sims[0].world.save({ whole: true })]));
-    a.download = `${state.row.name ?? "world"}-${state.sims[0].step}.world`;
-    a.click();
-    setTimeout(() => URL.revokeObjectURL(a.href), 1000);
-  };
+  $("save").onclick = () => download(new Blob([state.sims[0].world.save({ whole: true })]), "world");
   $("open").onchange = () => openFile($("open").files[0]).then(() => ($("open").value = ""));
   $("stage").ondragover = (e) => e.preventDefault();
   $("stage").ondrop = (e) => (e.preventDefault(), openFile(e.dataTransfer.files[0]));
@@ -391,6 +462,12 @@ function controls() {
     stage.paint();
     redraw();
   };
+  $("code").onclick = () => showCode($("code-box").hidden);
+  $("shot").onclick = () => (
+    stage.render(state.pictures),
+    $("view").toBlob((blob) => download(blob, "png"), "image/png")
+  );
+  $("film").onclick = film;
   for (const button of document.querySelectorAll("[data-tool]")) button.onclick = () => choose(button);
   addEventListener("keydown", (e) => {
     if (e.target.closest("input, select, button, summary")) return;
@@ -421,7 +498,8 @@ async function start() {
   if (matchMedia("(prefers-color-scheme: dark)").matches) document.documentElement.dataset.theme = "dark";
   const index = fetch("scenes/index.json");
   carom = await engine(say);
-  rows = [...(await (await index).json()), ...THINGS];
+  const programs = await exampleRows();
+  rows = [...(await (await index).json()), ...THINGS, ...programs];
   listScenes($("scene"), rows);
   stage = new Stage($("view"), () => $("tools").offsetHeight + $("tools").offsetTop);
   stage.paint();
@@ -461,6 +539,11 @@ async function start() {
     () => state.sims[0]?.driver,
     () => stage.direction,
   );
+  code = new CodePanel($("code-box"), {
+    rows: programs,
+    compiled,
+    show: async (row, result) => (await shownProgram(row, result), play(true)),
+  });
   controls();
   let wanted = { scene: null, step: 0, plays: true, sides: undefined };
   attempt(() => (wanted = readLink(location.search, carom.presets(), carom.dials())));
@@ -469,6 +552,7 @@ async function start() {
   // A link to a step shows that step. All else plays, but not for people who ask for less motion.
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
   play(!calm && wanted.plays);
+  if (wanted.code) showCode(true);
   if (wanted.step)
     attempt(() => {
       while (state.sims[0].step < wanted.step) advance();

@@ -10,12 +10,12 @@ const begins = (bytes, text) => new TextDecoder("latin1").decode(bytes.subarray(
  *  - { shape: plugin }: a shape, to be used by engines
  *  - { action }: something that comes into the scene as it stands
  *  each with `note`, what a visitor should know.
- *  @throws Error that says what is wrong with the file */
-export async function opened(carom, name, bytes) {
+ *  @param plugins  shapes that a recording needs beside ours   @throws Error that says what is wrong with the file */
+export async function opened(carom, name, bytes, plugins = []) {
   if (bytes.length > LARGEST << 20)
     throw new Error(`${name} is larger than ${LARGEST} MiB: the page opens smaller files`);
   if (begins(bytes, "CAROMSNP")) return { start: bytes, row: { dt: 1 / 60 } };
-  if (begins(bytes, "CAROMREC")) return session(carom, name, bytes);
+  if (begins(bytes, "CAROMREC")) return session(carom, name, bytes, plugins);
   if (begins(bytes, "\0asm")) return { shape: await carom.bringShape(bytes) };
   if (begins(bytes, "glTF") || /\.gltf$/i.test(name)) return (await import("./gltf.js")).sceneOf(carom, name, bytes);
   if (/\.obj$/i.test(name)) return (await import("./obj.js")).bodyOf(carom, name, bytes);
@@ -24,9 +24,10 @@ export async function opened(carom, name, bytes) {
   );
 }
 
-function session(carom, name, bytes) {
+function session(carom, name, bytes, plugins) {
   const engine = carom.engine();
   try {
+    for (const plugin of plugins) engine.useShape(plugin);
     const recording = new Recording(engine, bytes);
     recording.world().free(); // can it begin?
     const { steps, hashes } = recording;

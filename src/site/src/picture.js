@@ -2,13 +2,15 @@
 import * as THREE from "three";
 import { Shape } from "carom";
 import { DRAW } from "./simulation.js";
-import { drawnMesh, geometryOf } from "./geometry.js";
+import { COARSE, drawnMesh, FINE, geometryOf, ROUGH } from "./geometry.js";
 import { bodyMaterial } from "./look.js";
+import { crowdOf } from "./merged.js";
 import { bodyColour, FIXED, KINDS } from "./palette.js";
 import { Ghosts } from "./truth.js";
 
 const ASLEEP = 0.45; // of its brightness
-const CROWD = 250; // parts: of more each has fewer corners
+const CROWD = 250, // parts: of more each has fewer corners
+  CHEAP_CROWD = 40; // where the processor draws
 
 /** What is drawn at first. */
 export const SHOWN = {
@@ -23,9 +25,9 @@ export const SHOWN = {
 };
 
 export class Picture {
-  /** @param row  of the scenes' index: names and kinds of bodies; may be {} */
-  constructor(sim, row) {
-    Object.assign(this, { sim, row });
+  /** @param row  of the scenes' index: names and kinds of bodies; may be {}   @param cheap  the processor draws */
+  constructor(sim, row, cheap = false) {
+    Object.assign(this, { sim, row, cheap });
     this.group = new THREE.Group();
     this.geometries = new Map();
     this.shown = { ...SHOWN };
@@ -41,6 +43,11 @@ export class Picture {
     this.points.frustumCulled = false;
     this.group.add(this.lines, this.points);
     this.structure = -1;
+  }
+
+  /** What is drawn beside bodies. */
+  get beside() {
+    return this.sim.driver ?? this.row.beside;
   }
 
   numberOf(body) {
@@ -69,8 +76,8 @@ export class Picture {
       );
   }
 
-  #geometry(shape, fine) {
-    return shape.points ? drawnMesh(shape) : geometryOf(new Shape(this.sim.engine, shape), fine);
+  #geometry(shape, around) {
+    return shape.points ? drawnMesh(shape) : geometryOf(new Shape(this.sim.engine, shape), around);
   }
 
   /** Of what is drawn.   @param moving  those that move, or those that stand   @returns [[x, y, z, r]] m */
@@ -84,6 +91,8 @@ export class Picture {
       const at = [array[7 * i], array[7 * i + 1], array[7 * i + 2]];
       if (at.every(Number.isFinite)) out.push([...at, this.reach[i]]);
     });
+    if (moving && this.row.beside)
+      for (const pose of this.row.beside.poses(this.sim.step)) out.push([...pose.slice(0, 3), 0.5]);
     const { array: points } = this.points.geometry.attributes.position ?? { array: [] },
       { count } = this.points.geometry.drawRange;
     if (moving && this.row.particles)
@@ -109,16 +118,16 @@ export class Picture {
       sets.get(key).parts.push(part);
     }
     const kinds = [...new Set([...sets.values()].filter((s) => !s.fixed).map((s) => s.kind))],
-      fine = all.length < CROWD,
+      around = this.cheap ? (all.length < CHEAP_CROWD ? COARSE : ROUGH) : all.length < CROWD ? FINE : COARSE,
       seen = new Map(); // kind -> how many of it there are so far
     this.reach = new Float64Array(this.types.length); // m, of each body about its origin; 0: nothing of it is drawn
     for (const set of sets.values()) {
-      if (!this.geometries.has(set.shape)) this.geometries.set(set.shape, this.#geometry(set.shape, fine));
+      if (!this.geometries.has(set.shape)) this.geometries.set(set.shape, this.#geometry(set.shape, around));
       const geometry = this.geometries.get(set.shape);
       if (!geometry) continue;
       geometry.computeBoundingSphere();
       const material = bodyMaterial({ side: set.fixed ? THREE.DoubleSide : THREE.FrontSide });
-      const mesh = new THREE.InstancedMesh(geometry, material, set.parts.length);
+      const mesh = crowdOf(geometry, material, set.parts.length, this.cheap);
       Object.assign(mesh, { castShadow: true, receiveShadow: true, frustumCulled: false });
       const k = kinds.indexOf(set.kind),
         count = this.types.filter((_, body) => this.kindOf(body) === set.kind).length;
@@ -135,9 +144,9 @@ export class Picture {
       this.meshes.push(mesh);
       this.group.add(mesh);
     }
-    for (const look of this.sim.driver?.looks() ?? []) {
+    for (const look of this.beside?.looks() ?? []) {
       const geometry = geometryOf({ info: { kind: `carom.${look.shape}` }, params: look.params }),
-        mesh = new THREE.InstancedMesh(geometry, bodyMaterial(), 1);
+        mesh = crowdOf(geometry, bodyMaterial(), 1, this.cheap);
       mesh.setColorAt(0, bodyColour(look.kind, 0, 0, 1));
       Object.assign(mesh, { castShadow: true, receiveShadow: true, frustumCulled: false, userData: { driven: true } });
       this.meshes.push(mesh);
@@ -169,7 +178,7 @@ export class Picture {
     const dim = this.shown.sleep && Number(this.sim.report?.asleep_bodies ?? 0) > 0,
       paint = dim || this.dimmed || fresh;
     this.dimmed = dim;
-    const driven = this.sim.driver?.poses();
+    const driven = this.beside?.poses(this.sim.step);
     for (const mesh of this.meshes.filter((m) => m.userData.driven)) {
       const pose = driven.shift();
       mesh.setMatrixAt(0, body.compose(p.fromArray(pose), q.fromArray(pose, 3), one));

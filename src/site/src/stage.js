@@ -52,6 +52,7 @@ export class Stage {
     this.ground = new THREE.Mesh(new THREE.CircleGeometry(1, 48), groundMaterial());
     this.ground.rotation.x = -Math.PI / 2;
     this.ground.receiveShadow = true;
+    this.ground.renderOrder = 0.5; // after what hides it
     this.heaven = { high: { value: new THREE.Color() }, horizon: { value: new THREE.Color() } };
     this.dome = skyDome(this.heaven);
     this.water = new THREE.Mesh(

@@ -14,19 +14,14 @@ export const skip = !existsSync(executablePath)
 export class Browser {
   errors = [];
 
-  static async start() {
+  /** @param how  it draws: by SwiftShader all through, so that pictures are the same on every machine */
+  static async start(how = ["--use-gl=angle", "--use-angle=swiftshader"]) {
     const b = new Browser();
     b.server = await serve(0, undefined, ISOLATED); // as `carom view` does
     b.base = `http://localhost:${b.server.address().port}/`;
     b.browser = await chromium.launch({
       executablePath,
-      args: [
-        "--no-sandbox",
-        "--use-gl=angle",
-        "--use-angle=swiftshader",
-        "--enable-unsafe-swiftshader",
-        "--enable-precise-memory-info",
-      ],
+      args: ["--no-sandbox", ...how, "--enable-unsafe-swiftshader", "--enable-precise-memory-info"],
     });
     return b;
   }

@@ -58,7 +58,7 @@ const useAll = (page) =>
       if (!shown(e) || e.type === "file") continue;
       if (!(e.ariaLabel || e.getAttribute("aria-labelledby") || e.labels?.length || e.textContent.trim()))
         nameless.push(e.id || e.outerHTML.slice(0, 60));
-      if (e.matches("#scene, #trials, #save, #theme")) continue; // another scene, a download; tried by themselves
+      if (e.matches("#scene, #trials, #save, #shot, #film, #code, #theme")) continue; // another scene, a download; tried by themselves
       if (e.textContent === "Make the scene anew") continue; // by `carom view`: command.test.mjs
       if (e.type === "range") {
         const was = e.value;

@@ -96,6 +96,8 @@ test(
         "docs/src/tools/accuracy/CHOOSING/",
         "docs/readme/",
         "docs/topics/accuracy/",
+        "docs/topics/gallery/",
+        "docs/start/film/",
         "docs/bindings/js/API/",
         "docs/bindings/python/API/",
       ]) {
@@ -120,8 +122,8 @@ test(
     const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
     const page = await context.newPage();
     await page.goto(new URL("docs/start/games/", browser.base).href);
-    await page.locator("iframe.live").scrollIntoViewIfNeeded();
-    const frame = await (await page.waitForSelector("iframe.live")).contentFrame();
+    await page.locator("iframe.live[src*=pyramid]").scrollIntoViewIfNeeded();
+    const frame = await (await page.waitForSelector("iframe.live[src*=pyramid]")).contentFrame();
     await frame.waitForFunction(() => globalThis.caromViewer?.state.row.name === "pyramid", null, { timeout: 60000 });
     await frame.waitForFunction(() => document.getElementById("native").dataset.same === "true");
     await context.close();
@@ -198,7 +200,7 @@ test(
   },
 );
 
-test("programs stand in three languages behind tabs", { skip: skip || unbuilt, timeout: 120000 }, async () => {
+test("programs stand in three languages behind tabs", { skip: skip || unbuilt, timeout: 240000 }, async () => {
   const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
   const page = await context.newPage();
   page.on("pageerror", (e) => browser.errors.push(e.message));
@@ -207,37 +209,100 @@ test("programs stand in three languages behind tabs", { skip: skip || unbuilt, t
     ["docs/start/games/", "C"],
     ["docs/start/robotics/", "Python"],
     ["docs/start/web/", "JavaScript"],
+    ["docs/start/research/", "Python"],
   ]) {
     await page.goto(new URL(path, browser.base).href, { waitUntil: "domcontentloaded" });
     await page.waitForSelector("[role=tab]");
-    assert.deepEqual(await seen(), [first], path);
+    assert.deepEqual([...new Set(await seen())], [first], path);
+    assert.ok((await seen()).length >= 3, path);
   }
-  await page.locator("[role=tab]", { hasText: "Python" }).click();
-  assert.deepEqual(await seen(), ["Python"]);
+  const only = async (name) =>
+    assert.ok(
+      (await seen()).every((one) => one === name),
+      name,
+    );
+  await page.locator("[role=tab]", { hasText: "Python" }).first().click();
+  await only("Python");
   await page.keyboard.press("ArrowRight");
-  assert.notDeepEqual(await seen(), ["Python"]);
-  await page.locator("[role=tab]", { hasText: "Python" }).click();
+  assert.ok((await seen()).every((one) => one !== "Python"));
+  await page.locator("[role=tab]", { hasText: "Python" }).first().click();
   await page.goto(new URL("docs/topics/accuracy/", browser.base).href, { waitUntil: "domcontentloaded" });
   await page.waitForSelector("[role=tab]");
   assert.deepEqual(await seen(), ["Python"]); // it is remembered
   await page.goto(new URL("docs/topics/examples/", browser.base).href, { waitUntil: "domcontentloaded" });
   await page.waitForSelector("[role=tab]");
   await page.locator("[role=tab]", { hasText: "Rust" }).first().click();
-  assert.deepEqual(await seen(), Array(11).fill("Rust"));
+  assert.deepEqual(await seen(), Array(15).fill("Rust"));
   await page.locator("[role=tab]", { hasText: "JavaScript" }).first().click();
-  const some = await seen(); // where a feature has no JavaScript, the first language is seen
-  assert.ok(some.length === 11 && some.filter((name) => name === "JavaScript").length >= 6);
+  const some = await seen();
+  assert.ok(some.length === 15 && some.every((name) => name === "JavaScript"));
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  const first = page.locator(".tabs section:visible").first();
+  await first.locator("button", { hasText: "Copy" }).click();
+  assert.equal(
+    (await page.evaluate(() => navigator.clipboard.readText())).trimEnd(),
+    readFileSync(new URL("../../../bindings/js/examples/stack.js", import.meta.url), "utf8").trimEnd(),
+  );
   await context.close();
 });
+
+test(
+  "the gallery: each card runs a scene, words leave those that have them; search finds scenes and functions",
+  {
+    skip: skip || unbuilt,
+    timeout: 120000,
+  },
+  async () => {
+    const context = await browser.browser.newContext({ viewport: { width: 1000, height: 900 } });
+    const page = await browser.tab(context);
+    await page.goto(new URL("docs/topics/gallery/", browser.base).href);
+    const cards = page.locator(".gallery section");
+    const all = await cards.count();
+    assert.ok(all >= 60);
+    assert.equal(
+      await page.locator(".gallery img").evaluateAll((i) => i.filter((e) => e.complete && !e.naturalWidth).length),
+      0,
+    );
+    await page.fill(".sieve", "cube tower");
+    const left = await page.locator(".gallery section:visible").allTextContents();
+    assert.ok(
+      left.length >= 1 && left.length < all / 4 && left.every((text) => /cube/i.test(text) && /tower/i.test(text)),
+    );
+    await page.fill(".sieve", "");
+    assert.equal(await page.locator(".gallery section:visible").count(), all);
+    await page.locator(".gallery section", { hasText: "pyramid" }).locator("a").first().click();
+    await page.waitForFunction(() => globalThis.caromViewer?.state.row.name === "pyramid", null, { timeout: 60000 });
+    for (const [word, leads] of [
+      ["turntable", /\?scene=accuracy_turntable$/],
+      ["carom_body_set_velocity", /include\/pages\/body\/.*#carom_body_set_velocity$/],
+    ]) {
+      await page.goto(new URL("./", browser.base).href);
+      await page.waitForFunction(() => globalThis.caromViewer);
+      await page.fill('header input[name="q"]', word);
+      await page.keyboard.press("Enter");
+      await page.waitForSelector(".pagefind-ui__result-link");
+      const found = await page
+        .locator(".pagefind-ui__result-link")
+        .evaluateAll((links) => links.map((link) => link.href));
+      assert.ok(
+        found.some((href) => leads.test(href)),
+        `${word}: ${found.join(" ")}`,
+      );
+    }
+    await context.close();
+  },
+);
 
 test("names of the Python and JavaScript packages, and the version, are on their pages", { skip: unbuilt }, () => {
   const text = (path) => readFileSync(join(DOCS, path, "index.html"), "utf8");
   for (const [path, names] of [
-    ["bindings/js/API", ["measureGrowth", "islands", "CaromPhysics", "CaromError"]],
-    ["bindings/python/API", ["measure_growth", "islands", "contact_array", "StaleHandle"]],
+    ["bindings/js/API", ["measureGrowth", "islands", "CaromPhysics", "CaromError", "Vehicle", "castShape"]],
+    ["bindings/python/API", ["measure_growth", "islands", "contact_array", "StaleHandle", "film", "picture"]],
   ])
     for (const name of names) assert.ok(text(path).includes(name), `${path}: ${name}`);
   const version = /<span class="version">([\d.]+)</.exec(text("readme"))[1];
+  const cited = readFileSync(new URL("../../../CITATION.cff", import.meta.url), "utf8");
+  assert.equal(/^version: (.+)$/m.exec(cited)[1], version);
   for (const page of files(DOCS, "index.html"))
     assert.match(readFileSync(page, "utf8"), new RegExp(`Carom ${version} ·`));
 });

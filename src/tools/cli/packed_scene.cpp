@@ -11,6 +11,7 @@
 #include "cli/packed_truth.h"
 #include "host/files.h"
 #include "scenefile/scenefile.h"
+#include "visual/tessellate.h"
 
 namespace carom::tools {
 namespace {
@@ -45,11 +46,16 @@ nlohmann::json hashes_of(World& world, double dt, const HashedSteps& steps) {
 
 /// What a page cannot find by asking for colliders: a body that touches nothing, and a mesh that is drawn in place of
 /// the shape that collides.
-nlohmann::json looks_of(std::size_t body, const Part& part) {
+nlohmann::json looks_of(Engine& engine, std::size_t body, const Part& part) {
   const auto& turn = part.orientation.coeffs();
   nlohmann::json look = {
       {"body", body}, {"position", three(part.position)}, {"orientation", {turn.x(), turn.y(), turn.z(), turn.w()}}};
   if (part.mesh >= 0) return look["mesh"] = part.mesh, look;
+  if (part.shape == "hull_of") {
+    std::vector<double> corners;
+    for (const Vec& p : tessellate(engine, part).points) corners.insert(corners.end(), p.data(), p.data() + 3);
+    return look["shape"] = "hull", look["params"] = corners, look;
+  }
   look["shape"] = part.shape, look["params"] = part.params;
   return look;
 }
@@ -120,7 +126,8 @@ PackedScene packed_scene(const SceneChoice& choice, const HashedSteps& steps, Co
     if (actor.particles == CAROM_NULL_HANDLE) packed.row["bodies"].push_back({actor.name, actor.kind});
   for (std::size_t i = 0; i < stage.actors.size(); ++i)
     for (const Part& part : stage.actors[i].parts)
-      if (part.collider == CAROM_NULL_HANDLE || part.mesh >= 0) packed.row["looks"].push_back(looks_of(i, part));
+      if (part.collider == CAROM_NULL_HANDLE || part.mesh >= 0)
+        packed.row["looks"].push_back(looks_of(stage.engine(), i, part));
   for (const Mesh& mesh : stage.meshes) packed.row["meshes"].push_back(drawn_mesh(mesh));
   if (has_truth) {
     PackedTruth truth = packed_truth(stage, *observer, dt, packed.row["seconds"]);

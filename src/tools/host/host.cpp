@@ -62,9 +62,37 @@ void Engine::load_all() {
   }
 }
 
+std::vector<double> Engine::add(HullOf hull) {
+  const auto at = std::find(hulls_.begin(), hulls_.end(), hull);
+  const auto number = static_cast<double>(at - hulls_.begin());
+  if (at == hulls_.end()) hulls_.push_back(std::move(hull));
+  return {number};
+}
+
+carom_shape Engine::make(const HullOf& hull) {
+  std::vector<carom_shape> parts;
+  std::vector<double> positions, orientations, scales;
+  for (const HullPart& part : hull.parts) {
+    parts.push_back(shape(part.shape, part.params));
+    positions.insert(positions.end(), part.position.begin(), part.position.end());
+    orientations.insert(orientations.end(), part.orientation.begin(), part.orientation.end());
+    scales.insert(scales.end(), part.scale.begin(), part.scale.end());
+  }
+  carom_shape handle = CAROM_NULL_HANDLE;
+  Call call;
+  call.done(carom_shape_create_hull_of(engine_, parts.data(), parts.size(), positions.data(), orientations.data(),
+                                       scales.data(), hull.radius, &handle, call),
+            "making a hull of shapes");
+  return handle;
+}
+
 carom_shape Engine::shape(const std::string& plugin_name, const std::vector<double>& params) {
   auto key = std::make_pair(plugin_name, params);
   if (const auto found = shapes_.find(key); found != shapes_.end()) return found->second;
+  if (plugin_name == "hull_of") {
+    const HullOf hull = hull_of(params);
+    return shapes_[key] = make(hull);
+  }
   carom_shape handle = CAROM_NULL_HANDLE;
   Call call;
   call.done(carom_shape_create(engine_, plugin(plugin_name), params.data(), params.size(), &handle, call),
@@ -138,6 +166,14 @@ carom_shape_info Engine::info(carom_shape shape_handle) const {
   Call call;
   call.done(carom_shape_get_info(engine_, shape_handle, &info, call), "asking about a shape");
   return info;
+}
+
+std::vector<double> Engine::params(carom_shape shape_handle) const {
+  std::vector<double> values(info(shape_handle).param_count);
+  std::uint64_t count = values.size();
+  Call call;
+  call.done(carom_shape_get_params(engine_, shape_handle, values.data(), &count, call), "asking about a shape");
+  return values;
 }
 
 const carom_shape_plugin& Engine::describe(carom_plugin handle) const {

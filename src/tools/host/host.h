@@ -4,6 +4,7 @@
 
 #include <carom/carom.h>
 
+#include <array>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -55,6 +56,21 @@ class PluginPath {
   std::vector<std::string> folders_;
 };
 
+/// What a hull of shapes is made of.
+struct HullPart {
+  std::string shape;           ///< as of Engine::shape()
+  std::vector<double> params;  ///< likewise
+  std::array<double, 3> position{0, 0, 0};
+  std::array<double, 4> orientation{0, 0, 0, 1};
+  std::array<double, 3> scale{1, 1, 1};
+  bool operator==(const HullPart&) const = default;
+};
+struct HullOf {
+  std::vector<HullPart> parts;
+  double radius = 0;  ///< m
+  bool operator==(const HullOf&) const = default;
+};
+
 /// An engine, the plugins loaded into it by short name ("sphere"), and shapes shared by equal parameters.
 class Engine {
  public:
@@ -72,20 +88,29 @@ class Engine {
   carom_plugin load(const std::string& absolute_path);  ///< @throws Error
   void load_all();                                      ///< of the path; what cannot be loaded is left out
   carom_shape shape(const std::string& plugin_name, const std::vector<double>& params);  ///< made once per params
-  carom_shape half_space(const double normal[3], double offset);                         ///< made once
+  /// The params with which shape("hull_of") makes it.   @throws Error
+  std::vector<double> add(HullOf hull);
+  const HullOf& hull_of(const std::vector<double>& params) const {
+    return hulls_.at(static_cast<std::size_t>(params.at(0)));
+  }
+  carom_shape half_space(const double normal[3], double offset);  ///< made once
   /// Made once. @param params  columns, rows, spacing along x and z (m), then heights row by row (m)
   carom_shape height_field(const std::vector<double>& params);
   /// Made once. @param params  flags, number of vertices, their x, y, z (m), then three indices a triangle
   carom_shape mesh(const std::vector<double>& params);
   carom_shape_info info(carom_shape shape) const;
+  std::vector<double> params(carom_shape shape) const;
   const carom_shape_plugin& describe(carom_plugin plugin) const;
   std::vector<std::string> loaded() const;  ///< short names of plugins loaded so far, sorted
 
  private:
+  carom_shape make(const HullOf& hull);
+
   PluginPath path_;
   carom_engine* engine_ = nullptr;
   std::map<std::string, carom_plugin> plugins_;
   std::map<std::pair<std::string, std::vector<double>>, carom_shape> shapes_;
+  std::vector<HullOf> hulls_;
 };
 
 /// A world of an engine; the engine must outlive it.

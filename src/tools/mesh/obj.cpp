@@ -34,7 +34,7 @@ std::uint32_t vertex_index(const std::string& token, std::size_t count, const st
 
 /// @param begins  out: of the faces, where an object or a group begins
 Mesh read(const std::string& path, std::vector<std::size_t>& begins) {
-  std::istringstream file(read_file(path, "check the path and its permissions, or leave --mesh out"));
+  std::istringstream file(read_file(path, "check the path and its permissions"));
   Mesh mesh;
   std::string text;
   for (std::size_t line = 1; std::getline(file, text); ++line) {

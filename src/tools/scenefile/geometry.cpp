@@ -8,6 +8,7 @@
 namespace carom::tools::scenefile {
 namespace {
 
+constexpr int kDeepestHull = 8;  // as carom_shape_create_hull_of() has it; a shape that is its own part ends there
 constexpr std::uint64_t kEverybody = std::uint64_t(1) << 63;  // a bit that every filter of a file lets touch it
 
 /// A shape about y that is round but of two radii: the hull of its rims, and of the caps of a capsule.
@@ -69,17 +70,7 @@ std::vector<Part> Reader::parts_of(const Value& collider, const Node& at, bool m
   const Vec scale = at.in_body.s.cwiseAbs();
   if (const auto which = mine ? mine->get("shape") : std::nullopt) {
     const Value shapes = (*own(doc_.root()))["shapes"];  // which says so where the document has none
-    const Value shape = shapes.at(which->index(shapes.size(), "shapes of CAROM_physics"));
-    part.shape = shape["plugin"].text();
-    if (!is_plugin_name(part.shape))
-      shape["plugin"].fail("is '" + part.shape.substr(0, 80) + "', which is no name of a plugin",
-                           "write its id alone: up to 64 letters, digits, _, - or dots, no path");
-    doc_.budget().charge(shape["params"].size(), 8 * sizeof(double), doc_.path() + ": " + shape.place() + "/params");
-    part.params = shape["params"].numbers();
-    if (part.shape == "half_space" && part.params.size() != 4)
-      shape["params"].fail("are not four", "give normal and offset");
-    if (part.shape == "height_field" && part.params.size() < 4)
-      shape["params"].fail("are too few", "give columns, rows, spacings, heights");
+    read_own_shape(shapes, which->index(shapes.size(), "shapes of CAROM_physics"), 0, part.shape, part.params);
   } else if (!(scale.minCoeff() > 0)) {
     collider.fail("has a scale of 0", "leave the collider out");
   } else if (const auto omi = omi_index(collider, "shape")) {
@@ -104,6 +95,46 @@ std::vector<Part> Reader::parts_of(const Value& collider, const Node& at, bool m
     parts.back().params = hulls[k];
   }
   return parts;
+}
+
+/// One of the shapes of CAROM_physics.
+void Reader::read_own_shape(const Value& shapes, std::size_t which, int depth, std::string& name,
+                            std::vector<double>& params) {
+  const Value shape = shapes.at(which);
+  if (shape.has("parts")) {
+    name = "hull_of";
+    if (depth == kDeepestHull) shape["parts"].fail("are hulls of hulls, too deep", "list the parts of the inner ones");
+    HullOf hull;
+    hull.radius = shape.number_or("radius", 0, 0, 1e8);
+    const Value parts = shape["parts"];
+    if (parts.size() == 0) parts.fail("is empty", "list the shapes that the hull is of");
+    doc_.budget().charge(parts.size(), sizeof(HullPart), doc_.path() + ": " + shape.place() + "/parts");
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Value from = parts.at(k);
+      HullPart part;
+      const std::size_t inner = from["shape"].index(shapes.size(), "shapes of CAROM_physics");
+      read_own_shape(shapes, inner, depth + 1, part.shape, part.params);
+      if (part.shape == "half_space" || part.shape == "height_field" || part.shape == "mesh")
+        from["shape"].fail("is a " + part.shape, "hulls are of convex, bounded shapes");
+      const Vec position = from.vector_or("position", Vec::Zero()), scale = from.vector_or("scale", Vec::Ones());
+      const Quat q = from.rotation_or("orientation");
+      std::copy_n(position.data(), 3, part.position.begin());
+      std::copy_n(q.coeffs().data(), 4, part.orientation.begin());  // x, y, z, w
+      std::copy_n(scale.data(), 3, part.scale.begin());
+      hull.parts.push_back(std::move(part));
+    }
+    params = stage_.engine().add(std::move(hull));
+    return;
+  }
+  name = shape["plugin"].text();
+  if (!is_plugin_name(name) || name == "hull_of")
+    shape["plugin"].fail("is '" + name.substr(0, 80) + "', which is no name of a plugin",
+                         "write its id alone: up to 64 letters, digits, _, - or dots, no path");
+  doc_.budget().charge(shape["params"].size(), 8 * sizeof(double), doc_.path() + ": " + shape.place() + "/params");
+  params = shape["params"].numbers();
+  if (name == "half_space" && params.size() != 4) shape["params"].fail("are not four", "give normal and offset");
+  if (name == "height_field" && params.size() < 4)
+    shape["params"].fail("are too few", "give columns, rows, spacings, heights");
 }
 
 void Reader::read_shape(const Value& shape, const Vec& scale, Part& part) {
@@ -142,6 +173,9 @@ void Reader::read_shape(const Value& shape, const Vec& scale, Part& part) {
       part.shape = "cone";
       part.params = {std::max(top, bottom) * scale.x(), height / 2};
       if (bottom == 0) part.orientation = part.orientation * Quat(0, 1, 0, 0);  // its apex looks down
+    } else if (round && capsule) {
+      part.shape = "tapered_capsule";
+      part.params = {bottom * scale.x(), top * scale.x(), height / 2};
     } else {
       part.shape = "hull";
       part.params = round_hull(height / scale.y(), bottom, top, capsule);

@@ -78,6 +78,8 @@ class Reader {
   std::vector<Value> colliders_of(const Value& node) const;
   std::vector<Part> parts_of(const Value& collider, const Node& at, bool moves);
   void read_shape(const Value& shape, const Vec& scale, Part& part);
+  void read_own_shape(const Value& shapes, std::size_t which, int depth, std::string& name,
+                      std::vector<double>& params);
   void read_surface(const Value& collider, Part& part);
   void finish_collider(const Value& collider, bool sensor, const Part& part);
   std::uint64_t system_bit(const Value& name);

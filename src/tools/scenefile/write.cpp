@@ -122,6 +122,8 @@ class PhysicsWriter {
       shape = {{"type", "sphere"}, {"sphere", {{"radius", p[0]}}}};
     else if (part.shape == "box")
       shape = {{"type", "box"}, {"box", {{"size", {2 * p[0], 2 * p[1], 2 * p[2]}}}}};
+    else if (part.shape == "tapered_capsule")
+      shape = {{"type", "capsule"}, {"capsule", {{"height", 2 * p[2]}, {"radiusBottom", p[0]}, {"radiusTop", p[1]}}}};
     else if (part.shape == "capsule" && p[1] > 0)
       shape = {{"type", "capsule"}, {"capsule", {{"height", 2 * p[1]}, {"radiusBottom", p[0]}, {"radiusTop", p[0]}}}};
     else if (part.shape == "cylinder" || part.shape == "cone")
@@ -138,6 +140,21 @@ class PhysicsWriter {
     const auto [at, fresh] = known_.try_emplace({&list, what.dump()}, list.size());
     if (fresh) list.push_back(std::move(what));
     return at->second;
+  }
+
+  /// Index of a shape of CAROM_physics: any plugin's, or a hull of others, which stand before it.
+  std::size_t own_shape(const std::string& name, const std::vector<double>& params) {
+    if (name != "hull_of") return entry(shapes_, {{"plugin", name}, {"params", params}});
+    const HullOf& hull = stage_.engine().hull_of(params);
+    json parts = json::array();
+    for (const HullPart& part : hull.parts) {
+      json to = {{"shape", own_shape(part.shape, part.params)}};
+      if (part.position != HullPart().position) to["position"] = part.position;
+      if (part.orientation != HullPart().orientation) to["orientation"] = part.orientation;
+      if (part.scale != HullPart().scale) to["scale"] = part.scale;
+      parts.push_back(std::move(to));
+    }
+    return entry(shapes_, {{"parts", std::move(parts)}, {"radius", hull.radius}});
   }
 
   void write_part(std::size_t a, std::size_t p, std::size_t body) {
@@ -166,7 +183,7 @@ class PhysicsWriter {
         shape != GltfDrawing::kNone) {
       collider["geometry"]["shape"] = shape;
     } else {
-      own["shape"] = entry(shapes_, {{"plugin", part.shape}, {"params", part.params}});
+      own["shape"] = own_shape(part.shape, part.params);
       if (part.shape != "half_space") {
         collider["geometry"]["node"] = id;
         if (!part.is_ground()) collider["geometry"]["convexHull"] = true;

@@ -26,7 +26,7 @@ Quat turn_between(const Vec& from, const Vec& to);
 /// A collider as a scene describes it.
 struct Part {
   std::string shape;  ///< plugin name ("box"), or "half_space" with params nx, ny, nz, offset, or "height_field" or
-                      ///< "mesh" with those of Engine::height_field(), Engine::mesh()
+      ///< "mesh" with those of Engine::height_field(), Engine::mesh(), or "hull_of" with Engine::add()'s
   std::vector<double> params;  ///< of the plugin
   Vec position = Vec::Zero();  ///< m, body frame
   Quat orientation = Quat::Identity();

@@ -40,10 +40,12 @@ Mesh tessellate(Engine& engine, const Part& part) {
   if (part.shape == "mesh") return triangles_of(engine, engine.mesh(part.params));
   const carom_shape shape = engine.shape(part.shape, part.params);
   if (engine.info(shape).form == CAROM_FORM_POLYTOPE) {
-    const std::uint32_t first = engine.describe(engine.plugin(part.shape)).geometry->form_arg[0];
+    const bool composed = part.shape == "hull_of";
+    const std::uint32_t first = composed ? 0 : engine.describe(engine.plugin(part.shape)).geometry->form_arg[0];
+    const std::vector<double> numbers = composed ? engine.params(shape) : part.params;
     std::vector<Vec> corners;
-    for (std::size_t i = first; i + 2 < part.params.size(); i += 3)
-      corners.emplace_back(part.params[i], part.params[i + 1], part.params[i + 2]);
+    for (std::size_t i = first; i + 2 < numbers.size(); i += 3)
+      corners.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
     return convex_hull(corners);
   }
   constexpr int kMeridians = 24, kBands = 12;
@@ -59,7 +61,7 @@ Mesh tessellate(Engine& engine, const Part& part) {
   std::vector<double> support(directions.size());
   Call call;
   call.done(carom_shape_support(engine.get(), shape, directions.data(), directions.size() / 3, support.data(), call),
-            "drawing a shape of plugin " + part.shape);
+            "drawing a " + part.shape);
   std::vector<Vec> points;
   for (std::size_t i = 0; i < support.size(); i += 3) points.emplace_back(support[i], support[i + 1], support[i + 2]);
   return convex_hull(points);

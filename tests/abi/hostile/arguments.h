@@ -76,6 +76,7 @@ struct Context {
   Stage& second;       // another world of `own`'s engine
   Source& source;
   std::vector<std::unique_ptr<char[]>> blocks;
+  std::vector<std::shared_ptr<carom_batch>> batches;
   carom_error error;
   bool wants_wrong = true;   // else only what is good is made up, which is quick
   bool to_the_edge = false;  // one good number in four is anything that its bounds allow

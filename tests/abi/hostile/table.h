@@ -676,6 +676,83 @@ inline Argument string(Context& c, const char* good) {
   return {of(s), {{"null", of(nullptr), kNull}}};
 }
 
+/// Two copies of the caller's own world, and a column of what can be written. It ends with the arguments.
+inline carom_batch* make_batch(Context& c) {
+  carom_batch* made = nullptr;
+  if (carom_batch_create(c.own.engine, &made, nullptr) != CAROM_OK) return nullptr;
+  c.batches.emplace_back(made, [](carom_batch* b) { carom_batch_destroy(b, nullptr); });
+  uint64_t first = 0;
+  if (carom_batch_add_worlds(made, c.own.world, 2, &first, nullptr) != CAROM_OK) return nullptr;
+  auto column = fresh<carom_batch_column>(carom_batch_column_init);
+  auto* gravity = static_cast<double*>(c.take(48));
+  for (int i = 0; i < 6; ++i) gravity[i] = c.between(-10, 10);
+  column.source = CAROM_COLUMN_GRAVITY, column.when = CAROM_WHEN_BEFORE_STEP, column.n = 1, column.data = gravity;
+  uint32_t number = 0;
+  return carom_batch_add_column(made, &column, &number, nullptr) == CAROM_OK ? made : nullptr;
+}
+inline Argument batch(Context& c) {
+  carom_batch* const made = make_batch(c);
+  Argument a{of(static_cast<const void*>(made)), {{"null", of(nullptr), kNull}}};
+  a.impossible = !made;
+  return a;
+}
+inline Argument batch_column(Context& c) {
+  auto d = fresh<carom_batch_column>(carom_batch_column_init);
+  bool none = false;
+  const uint64_t body = pick(c, kBody, none);
+  d.field = CAROM_FIELD_POSITION, d.when = c.source.below(3), d.scalar = c.source.below(2);
+  d.n = 1, d.handles = static_cast<const uint64_t*>(static_cast<const void*>(c.keep(body)));
+  d.data = c.take(48);
+  Argument a = in_struct(c, d,
+                         {HOSTILE_CHOICE(carom_batch_column, source, 8u), HOSTILE_CHOICE(carom_batch_column, field, 9u),
+                          HOSTILE_CHOICE(carom_batch_column, when, 3u), HOSTILE_CHOICE(carom_batch_column, scalar, 2u),
+                          HOSTILE_RESERVED(carom_batch_column, reserved), HOSTILE_POINTER(carom_batch_column, handles),
+                          HOSTILE_POINTER(carom_batch_column, data)});
+  const auto worse = [&](const char* what, Codes codes, auto&& spoil) {
+    carom_batch_column bad = d;
+    spoil(bad);
+    a.wrong.push_back({what, of(static_cast<const void*>(c.keep(bad))), codes});
+  };
+  if (c.wants_wrong) {
+    worse("no things", kRange, [](auto& b) { b.n = 0; });
+    worse("more things than memory", kRange, [](auto& b) { b.n = ~uint64_t(0); });
+    worse("a world that is none", kRange, [](auto& b) { b.world = 2; });
+    worse("a short stride", kSmall, [](auto& b) { b.stride = 8; });
+    worse("a stride beyond all", kRange, [](auto& b) { b.stride = ~uint64_t(0); });
+    worse("rays of another source", kUnsupported, [&](auto& b) { b.rays = static_cast<const double*>(c.take(56)); });
+    worse("mass is read only", kUnsupported,
+          [](auto& b) { b.field = CAROM_FIELD_MASS, b.when = CAROM_WHEN_BEFORE_STEP; });
+    for (const Wrong& w : wrong_handles(c, kBody, false)) {
+      const uint64_t handle = w.value.u;
+      worse(w.what.c_str(), w.codes,
+            [&](auto& b) { b.handles = static_cast<const uint64_t*>(static_cast<const void*>(c.keep(handle))); });
+    }
+  }
+  a.impossible = none;
+  return a;
+}
+inline Argument world_number(Context&) {
+  Argument a = fixed_number(1);
+  for (const uint64_t bad : {uint64_t(2), ~uint64_t(0)}) a.wrong.push_back({"a world that is none", of(bad), kRange});
+  return a;
+}
+inline Argument all_worlds(Context&) {
+  Argument a = fixed_number(2);
+  for (const uint64_t bad : {uint64_t(0), uint64_t(3), ~uint64_t(0)}) a.wrong.push_back({"n", of(bad), kRange});
+  return a;
+}
+inline Argument perhaps_mask(Context& c) {
+  if (c.source.below(2) == 0) return fixed(nullptr);
+  auto* mask = static_cast<uint8_t*>(c.take(2));
+  mask[c.source.below(2)] = 1;
+  return fixed(mask);
+}
+inline Argument columns(Context& c) {
+  const uint32_t good = 0, bad = 1;
+  return {of(static_cast<const void*>(c.keep(good))),
+          {{"null", of(nullptr), kNull}, {"a column that is none", of(static_cast<const void*>(c.keep(bad))), kRange}}};
+}
+
 struct Row {
   const char* name;
   Call (*make)(Context& c);
@@ -812,6 +889,32 @@ inline const Row kRows[] = {
            .makes(kShape, 4).may(kRange | code(CAROM_E_NOT_FOUND));
      }},
     ROW_THAT(carom_shape_create_half_space, makes(kShape, 3), engine(c), unit(c, 3), number(c, any()), out(c, 8), error(c)),
+    {"carom_shape_create_hull_of", [](Context& c) {
+       bool none = false;
+       const carom_shape first = pick(c, kShape, none);
+       auto* parts = static_cast<carom_shape*>(c.take(16));
+       parts[0] = parts[1] = first;
+       Argument list = fixed(parts), n = fixed_number(2), scales = vector(c, 6, {1e-6, 1e6, false, 0.5, 2});
+       list.impossible = none;
+       list.wrong.push_back({"null", of(nullptr), kNull});
+       for (const Wrong& w : wrong_handles(c, kShape, false)) {
+         auto* bad = static_cast<carom_shape*>(std::memcpy(c.take(16), parts, 16));
+         bad[1] = w.value.u;
+         list.wrong.push_back({"second: " + w.what, of(bad), w.codes});
+       }
+       for (const uint64_t bad : {uint64_t(0), uint64_t(4097), ~uint64_t(0)}) n.wrong.push_back({"count", of(bad), kRange});
+       Argument positions = vector(c, 6, {-1e8, 1e8, false, -1, 1}), turns = fixed(nullptr);
+       const auto optional = [](Argument& a) {
+         std::erase_if(a.wrong, [](const Wrong& w) { return w.what == "null"; });
+       };
+       optional(positions), optional(scales);
+       return call("carom_shape_create_hull_of", carom_shape_create_hull_of, {engine(c), list, n, positions, turns, scales, number(c, {0, 1e8, false, 0, 1}), out(c, 8), error(c)})
+           .makes(kShape, 7).may(code(CAROM_E_UNSUPPORTED) | code(CAROM_E_LIMIT));
+     }},
+    {"carom_shape_get_parts", [](Context& c) {
+       Argument count{of(c.keep(uint64_t(4096))), {{"null", of(nullptr), kNull}}};
+       return call("carom_shape_get_parts", carom_shape_get_parts, {engine(c), handle(c, kShape), fixed(c.take(8 * 4096)), fixed(nullptr), fixed(nullptr), fixed(nullptr), count, fixed(nullptr), error(c)});
+     }},
     ROW_THAT(carom_shape_destroy, may(kInUse).ends(kShape), engine(c), handle(c, kShape), error(c)),
     ROW(carom_shape_get_info, engine(c), handle(c, kShape), out_struct<carom_shape_info>(c), error(c)),
     {"carom_shape_get_params", [](Context& c) {
@@ -1374,6 +1477,61 @@ inline const Row kRows[] = {
        Call made = call("carom_vehicle_drive", carom_vehicle_drive, {world(c), vehicle_desc(c), wheel_desc(c), n, vehicle_input(c), vehicle_state(c), wheel_state(c), number(c, {1e-4, 0.1, false, 0.01, 0.1}), error(c)});
        made.may(kRange);
        return made;
+     }},
+
+    // ---- batches ----
+    INIT(carom_batch_column_init, carom_batch_column),
+    {"carom_batch_create", [](Context& c) {
+       return call("carom_batch_create", carom_batch_create, {engine(c), out(c, sizeof(void*)), error(c)}).after([](const Value* v) {
+         carom_batch_destroy(*static_cast<carom_batch* const*>(v[1].p), nullptr);
+       });
+     }},
+    ROW_THAT(carom_batch_destroy, only_wrong(), batch(c), error(c)),
+    {"carom_batch_add_worlds", [](Context& c) {
+       Argument n = fixed_number(1);
+       for (const uint64_t bad : {uint64_t(0), uint64_t(1) << 24, ~uint64_t(0)}) n.wrong.push_back({"so many worlds", of(bad), kRange});
+       Argument its = world(c);
+       its.wrong.push_back({"another engine's", of(static_cast<const void*>(c.other.world)), kWrongWorld});
+       return call("carom_batch_add_worlds", carom_batch_add_worlds, {batch(c), its, n, out(c, 8), error(c)});
+     }},
+    ROW(carom_batch_add_column, batch(c), batch_column(c), wanted_out(c, 4), error(c)),
+    {"carom_batch_step", [](Context& c) {
+       Argument steps = fixed_number(1);
+       for (const uint64_t bad : {uint64_t(0), uint64_t(1000001), uint64_t(0xFFFFFFFF)}) steps.wrong.push_back({"so many steps", of(bad), kRange});
+       return call("carom_batch_step", carom_batch_step, {batch(c), perhaps_mask(c), number(c, {1e-9, 1, false, 0.01, 0.1}), steps, wanted_out(c, 8), error(c)});
+     }},
+    ROW(carom_batch_read, batch(c), columns(c), fixed_number(1), perhaps_mask(c), error(c)),
+    ROW(carom_batch_write, batch(c), columns(c), fixed_number(1), perhaps_mask(c), error(c)),
+    {"carom_batch_add_start", [](Context& c) {
+       Snapshot own = snapshot(c, CAROM_SNAPSHOT_STATE | c.source.below(2));
+       for (Wrong& w : own.size.wrong) w.argument = 3;
+       return call("carom_batch_add_start", carom_batch_add_start, {batch(c), world_number(c), own.bytes, own.size, out(c, 4), error(c)});
+     }},
+    {"carom_batch_reset", [](Context& c) {
+       Argument starts = fixed(c.take(8));
+       const uint32_t bad[2] = {1, 1};
+       starts.wrong.push_back({"a start that is none", of(static_cast<const void*>(std::memcpy(c.take(sizeof bad), bad, sizeof bad))), kRange});
+       return call("carom_batch_reset", carom_batch_reset, {batch(c), fixed(nullptr), starts, error(c)});
+     }},
+    {"carom_batch_save", [](Context& c) {
+       constexpr std::size_t kRoom = 1 << 16;
+       Argument capacity = fixed_number(kRoom);
+       capacity.wrong.push_back({"room for 8 bytes", of(uint64_t(8)), kSmall});
+       return call("carom_batch_save", carom_batch_save, {batch(c), world_number(c), fixed(c.take(kRoom)), capacity, out(c, 8), error(c)}).may(kSmall);
+     }},
+    ROW(carom_batch_get_hashes, batch(c), out(c, 16), all_worlds(c), error(c)),
+    ROW(carom_batch_get_stopped, batch(c), out(c, 8), all_worlds(c), error(c)),
+    {"carom_batch_get_faults", [](Context& c) {
+       const List l = list(c, sizeof(carom_fault));
+       return call("carom_batch_get_faults", carom_batch_get_faults, {batch(c), world_number(c), l.dst, l.stride, l.capacity, l.count, error(c)});
+     }},
+    ROW(carom_batch_get_info, batch(c), out_struct<carom_batch_info>(c), error(c)),
+    {"carom_random_fill", [](Context& c) {
+       Argument keys = fixed(c.take(48)), n = fixed_number(2), width = fixed_number(3);
+       keys.wrong.push_back({"null", of(nullptr), kNull});
+       n.wrong.push_back({"more rows than memory", of(~uint64_t(0)), kRange});
+       width.wrong.push_back({"more numbers than memory", of(~uint64_t(0)), kRange});
+       return call("carom_random_fill", carom_random_fill, {choice(c, CAROM_RANDOM_COUNT), keys, n, width, out(c, 48), error(c)});
      }},
 };
 

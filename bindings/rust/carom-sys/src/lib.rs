@@ -88,6 +88,41 @@ pub const CAROM_ISLAND_BOUND: u32 = 2;
 pub const CAROM_ISLAND_JOINTS_ALONE: u32 = 4;
 /// more substeps do not lessen its error, which is over the tolerance: contacts, mostly
 pub const CAROM_ISLAND_STALLED: u32 = 8;
+/// bodies: one CAROM_FIELD_*
+pub const CAROM_COLUMN_BODIES: u32 = 0;
+/// joints: one CAROM_JOINT_BULK_*
+pub const CAROM_COLUMN_JOINTS: u32 = 1;
+/// dynamic bodies: 1, kg; writing scales the inertia alike, the centre stays
+pub const CAROM_COLUMN_MASSES: u32 = 2;
+/// materials: 2, friction and restitution
+pub const CAROM_COLUMN_MATERIALS: u32 = 3;
+/// the world, n is 1: 3, m/s^2
+pub const CAROM_COLUMN_GRAVITY: u32 = 4;
+/// the world, n is 1: 1, s, simulated; read only
+pub const CAROM_COLUMN_TIME: u32 = 5;
+/// bodies: 3, N, world: normal forces on it, mean of the last step; read only
+pub const CAROM_COLUMN_CONTACT_FORCES: u32 = 6;
+/// bodies or the world: 1, how far along a ray something is met first, in parts of `direction`, `max` where nothing is; read only
+pub const CAROM_COLUMN_RAYS: u32 = 7;
+pub const CAROM_COLUMN_COUNT: u32 = 8;
+/// by carom_batch_read() and carom_batch_write()
+pub const CAROM_WHEN_ON_CALL: u32 = 0;
+/// written before each step, too
+pub const CAROM_WHEN_BEFORE_STEP: u32 = 1;
+/// read after each step, too, and after calls that change worlds
+pub const CAROM_WHEN_AFTER_STEP: u32 = 2;
+pub const CAROM_WHEN_COUNT: u32 = 3;
+/// it steps
+pub const CAROM_STOPPED_NO: u32 = 0;
+/// a step had faults: carom_batch_get_faults()
+pub const CAROM_STOPPED_FAULT: u32 = 1;
+/// there was no memory for a step: it is as before that
+pub const CAROM_STOPPED_MEMORY: u32 = 2;
+/// in [0, 1)
+pub const CAROM_RANDOM_UNIFORM: u32 = 0;
+/// mean 0, deviation 1
+pub const CAROM_RANDOM_NORMAL: u32 = 1;
+pub const CAROM_RANDOM_COUNT: u32 = 2;
 /// root of a b
 pub const CAROM_MIX_GEOMETRIC_MEAN: u32 = 0;
 /// the larger
@@ -776,6 +811,10 @@ pub const CAROM_WANT_FIRST: u32 = 0;
 /// whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points
 pub const CAROM_WANT_ANY: u32 = 1;
 #[repr(C)]
+pub struct carom_batch {
+    _opaque: [u8; 0],
+}
+#[repr(C)]
 pub struct carom_engine {
     _opaque: [u8; 0],
 }
@@ -943,6 +982,71 @@ impl Default for carom_growth {
         unsafe {
             let mut it: Self = zeroed();
             it.struct_size = size_of::<carom_growth>() as u32;
+            it
+        }
+    }
+}
+/// What stands in an array of the host's, and when. Fill with carom_batch_column_init(). A row has n records one after
+/// the other, each of as many numbers as the source says; rows are those of the worlds of one structure, in order.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct carom_batch_column {
+    pub struct_size: u32,
+    /// CAROM_COLUMN_BODIES or what follows it
+    pub source: u32,
+    /// of BODIES CAROM_FIELD_*, of JOINTS CAROM_JOINT_BULK_*, else 0
+    pub field: u32,
+    /// CAROM_WHEN_ON_CALL, BEFORE_STEP, AFTER_STEP; default ON_CALL
+    pub when: u32,
+    /// CAROM_SCALAR_*, default F64
+    pub scalar: u32,
+    /// 0
+    pub reserved: u32,
+    /// one of the structure: the first that carom_batch_add_worlds() gave, or any other
+    pub world: u64,
+    /// how many things, 1 or more; 1 of GRAVITY and TIME
+    pub n: u64,
+    /// [n] of the things; of RAYS bodies that the rays go with, or 0; NULL of GRAVITY and TIME
+    pub handles: *const u64,
+    /// [7 n] of RAYS: origin, m, direction, m, and max, in [0, 1e9], in the body's frame or the world's; the body itself is passed over. NULL of others
+    pub rays: *const f64,
+    /// the first row; belongs to the host, and stays until the batch is destroyed
+    pub data: *mut c_void,
+    /// bytes from one row to the next; 0: tightly packed
+    pub stride: u64,
+}
+impl Default for carom_batch_column {
+    fn default() -> Self {
+        unsafe {
+            let mut it: Self = zeroed();
+            carom_batch_column_init(&mut it, size_of::<carom_batch_column>() as u32);
+            it
+        }
+    }
+}
+/// What a batch has, and what it costs.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct carom_batch_info {
+    pub struct_size: u32,
+    /// kinds of worlds
+    pub structures: u32,
+    /// in all
+    pub worlds: u64,
+    /// of them
+    pub stopped: u64,
+    /// that were added
+    pub columns: u64,
+    /// as many as threads were at work at once, at most, times structures
+    pub real_worlds: u64,
+    /// of all states: divided by worlds, what one more world takes
+    pub state_bytes: u64,
+}
+impl Default for carom_batch_info {
+    fn default() -> Self {
+        unsafe {
+            let mut it: Self = zeroed();
+            it.struct_size = size_of::<carom_batch_info>() as u32;
             it
         }
     }
@@ -3246,6 +3350,88 @@ extern "C" {
     /// @thread reader
     pub fn carom_world_measure_growth(world: *mut carom_world, dt: f64, steps: u32, growth: *mut carom_growth, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
+    pub fn carom_batch_column_init(column: *mut carom_batch_column, struct_size: u32) -> i32;
+    /// Make a batch without worlds.
+    /// @param batch out: to be destroyed before the engine   @owns the caller: carom_batch_destroy()
+    /// @status OK; NULL_ARGUMENT; OUT_OF_MEMORY   @thread engine
+    pub fn carom_batch_create(engine: *mut carom_engine, batch: *mut *mut carom_batch, error: *mut carom_error) -> i32;
+    /// @status OK; NULL_ARGUMENT; BUSY; REENTRANT
+    pub fn carom_batch_destroy(batch: *mut carom_batch, error: *mut carom_error) -> i32;
+    /// Add n worlds that are as this one is now. The world itself is read, stays as it is, and may be destroyed. A ledger, a
+    /// recording and a budget of time are not copied.
+    /// @param batch of the same engine   @param n 1 to 2^24 in all   @param first out: the number of the first of them
+    /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); WRONG_WORLD (of another engine); LIMIT (256 structures in all); BUSY;
+    ///         REENTRANT; OUT_OF_MEMORY
+    pub fn carom_batch_add_worlds(batch: *mut carom_batch, world: *mut carom_world, n: u64, first: *mut u64, error: *mut carom_error) -> i32;
+    /// Say where numbers of worlds stand.
+    /// @param column out: its number, from 0 on; may be NULL
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNKNOWN_ENUM; OUT_OF_RANGE (world, n, a ray); NOT_FINITE; *_HANDLE;
+    ///         UNSUPPORTED (a joint or body that has no such field; read only: not BEFORE_STEP, nor fields that move
+    ///         joints); BUFFER_TOO_SMALL (stride); LIMIT (4,096 columns); BUSY; REENTRANT; OUT_OF_MEMORY
+    pub fn carom_batch_add_column(batch: *mut carom_batch, desc: *const carom_batch_column, column: *mut u32, error: *mut carom_error) -> i32;
+    /// Advance worlds, each by steps of dt. First, all that columns BEFORE_STEP have for them is checked: where something is
+    /// refused no world has moved. A world that is stopped stays as it is, and so do its rows.
+    /// @param mask     [worlds] or NULL: all
+    /// @param dt       s, in [1e-9, 1]
+    /// @param steps    1 to 1e6, with the same numbers before each
+    /// @param stopped  out: how many worlds are stopped now, in all; may be NULL
+    /// @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED; BUSY; REENTRANT; OUT_OF_MEMORY; INTERNAL (a
+    ///         callback left its thread: some worlds were stepped)
+    pub fn carom_batch_step(batch: *mut carom_batch, mask: *const u8, dt: f64, steps: u32, stopped: *mut u64, error: *mut carom_error) -> i32;
+    /// Read columns, of worlds as they are now. Contact forces are those of a step: 0 here.
+    /// @param columns [count]   @param mask [worlds] or NULL: all
+    /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (a column); BUSY; REENTRANT; OUT_OF_MEMORY
+    pub fn carom_batch_read(batch: *mut carom_batch, columns: *const u32, count: u64, mask: *const u8, error: *mut carom_error) -> i32;
+    /// Write columns, one after the other: poses, speeds, gains, friction, masses. All worlds or none are changed.
+    /// @param columns [count]   @param mask [worlds] or NULL: all
+    /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE; NOT_FINITE; NOT_UNIT; UNSUPPORTED (read only, or joints that can't be moved);
+    ///         BUSY; REENTRANT; OUT_OF_MEMORY
+    pub fn carom_batch_write(batch: *mut carom_batch, columns: *const u32, count: u64, mask: *const u8, error: *mut carom_error) -> i32;
+    /// Add a state that worlds of a structure may be reset to.
+    /// @param world  one of the structure   @param bytes [size] as carom_world_restore() takes them   @param size of bytes
+    /// @param start  out: its number among those of the structure, from 1 on; 0 is the state that its worlds were made with
+    /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (world); CORRUPT; UNSUPPORTED; MISMATCH; BUSY; REENTRANT; OUT_OF_MEMORY
+    pub fn carom_batch_add_start(batch: *mut carom_batch, world: u64, bytes: *const c_void, size: u64, start: *mut u32, error: *mut carom_error) -> i32;
+    /// Put worlds back to where they began. Masses that were written stay; what else was written is as in the start.
+    /// A world that is stopped runs again.
+    /// @param mask   [worlds] or NULL: all   @param starts [worlds] numbers of starts, or NULL: 0
+    /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (a start); BUSY; REENTRANT; OUT_OF_MEMORY
+    pub fn carom_batch_reset(batch: *mut carom_batch, mask: *const u8, starts: *const u32, error: *mut carom_error) -> i32;
+    /// Write a snapshot of one world, as carom_world_save() with CAROM_SNAPSHOT_STATE: it goes into the world that was
+    /// copied (unless masses differ), or back by carom_batch_add_start(). Arguments as there.
+    /// @param world    its number
+    /// @param buffer   [capacity] bytes, or NULL to get the size alone
+    /// @param capacity bytes; 0 if buffer is NULL
+    /// @param needed   out: bytes of the snapshot; written, too, when the buffer is too small (nothing else is)
+    /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (world); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY
+    pub fn carom_batch_save(batch: *mut carom_batch, world: u64, buffer: *mut c_void, capacity: u64, needed: *mut u64, error: *mut carom_error) -> i32;
+    /// The hash of each world, as carom_world_hash().
+    /// @param hashes out, [worlds]   @param n how many worlds there are
+    /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY; REENTRANT; OUT_OF_MEMORY
+    pub fn carom_batch_get_hashes(batch: *mut carom_batch, hashes: *mut u64, n: u64, error: *mut carom_error) -> i32;
+    /// Which worlds are stopped, and why.
+    /// @param stopped out, [worlds] CAROM_STOPPED_*   @param n how many worlds there are
+    /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (n); BUSY
+    pub fn carom_batch_get_stopped(batch: *mut carom_batch, stopped: *mut u32, n: u64, error: *mut carom_error) -> i32;
+    /// The faults of the step that stopped a world; none where it is not stopped.
+    /// @param world    its number
+    /// @param dst      [capacity] elements `stride` bytes apart; may be NULL if capacity is 0
+    /// @param stride   sizeof(carom_fault) as the caller knows it
+    /// @param count    out: how many there are (may exceed capacity; capacity are written)
+    /// @status OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (world, stride); BUSY
+    pub fn carom_batch_get_faults(batch: *mut carom_batch, world: u64, dst: *mut carom_fault, stride: u64, capacity: u64, count: *mut u64, error: *mut carom_error) -> i32;
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
+    pub fn carom_batch_get_info(batch: *mut carom_batch, info: *mut carom_batch_info, error: *mut carom_error) -> i32;
+    /// Random numbers that follow from a key alone: n rows, each from its own key. So they do not depend on how many worlds
+    /// there are, in which order or on which thread, or machine, they are drawn. Philox4x32-10; the normal ones by Box and
+    /// Muller. A row that is longer begins as a shorter one of its key.
+    /// @param kind  CAROM_RANDOM_*
+    /// @param keys  [3 n]: of each row a seed, the number of a world, a step
+    /// @param width numbers in a row
+    /// @param dst   out, [n width]
+    /// @status OK; NULL_ARGUMENT; UNKNOWN_ENUM; OUT_OF_RANGE (n, width)   @thread any
+    pub fn carom_random_fill(kind: u32, keys: *const u64, n: u64, width: u64, dst: *mut f64, error: *mut carom_error) -> i32;
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_material_desc_init(desc: *mut carom_material_desc, struct_size: u32) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; NOT_FINITE; OUT_OF_RANGE; UNKNOWN_ENUM; BUSY; OUT_OF_MEMORY
     pub fn carom_material_create(world: *mut carom_world, desc: *const carom_material_desc, material: *mut carom_material, error: *mut carom_error) -> i32;
@@ -3570,7 +3756,7 @@ extern "C" {
     /// Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
     pub fn carom_engine_create(desc: *const carom_engine_desc, engine: *mut *mut carom_engine, error: *mut carom_error) -> i32;
-    /// Destroy an engine; its worlds must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    /// Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
     /// REENTRANT   @thread writer: no other call may use the engine
     pub fn carom_engine_destroy(engine: *mut carom_engine, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
@@ -3579,7 +3765,7 @@ extern "C" {
     /// functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
     /// on the stepping one.
     /// @param desc may be NULL: the stepping thread alone
-    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds are alive); LIMIT (the system has
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
     /// no more threads); OUT_OF_MEMORY; REENTRANT
     pub fn carom_engine_set_jobs(engine: *mut carom_engine, desc: *const carom_jobs_desc, error: *mut carom_error) -> i32;
     /// Load a shape plugin from a shared object. @param path absolute.
@@ -4003,7 +4189,36 @@ extern "C" {
     /// @param normal [3] unit (within 1e-6)   @param offset m
     /// @status OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY
     pub fn carom_shape_create_half_space(engine: *mut carom_engine, normal: *const f64, offset: f64, shape: *mut carom_shape, error: *mut carom_error) -> i32;
-    /// @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, or a query on another thread, refers to it); REENTRANT
+    /// Make the convex hull of shapes that the engine has, each placed and scaled, and all of it rounded by a radius. The
+    /// same call makes
+    /// - the sweep of a shape along a straight line, without turning: the shape at both ends. Where it turns as well, the hull
+    ///   of both ends leaves out what bulges between them: add poses in between;
+    /// - a scaled shape: one part with a scale. A negative scale mirrors it;
+    /// - a rounded shape: one part and a radius, by which it grows on all sides.
+    /// Where all parts have corners only and the radius is 0, the hull is a polytope with exact mass and faces, and its
+    /// corners are its parameters. Else its parameters are none and its mass is derived. A part cannot be destroyed before
+    /// the hull.
+    /// @param parts         [count] handles of convex shapes, the same one as often as wanted
+    /// @param count         1 to 4096
+    /// @param positions     [3 * count] m, frame of the hull; NULL: 0
+    /// @param orientations  [4 * count] x, y, z, w, unit within 1e-6, part to hull; NULL: identity
+    /// @param scales        [3 * count] along the axes of the part, of a size of 1e-6 to 1e6; NULL: 1
+    /// @param radius        m, 0 or more
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED (a part is a half-space or scenery);
+    ///         PLUGIN_INVALID; LIMIT (hulls of hulls more than 8 deep, or of more than 4096 parts in all); OUT_OF_MEMORY
+    /// @since 0.9
+    pub fn carom_shape_create_hull_of(engine: *mut carom_engine, parts: *const carom_shape, count: u64, positions: *const f64, orientations: *const f64, scales: *const f64, radius: f64, shape: *mut carom_shape, error: *mut carom_error) -> i32;
+    /// What a hull of shapes is made of, as it was given. Of any other shape: no parts, radius 0.
+    /// @param parts         [*count] or NULL: only count and radius are written
+    /// @param positions     [3 * *count] m, or NULL   @param orientations [4 * *count] x, y, z, w, or NULL
+    /// @param scales        [3 * *count] or NULL
+    /// @param count         in: capacity in parts; out: number of parts
+    /// @param radius        m, or NULL
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; BUFFER_TOO_SMALL (count says how many are needed)
+    /// @since 0.9
+    pub fn carom_shape_get_parts(engine: *mut carom_engine, shape: carom_shape, parts: *mut carom_shape, positions: *mut f64, orientations: *mut f64, scales: *mut f64, count: *mut u64, radius: *mut f64, error: *mut carom_error) -> i32;
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider, a hull of shapes, or a query on another thread, refers to
+    ///         it); REENTRANT
     pub fn carom_shape_destroy(engine: *mut carom_engine, shape: carom_shape, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE (set info->struct_size); *_HANDLE
     pub fn carom_shape_get_info(engine: *mut carom_engine, shape: carom_shape, info: *mut carom_shape_info, error: *mut carom_error) -> i32;
@@ -4232,6 +4447,27 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_growth.reserved", offset_of!(carom_growth, reserved), size_of::<u32>(), "u32"),
     ("carom_growth.factor", offset_of!(carom_growth, factor), size_of::<f64>(), "f64"),
     ("carom_growth.rate", offset_of!(carom_growth, rate), size_of::<f64>(), "f64"),
+    ("carom_batch_column", 0, size_of::<carom_batch_column>(), "struct"),
+    ("carom_batch_column.struct_size", offset_of!(carom_batch_column, struct_size), size_of::<u32>(), "u32"),
+    ("carom_batch_column.source", offset_of!(carom_batch_column, source), size_of::<u32>(), "u32"),
+    ("carom_batch_column.field", offset_of!(carom_batch_column, field), size_of::<u32>(), "u32"),
+    ("carom_batch_column.when", offset_of!(carom_batch_column, when), size_of::<u32>(), "u32"),
+    ("carom_batch_column.scalar", offset_of!(carom_batch_column, scalar), size_of::<u32>(), "u32"),
+    ("carom_batch_column.reserved", offset_of!(carom_batch_column, reserved), size_of::<u32>(), "u32"),
+    ("carom_batch_column.world", offset_of!(carom_batch_column, world), size_of::<u64>(), "u64"),
+    ("carom_batch_column.n", offset_of!(carom_batch_column, n), size_of::<u64>(), "u64"),
+    ("carom_batch_column.handles", offset_of!(carom_batch_column, handles), size_of::<*const u64>(), "ptr"),
+    ("carom_batch_column.rays", offset_of!(carom_batch_column, rays), size_of::<*const f64>(), "ptr"),
+    ("carom_batch_column.data", offset_of!(carom_batch_column, data), size_of::<*mut c_void>(), "ptr"),
+    ("carom_batch_column.stride", offset_of!(carom_batch_column, stride), size_of::<u64>(), "u64"),
+    ("carom_batch_info", 0, size_of::<carom_batch_info>(), "struct"),
+    ("carom_batch_info.struct_size", offset_of!(carom_batch_info, struct_size), size_of::<u32>(), "u32"),
+    ("carom_batch_info.structures", offset_of!(carom_batch_info, structures), size_of::<u32>(), "u32"),
+    ("carom_batch_info.worlds", offset_of!(carom_batch_info, worlds), size_of::<u64>(), "u64"),
+    ("carom_batch_info.stopped", offset_of!(carom_batch_info, stopped), size_of::<u64>(), "u64"),
+    ("carom_batch_info.columns", offset_of!(carom_batch_info, columns), size_of::<u64>(), "u64"),
+    ("carom_batch_info.real_worlds", offset_of!(carom_batch_info, real_worlds), size_of::<u64>(), "u64"),
+    ("carom_batch_info.state_bytes", offset_of!(carom_batch_info, state_bytes), size_of::<u64>(), "u64"),
     ("carom_material_desc", 0, size_of::<carom_material_desc>(), "struct"),
     ("carom_material_desc.struct_size", offset_of!(carom_material_desc, struct_size), size_of::<u32>(), "u32"),
     ("carom_material_desc.friction_mix", offset_of!(carom_material_desc, friction_mix), size_of::<u32>(), "u32"),

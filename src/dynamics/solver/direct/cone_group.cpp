@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dynamics/contact/depth.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/direct/at_rest.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
@@ -12,6 +13,7 @@
 #include "dynamics/solver/direct/yielding.h"
 #include "dynamics/solver/direct/yielding_constants.h"
 #include "dynamics/solver/far_turns.h"
+#include "dynamics/solver/sweep_constants.h"
 
 namespace carom::dynamics {
 namespace {
@@ -160,7 +162,7 @@ void ConeGroup::keep(Velocities& to) {
 
 /// Impulses, by the exact law as far as the work goes. What joints and contacts share is undetermined by it, and so is
 /// found where contacts yield first.
-void ConeGroup::find(Real goal, std::uint32_t most_steps) {
+void ConeGroup::find(Real h, Real goal, std::uint32_t most_steps) {
   if (shares()) return find_shares(goal, most_steps);
   find_exact(goal, most_steps);
   if (gives_energy() && drop_bends(problem_)) {
@@ -173,7 +175,7 @@ void ConeGroup::find(Real goal, std::uint32_t most_steps) {
   if (solution_.is_wedged || solution_.is_rejected) {
     yield_more(goal, most_steps);
   } else if (is_few() && !solution_.reached && solution_.residual > kGiveOfContacts * most_borne(problem_)) {
-    find_without_work(goal, most_steps);
+    find_without_work(h, goal, most_steps);
   }
   solution_.residual = residual(problem_), solution_.reached = solution_.residual <= goal;
 }
@@ -196,14 +198,23 @@ void ConeGroup::find_shares(Real goal, std::uint32_t most_steps) {
   if (throws(problem_)) yield_more(goal, most_steps);
 }
 
+/// Of a contact's response: as soft as springs of solver soft_step, but what is thin sinks by no more in a substep than
+/// sweeps there leave of its fall.
+Real ConeGroup::give_of_sweeps(Real h) const {
+  Real most = 0;  // 1/s^2, pull over thickness
+  for (std::size_t i = 0; i < problem_.contacts.size(); ++i)
+    most = std::max(most, pull_on(world_.scene, c_.rows[row_[i]]) / least_thickness(world_, c_.geometry[row_[i]]));
+  return std::min<Real>(kGiveOfSweeps, kSweptWay / (h * h * most));
+}
+
 /// Few bodies for which the work did not suffice are swept from where they began: what was found in part may be anything.
 /// Where surfaces drive them they yield, since sweeps have no bound of energy.
-void ConeGroup::find_without_work(Real goal, std::uint32_t most_steps) {
+void ConeGroup::find_without_work(Real h, Real goal, std::uint32_t most_steps) {
   if (is_driven(problem_)) {
     find_yielding(1, goal, kStepsOfYielding);
   } else {
     return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
-    sweep(problem_, kSweepsInstead);
+    sweep(problem_, kSweepsInstead, give_of_sweeps(h));
   }
   if (throws(problem_)) yield_more(goal, most_steps);
 }
@@ -288,7 +299,7 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   rest_.is_bounded = is_bounded && !(problem_.stood && starts_from_nothing(problem_));
   rest_.at_once = rest_.lies || (rest_.is_bounded && rest_.stood && kExpectedAtRest * work_ > own_work(work));
   rest_.waits = rest_.is_bounded && rest_.at_once && (rest_.is_close || (rest_.lies && rest_.waits));
-  if (rest_.is_too_large || rest_.gave_up || takes_all_of(own_work(work))) return go_on_by_sweeps(to);
+  if (rest_.is_too_large || rest_.gave_up || takes_all_of(own_work(work))) return go_on_by_sweeps(to, h);
   rest_.goal = goal(is_bounded);
   solution_ = {};
   solution_.residual = residual(problem_);
@@ -311,17 +322,17 @@ bool ConeGroup::takes_all_of(std::uint64_t work) const {
 }
 
 /// Two a substep, as soft contacts take; those solve it from the next step on.
-void ConeGroup::sweep_on() {
-  sweep(problem_, 2);
+void ConeGroup::sweep_on(Real h) {
+  sweep(problem_, 2, give_of_sweeps(h));
   find_lock_impulses(problem_);
   solution_.residual = residual(problem_);
   rest_.is_far_off = is_far_off();
 }
 
-void ConeGroup::go_on_by_sweeps(Velocities& to) {
+void ConeGroup::go_on_by_sweeps(Velocities& to, Real h) {
   rest_.gave_up = true;
   solution_ = {};
-  sweep_on();
+  sweep_on(h);
   finish(to);
 }
 
@@ -354,7 +365,7 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
     rest_.is_close = true;
     return account_work();
   }
-  find(goal, most_steps);
+  find(h, goal, most_steps);
   find_lock_impulses(problem_);
   if (!solution_.reached && may_be_held()) {
     hold();
@@ -367,7 +378,7 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
     const std::uint32_t taken = solution_.factorisations;
     solution_ = {};
     solution_.residual = residual(problem_);
-    find(goal, most_steps);
+    find(h, goal, most_steps);
     find_lock_impulses(problem_);
     solution_.factorisations += taken;
   }
@@ -377,7 +388,7 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
   rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_few() && rest_.is_far_off;
   if (!rest_.gave_up || !is_joined()) return;
   return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
-  sweep_on();
+  sweep_on(h);
 }
 
 bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && problem_.stood; }

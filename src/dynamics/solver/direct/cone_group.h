@@ -70,8 +70,9 @@ class ConeGroup {
   void hold_forest(Forest forest);
   void hold_forest_again();
   void follow_impulses();
-  void find(Real goal, std::uint32_t most_steps);
-  void find_without_work(Real goal, std::uint32_t most_steps);
+  void find(Real h, Real goal, std::uint32_t most_steps);
+  Real give_of_sweeps(Real h) const;
+  void find_without_work(Real h, Real goal, std::uint32_t most_steps);
   void find_yielding(Real forgets, Real goal, std::uint32_t most_steps);
   void yield_more(Real goal, std::uint32_t most_steps);
   void find_exact(Real goal, std::uint32_t most_steps);
@@ -81,8 +82,8 @@ class ConeGroup {
   std::uint64_t own_work(std::uint64_t most) const;
   std::uint64_t work_of_substep(std::uint32_t substeps) const;
   bool takes_all_of(std::uint64_t work) const;
-  void go_on_by_sweeps(Velocities& to);
-  void sweep_on();
+  void go_on_by_sweeps(Velocities& to, Real h);
+  void sweep_on(Real h);
   void find_solution(Real h, std::uint32_t most_steps);
   void finish(Velocities& to);
   bool lies_still() const;

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "dynamics/force/force.h"
+#include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/joint/wide_joints.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/fill_lanes.h"
 
 namespace carom::dynamics {
@@ -92,6 +94,20 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
       c.most = kInfinity;
     }
   }
+}
+
+/// Arms of rows are those of a substep's beginning. So a drive leads what hangs on an arm no faster than rows follow: else
+/// it leaves its joint, and the gap throws it. What moves along its joints knows no such bound.
+void lead_no_farther(ConeLink& c, Real h) {
+  if (c.most > 0 && c.low == c.high) c.low = c.high = std::clamp(c.low, -kBends / h, kBends / h);
+}
+
+/// m, the longer of a joint's arms across an axis that moves with a body.
+Real arm_across(const ConeLink& c, const JointLanes& joint, std::uint32_t lane) {
+  const auto across = [](std::uint32_t body, const Vec3& arm, const Vec3& axis) {
+    return body == kInvalid ? Real(0) : (arm - arm.dot(axis) * axis).norm();
+  };
+  return std::max(across(c.a, get(joint.r_a, lane), c.w_a), across(c.b, get(joint.r_b, lane), c.w_b));
 }
 
 /// 1/kg or 1/(kg m^2); 0 where locks leave but rounding.
@@ -207,6 +223,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
   // A lock asks for the bend of its arm where nothing else bears it. In contact that target gives energy: a taut chain
   // under loads feeds itself.
   const bool bends = phase == LinkPhase::move && problem.contacts.empty();
+  const bool is_far = rattle::is_given_up(world, problem.bodies[problem.first].slot);
   const bool halved = phase != LinkPhase::part && is_kicked(w, problem.bodies[problem.first].slot);
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
     ConeLink& c = problem.joint_rows()[i];
@@ -247,6 +264,10 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
       lock(c, std::clamp(-get(row.error, lane), -most, most));
     else
       lock(c, bends ? -get(row.curve, lane) : 0), c.bends = bends;
+    const bool leads =
+        at_row.is_drive && phase == LinkPhase::move && c.d_b == Vec3::zero() &&
+        (at_row.kind == DriveKind::spring ? is_far || !bends : at_row.kind == DriveKind::motor && is_far);
+    if (leads && arm_across(c, joint, lane) > world.scene.dials[Dial::position_tolerance]) lead_no_farther(c, h);
   }
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "dynamics/solver/direct/forest.h"
-#include "dynamics/solver/direct/yielding_constants.h"
 
 namespace carom::dynamics {
 namespace {
@@ -49,10 +48,10 @@ Real response(const ConeProblem& problem, const ConeLink& c) {
   return of(c.a, c.d_a, c.w_a) + of(c.b, c.d_b, c.w_b);
 }
 
-void visit(ConeProblem& problem, ConeContact& c) {
+void visit(ConeProblem& problem, ConeContact& c, Real give_share) {
   const Responses response(problem, c);
   if (!(response.normal > 0)) return;
-  const Real give = kGiveOfSweeps * response.normal;
+  const Real give = give_share * response.normal;
   const auto velocity = [&] { return Vec3(c.surface + relative<&ConeBody::v>(problem.bodies, c)); };
   const Real p_n = c.p.dot(c.n);
   const Real next_n = std::max(Real(0), p_n - (velocity().dot(c.n) - c.want + give * p_n) / (response.normal + give));
@@ -75,12 +74,12 @@ void visit(ConeProblem& problem, ConeLink& c) {
 
 }  // namespace
 
-void sweep(ConeProblem& problem, int times) {
+void sweep(ConeProblem& problem, int times, Real give) {
   for (ConeLink& c : problem.locks) c.k = response(problem, c);
   for (int i = 0; i < times; ++i) {
     for (ConeLink& c : problem.locks) visit(problem, c);
     for (ConeLink& c : problem.links) visit(problem, c);
-    for (ConeContact& c : problem.contacts) visit(problem, c);
+    for (ConeContact& c : problem.contacts) visit(problem, c, give);
   }
   for (ConeLink& c : problem.locks) c.k = 1;
   obey_locks(problem);

@@ -7,6 +7,7 @@ namespace carom::dynamics {
 
 /// Row by row, from the impulses that act already: each takes energy or leaves it, with contacts as soft as those of
 /// solver soft_step. Joints of a forest hold in the end.
-void sweep(ConeProblem& problem, int times);
+/// @param give  of a contact's response, by which it yields
+void sweep(ConeProblem& problem, int times, Real give);
 
 }  // namespace carom::dynamics

@@ -1,0 +1,79 @@
+using System;
+using System.Collections.Generic;
+using System.Reflection;
+using System.Runtime.InteropServices;
+
+namespace Carom
+{
+    /// <summary>Finds libcarom, once: $CAROM_LIBRARY, else the system's loader by its name.</summary>
+    internal static class Library
+    {
+        private static string file;
+        private static bool fits;
+
+        /// <summary>Before the first call of Raw.</summary>
+        internal static void Name() { NativeLibrary.SetDllImportResolver(typeof(Library).Assembly, Find); }
+
+        private static IntPtr Find(string name, Assembly assembly, DllImportSearchPath? path)
+        {
+            if (name != Raw.File) return IntPtr.Zero;
+            string given = Environment.GetEnvironmentVariable("CAROM_LIBRARY");
+            string usual = RuntimeInformation.IsOSPlatform(OSPlatform.Windows) ? "carom.dll"
+                : RuntimeInformation.IsOSPlatform(OSPlatform.OSX) ? "libcarom.0.9.dylib" : Raw.Soname;
+            file = string.IsNullOrEmpty(given) ? usual : given;
+            try
+            {
+                return NativeLibrary.Load(file);
+            }
+            catch (Exception problem) when (problem is DllNotFoundException || problem is BadImageFormatException)
+            {
+                const string Before = "environment variable:";  // then come the loader's own words
+                string all = problem.Message, why = all.Substring(Math.Max(0, all.LastIndexOf(Before) + Before.Length)).Trim();
+                throw new CaromException(Raw.CAROM_E_NOT_FOUND, $"cannot load {file}: {why.Split('\n')[0]}",
+                    $"install libcarom {Raw.Version} for this system and processor, or set CAROM_LIBRARY to the path of {usual}");
+            }
+        }
+
+        private static CaromException Unfit(string what)
+        {
+            return new CaromException(Raw.CAROM_E_UNSUPPORTED, file + " " + what, "install a libcarom and a package Carom of one version");
+        }
+
+        /// <summary>Is it one that Raw can call? Version, and the layout of every struct.</summary>
+        internal static void Check()
+        {
+            if (fits) return;
+            try
+            {
+                Check(Raw.carom_abi_manifest(), file);
+            }
+            catch (EntryPointNotFoundException)
+            {
+                throw Unfit("is no libcarom, or an older one");
+            }
+            fits = true;
+        }
+
+        internal static void Check(string manifest, string name)
+        {
+            file = name;
+            string[] lines = manifest.Split('\n');
+            string version = lines[0].StartsWith("carom ") ? lines[0].Substring(6) : lines[0];
+            Version here = Version.Parse(Raw.Version), there;
+            bool same = Version.TryParse(version, out there) && there.Major == here.Major && (here.Major > 0 || there.Minor == here.Minor);
+            if (!same || there < here) throw Unfit($"is of version {version}, this package of {Raw.Version}");
+            var rows = new Dictionary<string, string[]>();
+            foreach (string line in lines) rows[line.Split(' ')[0]] = line.Split(' ');
+            foreach (string line in Raw.Layout.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries))
+            {
+                string[] ours = line.Trim().Split(' '), theirs;
+                if (!rows.TryGetValue(ours[0], out theirs)) throw Unfit("has no " + ours[0]);
+                // A struct of a newer library may be longer: the tail is not ours.
+                bool longer = ours[3] == "struct" && theirs[3] == "struct" && int.Parse(theirs[2]) > int.Parse(ours[2]);
+                if (string.Join(" ", ours) != string.Join(" ", theirs) && !longer)
+                    throw Unfit($"has {ours[0]} as {theirs[3]} of {theirs[2]} bytes at {theirs[1]}, " +
+                        $"this package as {ours[3]} of {ours[2]} bytes at {ours[1]}");
+            }
+        }
+    }
+}
