@@ -14,6 +14,7 @@
 #include "dynamics/joint/rattle/rattle.h"
 #include "dynamics/joint/speeds.h"
 #include "dynamics/observe.h"
+#include "dynamics/solver/direct.h"
 #include "dynamics/stages.h"
 
 namespace carom::dynamics {
@@ -127,6 +128,7 @@ void World::step(Real dt) {
   if (!lone_rollers && scene.colliders.live.size() > 1) lone_rollers = make_owned<LoneRollers>(memory, memory);
   Runner run(*this, dt);
   begin_report(*this, report, group_views, *events);
+  direct->forget();
   give_back(*this, impulses, pairs, mean_motion);
   Array<AxisRates> begun(memory);
   if (joints.measured > 0) measure_rates(*this, begun);

@@ -41,6 +41,35 @@ void settings_come_back_with_the_state(void**) {
   bench_free(&b);
 }
 
+/// What one solver keeps of its last step is not read by another: a fork has none of it.
+void who_changes_its_solver_steps_as_its_fork(void**) {
+  const double solvers[] = {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO};
+  for (const double before : solvers)
+    for (const double after : solvers)
+      for (const double dt : {1.0 / 60, 0.1, 0.5}) {
+        Bench b;
+        make(b);
+        assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, before, nullptr), CAROM_OK);
+        assert_int_equal(bench_steps(b.world, 40, nullptr), CAROM_OK);
+        assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_SOLVER, after, nullptr), CAROM_OK);
+        carom_world* fork = nullptr;
+        assert_int_equal(carom_world_fork(b.world, &fork, nullptr), CAROM_OK);
+        const double v[3] = {0, -30, 0}, still[3] = {0, 0, 0};  // so fast that it is swept
+        std::uint64_t body[2] = {b.bodies[3], b.bodies[3]}, of_fork = 0;
+        assert_int_equal(carom_world_translate_handles(fork, body, 1, body, nullptr), CAROM_OK);
+        assert_int_equal(carom_body_set_velocity(b.world, body[1], v, still, nullptr), CAROM_OK);
+        assert_int_equal(carom_body_set_velocity(fork, body[0], v, still, nullptr), CAROM_OK);
+        for (int i = 0; i < 4; ++i) {
+          assert_int_equal(carom_world_step(b.world, dt, nullptr), CAROM_OK);
+          assert_int_equal(carom_world_step(fork, dt, nullptr), CAROM_OK);
+        }
+        assert_int_equal(carom_world_hash(fork, &of_fork, nullptr), CAROM_OK);
+        assert_true(of_fork == bench_hash(b.world));
+        assert_int_equal(carom_world_destroy(fork, nullptr), CAROM_OK);
+        bench_free(&b);
+      }
+}
+
 void pending_forces_go_on(void**) {
   Bench b;
   make(b);
@@ -403,6 +432,7 @@ int main(int argc, char** argv) {
   if (argc > 2) seed = static_cast<std::uint64_t>(std::atoll(argv[2]));
   const CMUnitTest tests[] = {
       cmocka_unit_test(settings_come_back_with_the_state),
+      cmocka_unit_test(who_changes_its_solver_steps_as_its_fork),
       cmocka_unit_test(pending_forces_go_on),
       cmocka_unit_test(edits_after_a_restore_do_what_they_do_without),
       cmocka_unit_test(events_go_on),

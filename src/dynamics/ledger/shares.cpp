@@ -209,7 +209,7 @@ void share_group_links(Shares& shares, bool settled) {
   }
 }
 
-bool solves_directly(const World& world) { return world.plan->solver->calls_direct && world.direct->groups() > 0; }
+bool solves_directly(const World& world) { return world.direct->groups() > 0; }
 
 }  // namespace
 

@@ -180,6 +180,9 @@ struct DirectGroups {
     return *forest_;
   }
 
+  /// Groups of the last step: as one begins, whichever solver it has.
+  void forget();
+
   bool is_few(std::size_t group) const { return rest[group].is_few; }
   bool is_joined(std::size_t group) const { return begin[group].link < begin[group + 1].link; }
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }

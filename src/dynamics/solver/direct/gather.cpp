@@ -30,12 +30,7 @@ void reserve_groups(DirectGroups& d) {
 void gather(const World& world, DirectGroups& d) {
   const Contacts& c = *world.contacts;
   reserve_groups(d);
-  for (const ConeBody& b : d.bodies)  // those of the last step, which may have ended for want of memory
-    if (b.slot < d.body.size()) d.body[b.slot] = kInvalid;
-  d.links.clear(), d.link_row.clear();
-  d.rest.clear(), d.row.clear(), d.begin.clear();
-  d.bodies.clear(), d.edges.clear();
-  if (d.has_forest()) d.forest().joints.clear(), d.forest().nodes.clear();
+  d.forget();  // those of another pass of the step, or of a begin that ended for want of memory
   d.body.resize(world.scene.bodies.slots(), kInvalid);
   // Contacts of the last step are written over: to make 400 bytes of zeros of each first costs more than to fill it.
   std::size_t points = 0;
@@ -132,6 +127,15 @@ void place_contacts(DirectGroups& d) {
 }
 
 }  // namespace
+
+void DirectGroups::forget() {
+  for (const ConeBody& b : bodies)
+    if (b.slot < body.size()) body[b.slot] = kInvalid;
+  links.clear(), link_row.clear();
+  rest.clear(), row.clear(), begin.clear();
+  bodies.clear(), edges.clear();
+  if (has_forest()) forest().joints.clear(), forest().nodes.clear();
+}
 
 void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor) {
   DirectGroups& d = *world.direct;
