@@ -9,7 +9,7 @@
 #include "abi/snapshot_shapes.h"
 #include "abi/world.h"
 #include "core/float_scope.h"
-#include "core/random.h"
+#include "core/keyed_random.h"
 
 struct carom_batch {
   explicit carom_batch(carom_engine& owner) : engine(owner), inner(&owner.memory, owner.jobs.get()) {}

@@ -362,6 +362,30 @@ void Batch::share(Jobs* jobs, bool on_host_thread, Mask mask, const Each& f) {
     if (left[k]) f(*lane, k);
 }
 
+template <class Each>
+void Batch::each_or_throw(Mask mask, const Each& f) {
+  bool out_of_memory = false;
+  each(mask, [&](Lane& lane, std::uint64_t k) {
+    try {
+      f(lane, k);
+    } catch (const std::bad_alloc&) {
+      const std::lock_guard lock(lanes_mutex_);
+      out_of_memory = true;
+    }
+  });
+  if (out_of_memory) throw std::bad_alloc();
+}
+
+/// f(lane, world, structure) for all of the mask of which some of the columns are.
+template <class Each>
+void Batch::each_of(std::span<const std::uint32_t> columns, Mask mask, const Each& f) {
+  each_or_throw(mask, [&](Lane& lane, std::uint64_t k) {
+    const std::uint32_t structure = members_[k].structure;
+    if (std::ranges::any_of(columns, [&](auto number) { return columns_[number].structure == structure; }))
+      f(lane, k, structure);
+  });
+}
+
 void Batch::step(Real dt, std::uint32_t steps, Mask mask) {
   each(mask, [&](Lane& lane, std::uint64_t k) {
     if (members_[k].stopped != Stopped::no) return;
@@ -416,36 +440,25 @@ bool Batch::write(std::span<const std::uint32_t> columns, Mask mask, std::uint64
   for (std::uint64_t k = 0; k < members_.size(); ++k)
     fresh.push_back({Array<std::byte>(memory_), Array<double>(memory_), Array<double>(memory_)});
   at_fault = members_.size();
-  bool out_of_memory = false;
-  each(mask, [&](Lane& lane, std::uint64_t k) {
-    const std::uint32_t structure = members_[k].structure;
-    if (std::none_of(columns.begin(), columns.end(),
-                     [&](auto number) { return columns_[number].structure == structure; }))
-      return;
-    try {
-      World& world = load(lane, structure, members_[k].packed, members_[k].masses);
-      fresh[k].masses = members_[k].masses;
-      for (const std::uint32_t number : columns) {
-        const Column& column = columns_[number];
-        if (column.structure != structure) continue;
-        fetch(column, k, lane.row.data());
-        Why refused;
-        if (!column.rows->write(world, lane.row.data(), refused)) {
-          const std::lock_guard lock(lanes_mutex_);
-          if (k < at_fault) at_fault = k, column_at_fault = number, why = refused;  // the first, whoever finds it
-          return;
-        }
-        if (!column.rows->massed().empty()) learn_masses(lane, structure, fresh[k].masses);
+  each_of(columns, mask, [&](Lane& lane, std::uint64_t k, std::uint32_t structure) {
+    World& world = load(lane, structure, members_[k].packed, members_[k].masses);
+    fresh[k].masses = members_[k].masses;
+    for (const std::uint32_t number : columns) {
+      const Column& column = columns_[number];
+      if (column.structure != structure) continue;
+      fetch(column, k, lane.row.data());
+      Why refused;
+      if (!column.rows->write(world, lane.row.data(), refused)) {
+        const std::lock_guard lock(lanes_mutex_);
+        if (k < at_fault) at_fault = k, column_at_fault = number, why = refused;  // the first, whoever finds it
+        return;
       }
-      keep(pack(lane, structure, world), fresh[k].packed);
-      fresh[k].rows = rows_after(lane, *structures_[structure], world);
-      fresh[k].due = true;
-    } catch (const std::bad_alloc&) {
-      const std::lock_guard lock(lanes_mutex_);
-      out_of_memory = true;
+      if (!column.rows->massed().empty()) learn_masses(lane, structure, fresh[k].masses);
     }
+    keep(pack(lane, structure, world), fresh[k].packed);
+    fresh[k].rows = rows_after(lane, *structures_[structure], world);
+    fresh[k].due = true;
   });
-  if (out_of_memory) throw std::bad_alloc();
   if (at_fault < members_.size()) return false;
   for (std::uint64_t k = 0; k < members_.size(); ++k) {
     if (!fresh[k].due) continue;
@@ -456,25 +469,14 @@ bool Batch::write(std::span<const std::uint32_t> columns, Mask mask, std::uint64
 }
 
 void Batch::read(std::span<const std::uint32_t> columns, Mask mask) {
-  bool out_of_memory = false;
-  each(mask, [&](Lane& lane, std::uint64_t k) {
-    const std::uint32_t structure = members_[k].structure;
-    if (std::none_of(columns.begin(), columns.end(),
-                     [&](auto number) { return columns_[number].structure == structure; }))
-      return;
-    try {
-      const World& world = load(lane, structure, members_[k].packed, members_[k].masses);
-      for (const std::uint32_t number : columns) {
-        if (columns_[number].structure != structure) continue;
-        columns_[number].rows->read(world, 0, lane.row.data());
-        store(columns_[number], k, lane.row.data());
-      }
-    } catch (const std::bad_alloc&) {
-      const std::lock_guard lock(lanes_mutex_);
-      out_of_memory = true;
+  each_of(columns, mask, [&](Lane& lane, std::uint64_t k, std::uint32_t structure) {
+    const World& world = load(lane, structure, members_[k].packed, members_[k].masses);
+    for (const std::uint32_t number : columns) {
+      if (columns_[number].structure != structure) continue;
+      columns_[number].rows->read(world, 0, lane.row.data());
+      store(columns_[number], k, lane.row.data());
     }
   });
-  if (out_of_memory) throw std::bad_alloc();
 }
 
 std::uint32_t Batch::add_start(std::uint32_t structure, const std::byte* bytes, std::uint64_t n, SnapshotFault& fault) {
@@ -565,16 +567,9 @@ const World& Batch::look_at(std::uint64_t world) {
 }
 
 void Batch::hashes(std::uint64_t* to) {
-  bool out_of_memory = false;
-  each(nullptr, [&](Lane& lane, std::uint64_t k) {
-    try {
-      to[k] = load(lane, members_[k].structure, members_[k].packed, members_[k].masses).hash();
-    } catch (const std::bad_alloc&) {
-      const std::lock_guard lock(lanes_mutex_);
-      out_of_memory = true;
-    }
+  each_or_throw(nullptr, [&](Lane& lane, std::uint64_t k) {
+    to[k] = load(lane, members_[k].structure, members_[k].packed, members_[k].masses).hash();
   });
-  if (out_of_memory) throw std::bad_alloc();
 }
 
 std::uint64_t Batch::stopped_count() const {

@@ -173,6 +173,11 @@ class Batch {
   void learn_masses(Lane& lane, std::uint32_t structure, Array<double>& masses);
   template <class Each>
   void each(Mask mask, const Each& f);
+  /// Likewise, to the end; @throws std::bad_alloc then, if one had no memory.
+  template <class Each>
+  void each_or_throw(Mask mask, const Each& f);
+  template <class Each>
+  void each_of(std::span<const std::uint32_t> columns, Mask mask, const Each& f);
   template <class Each>
   void share(Jobs* jobs, bool on_host_thread, Mask mask, const Each& f);
 

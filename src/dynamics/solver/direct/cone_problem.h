@@ -197,6 +197,10 @@ inline Vec6 velocity_of(const ConeBody& body, const Vec6& momentum) {
   hold(body, v);
   return v;
 }
+/// 1/kg or 1/(kg m^2), of a row's end at a body without locked axes.
+inline Real response_of(const ConeBody& body, const Vec3& d, const Vec3& turn) {
+  return body.inv_mass * d.squared_norm() + turn.dot(body.inv_inertia * turn);
+}
 inline Vec6 momentum_of(const ConeBody& body, const Vec6& velocity) {
   return {body.mass * velocity.linear(), body.inertia * velocity.angular()};
 }

@@ -251,7 +251,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
       if (body == kInvalid) return Real(0);
       const ConeBody& b = problem.bodies[body];
       if (b.locks) return locked_response(b, d, turn);
-      return b.inv_mass * d.squared_norm() + turn.dot(b.inv_inertia * turn);
+      return response_of(b, d, turn);
     };
     const bool is_of_forest = i >= problem.links.size();
     c.k = is_of_forest ? 1

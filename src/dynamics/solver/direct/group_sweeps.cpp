@@ -41,9 +41,7 @@ struct Responses {
 /// 1/kg or 1/(kg m^2)
 Real response(const ConeProblem& problem, const ConeLink& c) {
   const auto of = [&](std::uint32_t body, const Vec3& d, const Vec3& w) {
-    if (body == kInvalid) return Real(0);
-    const ConeBody& b = problem.bodies[body];
-    return b.inv_mass * d.squared_norm() + w.dot(b.inv_inertia * w);
+    return body == kInvalid ? 0 : response_of(problem.bodies[body], d, w);
   };
   return of(c.a, c.d_a, c.w_a) + of(c.b, c.d_b, c.w_b);
 }

@@ -1,5 +1,5 @@
 // Random numbers by their keys: the published answers of Philox4x32-10, and what is asked of uniform and normal numbers.
-#include "core/random.h"
+#include "core/keyed_random.h"
 
 #include <set>
 
@@ -58,5 +58,5 @@ int main() {
       cmocka_unit_test(keys_that_differ_have_other_numbers),
       cmocka_unit_test(means_and_deviations),
   };
-  return cmocka_run_group_tests_name("core/random", tests, nullptr, nullptr);
+  return cmocka_run_group_tests_name("core/keyed_random", tests, nullptr, nullptr);
 }

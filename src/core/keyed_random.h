@@ -15,7 +15,7 @@ using RandomBlock = std::array<std::uint32_t, 4>;
 
 /// The block of a key, by ten rounds.
 /// @param counter, key  any
-/// @oracle tests/unit/core/test_random: the published blocks
+/// @oracle tests/unit/core/test_keyed_random: the published blocks
 inline RandomBlock philox(RandomBlock counter, std::array<std::uint32_t, 2> key) {
   for (int round = 0; round < 10; ++round) {
     const std::uint64_t a = std::uint64_t(0xD2511F53) * counter[0], b = std::uint64_t(0xCD9E8D57) * counter[2];
