@@ -192,13 +192,6 @@ struct TurningPair {
   std::uint32_t row, points;  // its first row; how many
   bool has_belts = false;     // a surface moves of itself
   Vec3 belt = Vec3::zero();   // m/s, A's less B's, at the other's centre of mass, as rows have it
-  // of rows in lanes
-  std::uint32_t pair = 0, lane = 0;
-  Real t = 0, s = 0;  // m/s, along the tangents: what its drive is without the lead
-  struct Led {
-    Real t, s;      // m/s: its drive
-    Real p_t, p_s;  // N s: the friction that it starts from
-  } led{};          // in this substep
 };
 
 struct HalfPart {

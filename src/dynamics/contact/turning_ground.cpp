@@ -23,15 +23,6 @@ Vec3 bent(const Vec3& omega, const Vec3& s, Real h) {
   return (omega.dot(s) / w2) * omega + way_of(omega, s.cross(omega) / w2, h);
 }
 
-/// Of A and B as each other's ground: what of the pair's turn is its own.
-struct OwnShares {
-  Real a, b;
-  OwnShares(const Scene& scene, const Row& row) {
-    const Real m_a = row.moves_a ? scene.inv_mass[row.a] : 0, m_b = row.moves_b ? scene.inv_mass[row.b] : 0;
-    a = m_a + m_b > 0 ? m_b / (m_a + m_b) : 0, b = 1 - a;
-  }
-};
-
 struct Belts {
   Surface a, b;
   Belts(const World& world, const Row& row, const RowGeometry& g) : Belts(world, row, world.pairs.place(g.pair).pair) {}
@@ -50,6 +41,11 @@ bool turns(const World& world, const Row& row, Real dt) {
 }
 
 }  // namespace
+
+OwnShares::OwnShares(const Scene& scene, const Row& row) {
+  const Real m_a = row.moves_a ? scene.inv_mass[row.a] : 0, m_b = row.moves_b ? scene.inv_mass[row.b] : 0;
+  a = m_a + m_b > 0 ? m_b / (m_a + m_b) : 0, b = 1 - a;
+}
 
 Lead lead_of(const World& world, const TurningPair& pair, Real h) {
   const State& s = world.state;

@@ -73,6 +73,7 @@ struct WideContacts {
         velocity(m),
         displacement(m),
         shift(m),
+        turn(m),
         slot(m),
         held_back(m),
         far_turn(m),
@@ -100,6 +101,7 @@ struct WideContacts {
   Array<BodyVelocity> velocity;
   Array<BodyVelocity> displacement;  // m, rad: of a pass over positions
   Array<BodyShift> shift;
+  Array<BodyTurn> turn;
   Array<std::uint32_t> slot;  // of the body
   Array<Mat3> held_back;      // @see held_arms.h
   Array<FarTurn> far_turn;    // @see far_turns.h
