@@ -213,11 +213,11 @@ CAROM_LANES_INLINE void each_pair(const LaneRunOf<Number>& run, const Kernel& ke
 static_assert(offsetof(BodyTurn, u) == 3 * sizeof(double) && offsetof(BodyTurn, w) == 6 * sizeof(double) &&
               offsetof(BodyTurn, omega) == 7 * sizeof(double));
 /// Turns of the four bodies on one side.
-struct SideTurn {
+struct GroundTurn {
   LaneVec x, u, omega;
   Lanes w;
 
-  CAROM_LANES_INLINE SideTurn(const BodyTurn* all_bodies, const std::uint32_t* body) {
+  CAROM_LANES_INLINE GroundTurn(const BodyTurn* all_bodies, const std::uint32_t* body) {
     const BodyRows rows(all_bodies, body);
     const LanePair p = rows.two(0), q = rows.two(2), r = rows.two(4), s = rows.two(6), t = rows.two(8);
     x = {p.first, p.second, q.first}, u = {q.second, r.first, r.second};
@@ -238,7 +238,7 @@ void lead(const LaneRunOf<Number>& run, const BodyTurn* bodies, double h) {
     PairLanesOf<Number>& pair = run.pairs[i];
     if (!pair.driven) continue;
     DriveLanesOf<Number>& drive = run.drives[pair.driven - 1];
-    const SideTurn a(bodies, pair.a), b(bodies, pair.b);
+    const GroundTurn a(bodies, pair.a), b(bodies, pair.b);
     const Lanes share_a = widened(drive.share_a), share_b = widened(drive.share_b);
     const LaneVec apart = b.x - a.x, spin = share_a * a.omega + share_b * b.omega, n = widened(pair.n), t = widened(pair.t),
                   s = cross(n, t);

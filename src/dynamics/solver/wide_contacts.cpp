@@ -113,6 +113,7 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
     set(drive.t, lane, velocity.dot(t));
     set(drive.s, lane, velocity.dot(n.cross(t)));
     set(drive.w, lane, driven.spin.dot(n));
+    drive.own_t[lane] = drive.t[lane], drive.own_s[lane] = drive.s[lane];
   }
 }
 
@@ -125,7 +126,6 @@ void fill_turning_pairs(const World& world, const WideContacts& wide, ContactLan
     DriveLanesOf<Number>& drive = drive_of(rows, rows.pairs[m.pair]);
     const OwnShares share(world.scene, world.contacts->rows[of.row]);
     const auto lane = static_cast<int>(m.lane);
-    set(drive.own_t, lane, drive.t[lane]), set(drive.own_s, lane, drive.s[lane]);
     set(drive.share_a, lane, share.a), set(drive.share_b, lane, share.b);
   }
 }
