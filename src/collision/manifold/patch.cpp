@@ -8,8 +8,11 @@
 #include "collision/manifold/facet.h"
 #include "collision/manifold/patch_constants.h"
 
+#include <cstdlib>
 namespace carom::collision {
 namespace {
+static const bool KEEPALL = std::getenv("KEEPALL");
+static const double KEEPD = std::getenv("KEEPD") ? std::atof(std::getenv("KEEPD")) : 0.01, KEEPR = std::getenv("KEEPR") ? std::atof(std::getenv("KEEPR")) : kKeepRadius.value;
 
 // rad: a declared face that leans by more is probed for, not looked up. Half as much again as probing sees.
 constexpr Real kFacing = 1.5 * kFirstTilt;
@@ -132,7 +135,7 @@ class Patch {
   int count() const { return count_; }
   bool flat() const { return !a_.facet.round && !b_.facet.round; }
   void remember(PatchMemory& memory) const {
-    memory.firm = owner_ != Owner::none && flat() && !nearest_used_;
+    memory.firm = (KEEPALL || owner_ != Owner::none) && flat() && (KEEPALL || !nearest_used_);
     memory.of_b = owner_ == Owner::b;
     memory.normal = memory.of_b ? b_in_a_.rotate_inverse(n_) : n_;
     memory.b_in_a = b_in_a_;
@@ -332,10 +335,10 @@ void adopt_patch(const PatchPair& pair, const Candidates& found, const ManifoldS
     return s.form == Form::half_space || (s.form == Form::box && n.abs().max_entry() > 1 - 1e-12);
   };
   const bool of_a = own(pair.a, n_a);
-  if (!of_a && !own(pair.b, n_b)) return;
+  if (!KEEPALL && !of_a && !own(pair.b, n_b)) return;
   memory.firm = true;
-  memory.of_b = !of_a;
-  memory.normal = of_a ? n_a : n_b;
+  memory.of_b = !of_a && own(pair.b, n_b);
+  memory.normal = memory.of_b ? n_b : n_a;
   memory.b_in_a = relative(pair.frame_a, pair.frame_b);
 }
 
@@ -346,7 +349,7 @@ bool keep_patch(const PatchPair& pair, const ManifoldSettings& settings, const P
   const Real moved = motion_bound(memory.b_in_a, now, pair.a.bounding_radius, pair.b.bounding_radius);
   const Real radius = std::min(pair.a.bounding_radius, pair.b.bounding_radius);
   const Real share = manifold.has_more_corners ? kKeepChosen : 1;
-  if (!(moved <= share * std::min(kKeepDistance * settings.contact_distance, kKeepRadius * radius))) return false;
+  if (!(moved <= share * std::min(KEEPD * settings.contact_distance, KEEPR * radius))) return false;
   const Vec3 n = memory.of_b ? now.rotate(memory.normal) : memory.normal;
   const Vec3 normal = pair.frame_a.rotate(n);
   for (int k = 0; k < manifold.count; ++k) {
