@@ -40,7 +40,7 @@ DialWord = Literal["integrator", "rotation", "substeps", "solver", "velocity_ite
     "epa_iterations", "hybrid_margin", "warm_separation", "manifold", "cache_distance", "warm_start", "carry_over",
     "contact_frequency", "contact_damping", "push_speed", "sleep", "sleep_speed", "sleep_time", "direct_sink",
     "direct_ratio", "direct_work", "hold_angle", "joint_frequency", "joint_damping", "continuous", "precision",
-    "joint_order", "accuracy_place", "accuracy_turn", "accuracy_substeps", "accuracy_work"]
+    "joint_order", "accuracy_place", "accuracy_turn", "accuracy_substeps", "accuracy_work", "keep_distance"]
 IntegratorWord = Literal["explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"]
 RotationWord = Literal["none", "explicit", "implicit", "rk4", "lie_midpoint", "splitting", "splitting_4",
     "splitting_6"]
@@ -895,3 +895,4 @@ class DialKeywords(TypedDict, total=False):
     accuracy_turn: float | str
     accuracy_substeps: float | str
     accuracy_work: float | str
+    keep_distance: float | str
