@@ -66,9 +66,9 @@ inline bool one_shot(ManifoldKind kind) { return kind >= ManifoldKind::patch; }
 struct ManifoldSettings {
   ManifoldKind kind = ManifoldKind::cache;
   Real cache_distance = 0.02;    // m: a kept point that slid or opened further than this is dropped
-  Real keep_distance = 1e-3;     // m: how far two bodies may move before a patch is looked for anew
   Real contact_distance = 0.02;  // m: candidates farther apart than this are not kept
   bool sunk_alike = false;       // points in overlap bear alike, however deep: both ends of a rod that lies in a ground
+  Real keep_distance = 1e-3;     // m: how far two bodies may move before their patch is looked for anew
 };
 
 /// ManifoldKind::single: the deepest candidate alone.

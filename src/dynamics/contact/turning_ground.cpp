@@ -88,8 +88,13 @@ void find_turning_pairs(const World& world, const StepTime& time) {
       const Belts belts(world, row, c.geometry[m.row]);
       t.belt = belts.a.at(s.x[row.b]) - belts.b.at(s.x[row.a]);
     }
-    // What went along in the substep before slides by nothing, though its velocity is that of the chord.
-    const Vec3 lag = lead_of(world, t, -time.h).at(s.x[row.b] - s.x[row.a]);
+    // What went along in the substep before slides by nothing, though its velocity is that of the chord. One that nobody
+    // could tell from the tangent changes nothing.
+    const Vec3 apart = s.x[row.b] - s.x[row.a];
+    const Real turn2 = std::max(s.omega[row.a].squared_norm(), s.omega[row.b].squared_norm());
+    const Real most = time.h / 2 * turn2 * apart.norm();  // m/s, of what is below
+    if (!has_belts && most < 0.01 * kCreeps) continue;
+    const Vec3 lag = lead_of(world, t, -time.h).at(apart);
     std::array<Vec3, Manifold::kMaxPoints> slip;
     for (std::uint32_t k = 0; k < m.count; ++k) slip[k] = c.surface.empty() ? lag : Vec3(lag + c.surface[m.row + k]);
     find_slide(world, m.row, m.count, slip.data());

@@ -166,6 +166,23 @@ Real misfit(const Plan& plan, std::uint32_t slot, const Vec3& turn) {
   return of(t.x(), m.y(), m.z()) + of(t.y(), m.x(), m.z()) + of(t.z(), m.x(), m.y());
 }
 
+/// misfit() of one radian about the worst axis, at most.
+Real worst_misfit(const Plan& plan, std::uint32_t slot) {
+  const Vec3& m = plan.principal[slot].moment;
+  const auto of = [](Real i, Real j) { return (i - j) * (i - j) / (i * j); };
+  return std::max({of(m.y(), m.z()), of(m.x(), m.z()), of(m.x(), m.y())});
+}
+
+/// rad^2: 16 sin^2(t/4) and a twentieth, which is not less than 4 sin^2(t/2), t the angle between two orientations.
+Real chord2(const Quat& from, const Quat& to) {
+  const auto apart2 = [&](Real sign) {
+    const Real x = to.x() - sign * from.x(), y = to.y() - sign * from.y(), z = to.z() - sign * from.z(),
+               w = to.w() - sign * from.w();
+    return x * x + y * y + z * z + w * w;
+  };
+  return 4.2 * apart2(from.w() * to.w() + from.x() * to.x() + from.y() * to.y() + from.z() * to.z() < 0 ? -1 : 1);
+}
+
 /// Who has turned too far since its rows were made; always who is marked `again`. Their masses are made anew.
 bool mark(const World& world, WideContacts& wide) {
   const State& s = world.state;
@@ -175,7 +192,9 @@ bool mark(const World& world, WideContacts& wide) {
     f.marked = false;
     if (!f.may) return;
     const std::uint32_t slot = wide.slot[i];
-    const Vec3 turn = 2 * (wide.start_q[i].conjugate() * s.q[slot]).vec();
+    const Quat &q = s.q[slot], &start = wide.start_q[i];
+    if (!f.again && !(f.unlike * chord2(start, q) > kFarTurn)) return;
+    const Vec3 turn = 2 * (start.conjugate() * q).vec();
     if (!f.again && !(misfit(*world.plan, slot, turn) > kFarTurn)) return;
     f.marked = true, any.store(true, std::memory_order_relaxed);
     const Mat3 r = s.q[slot].matrix();
@@ -248,7 +267,11 @@ void find_far_turners(const World& world, WideContacts& wide) {
   wide.far_turn.assign(wide.slot.size(), {});
   wide.far_turners = false;
   if (!plan.rotation_method || (wide.manifolds.empty() && world.contacts->links.empty())) return;
-  each_moved(world, wide, [&](std::uint32_t i) { wide.far_turn[i].may = may_turn_far(world, wide.slot[i]); });
+  each_moved(world, wide, [&](std::uint32_t i) {
+    FarTurn& f = wide.far_turn[i];
+    f.may = may_turn_far(world, wide.slot[i]);
+    if (f.may) f.unlike = worst_misfit(plan, wide.slot[i]);
+  });
   wide.far_turners = std::ranges::any_of(wide.far_turn, &FarTurn::may);
   if (wide.far_turners && wide.one_turner.runs.empty()) wide.one_turner.add(0);
 }

@@ -13,7 +13,7 @@ constexpr Real kFastest = 1e9;                           // m/s, rad/s
 constexpr Real kShortest = 1e-9, kLongestInFloat = 1e9;  // s
 constexpr Real kLeastTurn = 1e-25;                       // 1/(kg m^2), of the axis that turns most easily
 
-bool is_slow(const Vec3& v) { return v.abs().max_entry() <= kFastest; }
+bool is_slow(const Vec3& v) { return v.squared_norm() <= kFastest * kFastest; }
 
 bool weighs_enough(const Scene& scene, std::uint32_t body) {
   const Real inv_mass = scene.inv_mass[body];

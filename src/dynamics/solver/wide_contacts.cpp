@@ -284,15 +284,15 @@ void lead_lanes(const World& world, WideContacts& wide, Real h) {
   Contacts& c = *world.contacts;
   if (c.turning_pairs.empty()) return;
   const State& state = world.state;
-  wide.turn.resize(wide.slot.size());
+  Array<BodyTurn>& turn = wide.placing->turn;
   in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
     if (i == 0) return;
     const std::uint32_t slot = wide.slot[i];
     const Vec3 &x = state.x[slot], &omega = state.omega[slot];
     const Quat q = exp_map(h * omega);
-    wide.turn[i] = {{x.x(), x.y(), x.z()}, {q.x(), q.y(), q.z()}, q.w(), {omega.x(), omega.y(), omega.z()}};
+    turn[i] = {{x.x(), x.y(), x.z()}, {q.x(), q.y(), q.z()}, q.w(), {omega.x(), omega.y(), omega.z()}};
   });
-  over_contacts(world, [&](const auto& sweeps, const auto& run) { sweeps.lead(run, wide.turn.data(), h); });
+  over_contacts(world, [&](const auto& sweeps, const auto& run) { sweeps.lead(run, turn.data(), h); });
   if (std::ranges::any_of(c.turning_pairs, &TurningPair::has_belts)) lead_belts(world, wide, h);
 }
 
