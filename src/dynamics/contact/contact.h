@@ -252,7 +252,6 @@ struct Contacts {
 
   Array<std::uint32_t> first_row;    // [pairs + 1] by pair of the table
   Array<ContactPair> contact_pairs;  // of pairs that have rows, in their order
-  bool any_asked_again = false;      // of them
 
   Array<Link> links;                      // of active joints, in their order: @see WideJoints::active
   Array<std::uint32_t> link_label;        // by link: its group
@@ -284,6 +283,7 @@ struct Contacts {
   Array<GroupSize> group_size;         // by group
   bool is_grouped = true;              // the dial
   bool any_rolls = false;              // Row::rolls
+  bool any_asked_again = false;        // RowGeometry::is_asked_again
   std::uint32_t steps_with_spare = 0;  // @see give_back()
   Array<std::uint8_t> direct;  // by group, of a solver that chooses: whether the direct solver solves it; else empty
 
