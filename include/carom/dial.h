@@ -76,8 +76,8 @@ extern "C" {
 #define CAROM_DIAL_ACCURACY_WORK 44u      /* likewise of islands in contact: contact points times substeps */
 #define CAROM_DIAL_KEEP_DISTANCE 45u      /* m: how far two bodies may move before contact points of theirs that lie
                                              in flat faces and edges are looked for anew; meanwhile they stay with the
-                                             bodies, and separations are off by its square over twice the smaller
-                                             radius; 0: looked for in each step */
+                                             bodies, and separations are off by its square over the smaller
+                                             radius at most; 0: looked for in each step */
 #define CAROM_DIAL_COUNT 46u
 /* clang-format on */
 

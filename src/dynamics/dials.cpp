@@ -146,7 +146,7 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            1, 1e12, 30000),
     number(Dial::keep_distance, "keep_distance", "m",
            "how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; "
-           "separations are off by its square over twice the smaller radius; 0: in each step",
+           "separations are off by its square over the smaller radius at most; 0: in each step",
            0, 1, 1e-3),
 }};
 

@@ -1,7 +1,9 @@
 // Joints of islands that are too large for Newton's method hold all the same: heaps of dolls, bridges, mail, ladders, worms.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 
 #include "carom_test.h"
@@ -126,7 +128,8 @@ struct Course {
 };
 Course follow(const Build& build, Real dt, Real hair) {
   TestWorld t;
-  Random random(11);
+  Random random(getenv("SEED")?atoi(getenv("SEED")):11);
+  if(getenv("KEEP")) t.world.set_dial(Dial::keep_distance, atof(getenv("KEEP")));
   build(t, random);
   if (hair > 0) {
     for (std::uint32_t j = 0; j < t.world.joints.slots.slots(); ++j)
@@ -161,22 +164,22 @@ const Case kCases[] = {
 }  // namespace
 
 static void joints_of_large_islands_hold(void**) {
-  for (const Case& of : kCases)
+  for (const Case& of : kCases) if(!getenv("ONLY")||strstr(of.name,getenv("ONLY")))
     for (const Real dt : {1.0 / 30, 1.0 / 60, 1.0 / 120}) {
       const Course c = follow(of.build, dt, 0);
       std::printf("%s, 1/%.0f s: gap %.1e, gained %.1e J, sinks %.1e m\n", of.name, 1 / dt, c.gap, c.gained, c.depth);
-      assert_true(c.gap < (dt > 0.02 ? 5e-3 : 1e-3));  // passes over places end before a chain at 17 m/s is closed
-      assert_true(c.gained < 1e-6);
+      if(!getenv("ONLY")) assert_true(c.gap < (dt > 0.02 ? 5e-3 : 1e-3));  // passes over places end before a chain at 17 m/s is closed
+      if(!getenv("ONLY")) assert_true(c.gained < 1e-6);
     }
 }
 
 /// A motor of next to no force on each hinge, and a bead of next to no mass on a head.
 static void a_hair_beside_them_they_hold_too(void**) {
-  for (const Case& of : kCases) {
+  for (const Case& of : kCases) if(!getenv("ONLY")||strstr(of.name,getenv("ONLY"))) {
     const Course c = follow(of.build, 1.0 / 60, 1e-15);
     std::printf("%s, a hair beside: gap %.1e, gained %.1e J\n", of.name, c.gap, c.gained);
-    assert_true(c.gap < 1e-3);
-    assert_true(c.gained < 1e-6);
+    if(!getenv("ONLY")) assert_true(c.gap < 1e-3);
+    if(!getenv("ONLY")) assert_true(c.gained < 1e-6);
   }
 }
 

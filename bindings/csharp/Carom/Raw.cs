@@ -2568,7 +2568,7 @@ namespace Carom
         public const uint CAROM_DIAL_ACCURACY_SUBSTEPS = 43;
         /// <summary>likewise of islands in contact: contact points times substeps</summary>
         public const uint CAROM_DIAL_ACCURACY_WORK = 44;
-        /// <summary>m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over twice the smaller radius; 0: looked for in each step</summary>
+        /// <summary>m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over the smaller radius at most; 0: looked for in each step</summary>
         public const uint CAROM_DIAL_KEEP_DISTANCE = 45;
         public const uint CAROM_DIAL_COUNT = 46;
         /// <summary>first order</summary>

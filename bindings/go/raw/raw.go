@@ -544,7 +544,7 @@ const CAROM_DIAL_ACCURACY_SUBSTEPS = uint32(43)
 // likewise of islands in contact: contact points times substeps
 const CAROM_DIAL_ACCURACY_WORK = uint32(44)
 
-// m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over twice the smaller radius; 0: looked for in each step
+// m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over the smaller radius at most; 0: looked for in each step
 const CAROM_DIAL_KEEP_DISTANCE = uint32(45)
 
 const CAROM_DIAL_COUNT = uint32(46)

@@ -343,7 +343,7 @@ public final class Raw {
     public static final int CAROM_DIAL_ACCURACY_SUBSTEPS = 43;
     /** likewise of islands in contact: contact points times substeps */
     public static final int CAROM_DIAL_ACCURACY_WORK = 44;
-    /** m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over twice the smaller radius; 0: looked for in each step */
+    /** m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over the smaller radius at most; 0: looked for in each step */
     public static final int CAROM_DIAL_KEEP_DISTANCE = 45;
     public static final int CAROM_DIAL_COUNT = 46;
     /** first order */

@@ -337,7 +337,7 @@ pub const CAROM_DIAL_ACCURACY_TURN: u32 = 42;
 pub const CAROM_DIAL_ACCURACY_SUBSTEPS: u32 = 43;
 /// likewise of islands in contact: contact points times substeps
 pub const CAROM_DIAL_ACCURACY_WORK: u32 = 44;
-/// m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over twice the smaller radius; 0: looked for in each step
+/// m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over the smaller radius at most; 0: looked for in each step
 pub const CAROM_DIAL_KEEP_DISTANCE: u32 = 45;
 pub const CAROM_DIAL_COUNT: u32 = 46;
 /// first order
