@@ -141,6 +141,7 @@ Course follow(const Build& build, Real dt, Real hair) {
   const Real first = energy_of(t);
   for (int i = 0; i < 2.5 / dt; ++i) {
     t.run(1, dt);
+    if(getenv("TRACE")&&worst_gap(t)>5e-4) std::printf("%d: %.2e\n", i, worst_gap(t));
     c.gap = std::max(c.gap, worst_gap(t)), c.gained = std::max(c.gained, energy_of(t) - first);
   }
   c.depth = t.world.report.max_penetration;

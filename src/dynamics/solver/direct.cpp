@@ -2,6 +2,7 @@
 #include "dynamics/solver/direct.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/joint/wide_joints.h"
@@ -139,7 +140,7 @@ static void place_parted(const World& world) {
 /// @param group  (index) -> ConeGroup   @param part  (group): a pass
 template <class Group, class Part>
 static void part_again(const World& world, const Group& group, const Part& part) {
-  constexpr int kPasses = 8;
+  static const int kPasses = getenv("PASSES")?atoi(getenv("PASSES")):8;
   DirectGroups& d = *world.direct;
   for (int k = 0; k < kPasses; ++k) {
     place_parted(world);
