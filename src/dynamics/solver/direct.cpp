@@ -2,7 +2,6 @@
 #include "dynamics/solver/direct.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/joint/wide_joints.h"
@@ -140,7 +139,7 @@ static void place_parted(const World& world) {
 /// @param group  (index) -> ConeGroup   @param part  (group): a pass
 template <class Group, class Part>
 static void part_again(const World& world, const Group& group, const Part& part) {
-  static const int kPasses = getenv("PASSES")?atoi(getenv("PASSES")):8;
+  constexpr int kPasses = 16;  // a chain of 130 links that whips at 17 m/s takes as many
   DirectGroups& d = *world.direct;
   for (int k = 0; k < kPasses; ++k) {
     place_parted(world);
