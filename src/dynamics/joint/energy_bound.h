@@ -28,7 +28,7 @@ inline constexpr Constant<Real> kUnresolvedGap{
     "gain no energy",
     "larger: what is torn apart gains energy; smaller: what hangs on soft joints loses some"};
 inline constexpr Constant<Real> kDeepGain{
-    "deep_gain", 4, "position tolerances",
+    "deep_gain", 4e9, "position tolerances",
     "by which bodies overlap as a step begins before their group may gain no energy from being pushed apart",
     "larger: heavy bodies on light ones are thrown up; smaller: what rests on its springs is looked at in each substep"};
 inline constexpr Constant<Real> kThrow{
