@@ -79,9 +79,8 @@ struct WideJoints {
     Real before, after;  // J, with those velocities and with what the solver made of them: scratch
   };
   struct GroupBound {
-    bool is_driven = false, is_held = false, is_deep = false, is_unresolved = false, gains = false;
+    bool is_driven = false, is_held = false, is_unresolved = false, gains = false;
     bool turns_far = false;  // that is why: what gapes may still be led back by the move
-    bool may_gain_nothing() const { return is_unresolved || (is_deep && !is_driven); }
     Real surface = 0;            // m/s, of what it meets that impulses do not move
     Real before = 0, after = 0;  // J
     Real mass = 0;               // kg
