@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 
 #include "dynamics/contact/contact.h"
 #include "dynamics/force/force.h"
@@ -174,7 +173,6 @@ void find_bounded(const World& world, Real h) {
   w.bounded.clear(), w.bounds.clear();
   if (!c.is_grouped || !c.surface.empty()) return;
   if (!w.any()) return;
-  if (getenv("NOBOUND")) return;
   w.bounds.resize(c.groups());
   find_drives(world, w);
   for (const std::uint32_t body : c.bodies) {
