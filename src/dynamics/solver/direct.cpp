@@ -138,12 +138,16 @@ static void place_parted(const World& world) {
 /// Groups that part, pass by pass: parting follows tangents, so that a second pass begins where the first has led.
 /// @param group  (index) -> ConeGroup   @param part  (group): a pass
 template <class Group, class Part>
-static void part_again(const World& world, const Group& group, const Part& part, int passes = 8) {
+static void part_again(const World& world, const Group& group, const Part& part) {
+  constexpr int kPasses = 8, kPassesInLanes = 24;  // sweeps leave more: a chain of 130 links that whips at 17 m/s takes so many
   DirectGroups& d = *world.direct;
-  for (int k = 0; k < passes; ++k) {
+  for (int k = 0; k < kPassesInLanes; ++k) {
     place_parted(world);
     bool any = false;
-    for (std::size_t g = 0; g < d.groups(); ++g) any |= d.rest[g].parts = d.rest[g].parts && group(g).is_nearer();
+    for (std::size_t g = 0; g < d.groups(); ++g) {
+      GroupRest& rest = d.rest[g];
+      any |= rest.parts = rest.parts && (k < kPasses || rest.in_lanes) && group(g).is_nearer();
+    }
     if (!any) return;
     in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
       if (d.rest[g].parts) part(group(g));
@@ -180,12 +184,10 @@ void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h)
 }
 
 void return_lanes_to_joints(const World& world, Poses& poses, Real h) {
-  constexpr int kPasses = 32;  // a chain of 130 links that whips at 17 m/s takes 20
   for (GroupRest& rest : world.direct->rest)
     rest.gap = kInfinity, rest.parts = rest.has_parted = rest.in_lanes && !rest.is_too_large;
   part_again(
-      world, [&](std::size_t g) { return ConeGroup(world, g); }, [&](ConeGroup group) { group.part_again(poses, h); },
-      kPasses);
+      world, [&](std::size_t g) { return ConeGroup(world, g); }, [&](ConeGroup group) { group.part_again(poses, h); });
 }
 
 void close_joints(const World& world, Poses& poses, const StepTime& time) {
