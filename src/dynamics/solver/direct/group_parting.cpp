@@ -1,5 +1,7 @@
 // A group after the move: overlaps undone, joints settled, separations measured.
 #include <algorithm>
+#include <cstdlib>
+#include <cstdio>
 
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/depth.h"
@@ -119,6 +121,7 @@ void ConeGroup::part(Poses& to, Real h, Real most_closed, Forest forest) {
     solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
   rest_.has_parted = true;
   const Real share = displacement_share(most_asked, most_closed);
+  if (getenv("TRACE")) std::printf("  pass gap %.2e asked %.2e closed %.2e share %.3g contacts %zu steps %u\n", rest_.gap, most_asked, most_closed, share, problem_.contacts.size(), solution_.factorisations);
   for (const ConeBody& b : bodies_of(problem_)) {
     Vec3 turn = share * b.v.angular();
     if (!is_joined() && may_turn_far(world_, b.slot) && turns_too_far(world_, b.slot, turn)) turn.set_zero();
