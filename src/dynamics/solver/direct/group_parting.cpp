@@ -120,7 +120,11 @@ void ConeGroup::part(Poses& to, Real h, Real most_closed, Forest forest) {
   if (!problem_.contacts.empty() || !problem_.links.empty())
     solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
   rest_.has_parted = true;
-  const Real share = displacement_share(most_asked, most_closed);
+  Real share = displacement_share(most_asked, most_closed);
+  Real turn2=0; for (const ConeBody& b : bodies_of(problem_)) turn2=std::max(turn2,b.v.angular().squared_norm());
+  static const Real mt=getenv("MT")?atof(getenv("MT")):100;
+  if(is_joined()) share=std::min(share, mt/std::sqrt(turn2));
+  if(getenv("TRACE")) std::printf("   turn %.2e\n", std::sqrt(turn2));
   if (getenv("TRACE")) std::printf("  pass gap %.2e asked %.2e closed %.2e share %.3g contacts %zu steps %u\n", rest_.gap, most_asked, most_closed, share, problem_.contacts.size(), solution_.factorisations);
   for (const ConeBody& b : bodies_of(problem_)) {
     Vec3 turn = share * b.v.angular();
