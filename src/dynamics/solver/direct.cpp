@@ -2,6 +2,7 @@
 #include "dynamics/solver/direct.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/joint/wide_joints.h"
@@ -138,16 +139,13 @@ static void place_parted(const World& world) {
 /// Groups that part, pass by pass: parting follows tangents, so that a second pass begins where the first has led.
 /// @param group  (index) -> ConeGroup   @param part  (group): a pass
 template <class Group, class Part>
-static void part_again(const World& world, const Group& group, const Part& part) {
-  constexpr int kPasses = 8, kPassesInLanes = 24;  // sweeps leave more: a chain of 130 links that whips at 17 m/s takes so many
+static void part_again(const World& world, const Group& group, const Part& part, bool passes = false) {
+  static const int kPasses = getenv("PASSES")?atoi(getenv("PASSES")):8, kOf=getenv("KOF")?atoi(getenv("KOF")):8;
   DirectGroups& d = *world.direct;
-  for (int k = 0; k < kPassesInLanes; ++k) {
+  for (int k = 0; k < (passes?kPasses:kOf); ++k) {
     place_parted(world);
     bool any = false;
-    for (std::size_t g = 0; g < d.groups(); ++g) {
-      GroupRest& rest = d.rest[g];
-      any |= rest.parts = rest.parts && (k < kPasses || rest.in_lanes) && group(g).is_nearer();
-    }
+    for (std::size_t g = 0; g < d.groups(); ++g) any |= d.rest[g].parts = d.rest[g].parts && group(g).is_nearer();
     if (!any) return;
     in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
       if (d.rest[g].parts) part(group(g));
@@ -159,18 +157,18 @@ static void part_again(const World& world, const Group& group, const Part& part)
 /// Joints of some groups closed, heeding contacts; then what these hinder by joints alone, whatever that does to contacts.
 /// @param which  (group): whether it is to be
 template <class Which, class Part>
-static void close(const World& world, const Which& which, const Part& part) {
+static void close(const World& world, const Which& which, const Part& part, bool passes=false) {
   DirectGroups& d = *world.direct;
   const auto whole = [&](std::size_t g) { return ConeGroup(world, g); };
   const auto alone = [&](std::size_t g) { return ConeGroup::joints_of(world, g); };
   for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].parts = d.is_joined(g) && which(whole(g));
-  part_again(world, whole, part);
+  part_again(world, whole, part, passes);
   for (std::size_t g = 0; g < d.groups(); ++g) {
     GroupRest& rest = d.rest[g];
     rest.parts = d.is_joined(g) && which(whole(g)) && whole(g).gapes();
     if (rest.parts) rest.gap = kInfinity, rest.has_moved = true;
   }
-  if (std::ranges::any_of(d.rest, &GroupRest::parts)) part_again(world, alone, part);
+  if (std::ranges::any_of(d.rest, &GroupRest::parts)) part_again(world, alone, part, passes);
 }
 
 void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h) {
@@ -196,7 +194,7 @@ void close_joints(const World& world, Poses& poses, const StepTime& time) {
   for (GroupRest& rest : d.rest) rest.gap = kInfinity, rest.has_parted = true;
   close(
       world, [](const ConeGroup& group) { return group.is_swept(); },
-      [&](ConeGroup group) { group.follow_swept(poses, time.h); });
+      [&](ConeGroup group) { group.follow_swept(poses, time.h); }, true);
 }
 
 void end_groups(const World& world) {
