@@ -1,9 +1,7 @@
 // Joints of islands that are too large for Newton's method hold all the same: heaps of dolls, bridges, mail, ladders, worms.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 
 #include "carom_test.h"
@@ -140,7 +138,6 @@ Course follow(const Build& build, Real dt, Real hair, std::uint64_t seed) {
   const Real first = energy_of(t);
   for (int i = 0; i < 2.5 / dt; ++i) {
     t.run(1, dt);
-    if(getenv("TRACE")) std::printf("STEP %d: %.2e\n", i, worst_gap(t));
     c.gap = std::max(c.gap, worst_gap(t)), c.gained = std::max(c.gained, energy_of(t) - first);
   }
   c.depth = t.world.report.max_penetration;
@@ -164,24 +161,24 @@ const Case kCases[] = {
 }  // namespace
 
 static void joints_of_large_islands_hold(void**) {
-  for (const Case& of : kCases) if(!getenv("ONLY")||strstr(of.name,getenv("ONLY")))
-    for (const std::uint64_t seed : {11, 12, 13, 14, 15, 16, 17, 18})
+  for (const Case& of : kCases)
+    for (const std::uint64_t seed : {11, 12})
       for (const Real dt : {1.0 / 30, 1.0 / 60, 1.0 / 120}) {
         const Course c = follow(of.build, dt, 0, seed);
         std::printf("%s, seed %d, 1/%.0f s: gap %.1e, gained %.1e J, sinks %.1e m\n", of.name, int(seed), 1 / dt, c.gap,
                     c.gained, c.depth);
-        if(!getenv("ONLY")) assert_true(c.gap < (dt > 0.02 ? 5e-3 : 1e-3));  // passes over places end before a chain at 17 m/s is closed
-        if(!getenv("ONLY")) assert_true(c.gained < 1e-6);
+        assert_true(c.gap < (dt > 0.02 ? 5e-3 : 1e-3));  // passes over places end before a chain at 17 m/s is closed
+        assert_true(c.gained < 1e-6);
       }
 }
 
 /// A motor of next to no force on each hinge, and a bead of next to no mass on a head.
 static void a_hair_beside_them_they_hold_too(void**) {
-  for (const Case& of : kCases) if(!getenv("ONLY")||strstr(of.name,getenv("ONLY"))) {
+  for (const Case& of : kCases) {
     const Course c = follow(of.build, 1.0 / 60, 1e-15, 11);
     std::printf("%s, a hair beside: gap %.1e, gained %.1e J\n", of.name, c.gap, c.gained);
-    if(!getenv("ONLY")) assert_true(c.gap < 1e-3);
-    if(!getenv("ONLY")) assert_true(c.gained < 1e-6);
+    assert_true(c.gap < 1e-3);
+    assert_true(c.gained < 1e-6);
   }
 }
 

@@ -2,7 +2,6 @@
 #include "dynamics/solver/direct.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/joint/wide_joints.h"
@@ -136,13 +135,14 @@ static void place_parted(const World& world) {
   for (GroupRest& of : rest) of.has_parted = false;
 }
 
+constexpr int kPasses = 8, kPassesAfterSweep = 16;
+
 /// Groups that part, pass by pass: parting follows tangents, so that a second pass begins where the first has led.
 /// @param group  (index) -> ConeGroup   @param part  (group): a pass
 template <class Group, class Part>
-static void part_again(const World& world, const Group& group, const Part& part, bool passes = false) {
-  static const int kPasses = getenv("PASSES")?atoi(getenv("PASSES")):8, kOf=getenv("KOF")?atoi(getenv("KOF")):8;
+static void part_again(const World& world, const Group& group, const Part& part, int passes = kPasses) {
   DirectGroups& d = *world.direct;
-  for (int k = 0; k < (passes?kPasses:kOf); ++k) {
+  for (int k = 0; k < passes; ++k) {
     place_parted(world);
     bool any = false;
     for (std::size_t g = 0; g < d.groups(); ++g) any |= d.rest[g].parts = d.rest[g].parts && group(g).is_nearer();
@@ -157,7 +157,7 @@ static void part_again(const World& world, const Group& group, const Part& part,
 /// Joints of some groups closed, heeding contacts; then what these hinder by joints alone, whatever that does to contacts.
 /// @param which  (group): whether it is to be
 template <class Which, class Part>
-static void close(const World& world, const Which& which, const Part& part, bool passes=false) {
+static void close(const World& world, const Which& which, const Part& part, int passes = kPasses) {
   DirectGroups& d = *world.direct;
   const auto whole = [&](std::size_t g) { return ConeGroup(world, g); };
   const auto alone = [&](std::size_t g) { return ConeGroup::joints_of(world, g); };
@@ -194,7 +194,7 @@ void close_joints(const World& world, Poses& poses, const StepTime& time) {
   for (GroupRest& rest : d.rest) rest.gap = kInfinity, rest.has_parted = true;
   close(
       world, [](const ConeGroup& group) { return group.is_swept(); },
-      [&](ConeGroup group) { group.follow_swept(poses, time.h); }, true);
+      [&](ConeGroup group) { group.follow_swept(poses, time.h); }, kPassesAfterSweep);
 }
 
 void end_groups(const World& world) {

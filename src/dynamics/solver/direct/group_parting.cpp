@@ -1,7 +1,5 @@
 // A group after the move: overlaps undone, joints settled, separations measured.
 #include <algorithm>
-#include <cstdlib>
-#include <cstdio>
 
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/depth.h"
@@ -66,11 +64,15 @@ Real ConeGroup::asked() const {
 /// or is pushed at from all sides, would be moved by metres to be parted by millimetres. What follows a sweep is near already, and
 /// turns no farther either; what is torn may have to turn about.
 Real ConeGroup::displacement_share(Real asked, Real most_closed) const {
-  Real moved2 = 0;
-  for (const ConeBody& b : bodies_of(problem_))
+  constexpr Real kFarthestTurn = 0.25;  // rad: of a joint's arm 3 % are off the tangent then
+  Real moved2 = 0, turned2 = 0;
+  for (const ConeBody& b : bodies_of(problem_)) {
     moved2 = std::max(moved2, follows_ ? speed2(b, b.v) : b.v.linear().squared_norm());
+    turned2 = std::max(turned2, b.v.angular().squared_norm());
+  }
   const Real most = std::min(kLongestTurn * asked, std::max(asked, most_closed));
-  return moved2 > most * most ? most / std::sqrt(moved2) : 1;
+  const Real share = moved2 > most * most ? most / std::sqrt(moved2) : 1;
+  return is_joined() && turned2 * share * share > kFarthestTurn * kFarthestTurn ? kFarthestTurn / std::sqrt(turned2) : share;
 }
 
 /// Displacements yield, contacts and locks alike: what contradicts itself has one then, found in few steps, and a chain
@@ -120,12 +122,7 @@ void ConeGroup::part(Poses& to, Real h, Real most_closed, Forest forest) {
   if (!problem_.contacts.empty() || !problem_.links.empty())
     solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
   rest_.has_parted = true;
-  Real share = displacement_share(most_asked, most_closed);
-  Real turn2=0; for (const ConeBody& b : bodies_of(problem_)) turn2=std::max(turn2,b.v.angular().squared_norm());
-  static const Real mt=getenv("MT")?atof(getenv("MT")):100;
-  if(is_joined()) share=std::min(share, mt/std::sqrt(turn2));
-  if(getenv("TRACE")) std::printf("   turn %.2e\n", std::sqrt(turn2));
-  if (getenv("TRACE")) std::printf("  pass gap %.2e asked %.2e closed %.2e share %.3g contacts %zu steps %u\n", rest_.gap, most_asked, most_closed, share, problem_.contacts.size(), solution_.factorisations);
+  const Real share = displacement_share(most_asked, most_closed);
   for (const ConeBody& b : bodies_of(problem_)) {
     Vec3 turn = share * b.v.angular();
     if (!is_joined() && may_turn_far(world_, b.slot) && turns_too_far(world_, b.slot, turn)) turn.set_zero();
