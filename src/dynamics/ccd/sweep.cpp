@@ -1,9 +1,5 @@
 // The events of a substep: every body's first contact, the earliest solved, those whom it concerns asked again.
 #include <algorithm>
-#include <map>
-#include <tuple>
-#include <cstdio>
-#include <cstdlib>
 
 #include "collision/volume.h"
 #include "dynamics/ccd/sweeper.h"
@@ -20,8 +16,6 @@
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
-static std::map<std::tuple<unsigned,unsigned,unsigned,unsigned>,std::pair<double,double>> seen; static long tot=0,same=0,mirror=0,still=0;
-struct Out{~Out(){fprintf(stderr,"meets %ld same %ld mirror %ld valid-to %ld\n",tot,same,mirror,still);}} out_;
 namespace {
 
 /// Of lengths that enter a box: far from the origin places are rounded.
@@ -52,7 +46,7 @@ Sweeper::Sweeper(const World& world, Sweeping to, const StepTime& time)
       filtered_(any_held_apart(world)),
       listens_(senses_sweeps(world)) {}
 
-void Sweeper::run() { seen.clear();
+void Sweeper::run() {
   lay_paths();
   box_participants();
   for (std::size_t k = 0; k < c_.bodies.size(); ++k)
@@ -175,8 +169,6 @@ void Sweeper::try_pair(SweptBody& b, Real now, std::uint32_t own, std::uint32_t 
   each_swept_part(world_, own, table.bounds[other], [&](const SweptPart& mine) {
     each_swept_part(world_, other, box, [&](const SweptPart& its) {
       a.part = mine, o.part = its;
-      ++tot; { auto k=std::make_tuple(own,other,version_of(b.body),version_of(body)); auto k2=std::make_tuple(other,own,version_of(body),version_of(b.body)); double to=std::min(b.when,time_.h);
-        if(auto i=seen.find(k); i!=seen.end()) { ++same; if(i->second.second>=to) ++still; } else if(auto j=seen.find(k2); j!=seen.end()) { ++mirror; if(j->second.second>=to) ++still; } seen[k]={now,to}; }
       const FirstContact m = meet(a, o, now, std::min(b.when, time_.h));
       if (!(m.when < b.when)) return;
       b.when = m.when, b.own = own, b.other = other, b.met_version = version_of(body);
