@@ -45,7 +45,7 @@ inline constexpr Constant<Real> kStandsOut{
     "own: more than points along an edge do, less than those of a rim between four others (0.1)",
     "smaller: a box with points along its edges spins like a disc; larger: hulls of many sides spin like a box"};
 
-inline constexpr ConstantRow kPatchConstants[] = {
-    kFirstTilt, kPatchSamePlane, kPatchPreferRelative, kPatchPreferAbsolute, kKeepRadius, kStandsOut};
+inline constexpr ConstantRow kPatchConstants[] = {kFirstTilt,           kPatchSamePlane, kPatchPreferRelative,
+                                                  kPatchPreferAbsolute, kKeepRadius,     kStandsOut};
 
 }  // namespace carom::collision

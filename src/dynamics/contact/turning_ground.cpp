@@ -92,8 +92,8 @@ void find_turning_pairs(const World& world, const StepTime& time) {
     // could tell from the tangent changes nothing.
     const Vec3 apart = s.x[row.b] - s.x[row.a];
     const Real turn2 = std::max(s.omega[row.a].squared_norm(), s.omega[row.b].squared_norm());
-    const Real most = time.h / 2 * turn2 * apart.norm();  // m/s, of what is below
-    if (!has_belts && most < 0.01 * kCreeps) continue;
+    const Real most2 = time.h * time.h / 4 * turn2 * turn2 * apart.squared_norm();  // (m/s)^2, of what is below
+    if (!has_belts && most2 < 1e-4 * kCreeps * kCreeps) continue;
     const Vec3 lag = lead_of(world, t, -time.h).at(apart);
     std::array<Vec3, Manifold::kMaxPoints> slip;
     for (std::uint32_t k = 0; k < m.count; ++k) slip[k] = c.surface.empty() ? lag : Vec3(lag + c.surface[m.row + k]);

@@ -80,7 +80,7 @@ struct WideJoints {
   };
   struct GroupBound {
     bool is_driven = false, is_held = false, is_unresolved = false, gains = false;
-    bool turns_far = false;  // that is why: what gapes may still be led back by the move
+    bool turns_far = false;      // that is why: what gapes may still be led back by the move
     Real surface = 0;            // m/s, of what it meets that impulses do not move
     Real before = 0, after = 0;  // J
     Real mass = 0;               // kg

@@ -240,8 +240,8 @@ void lead(const LaneRunOf<Number>& run, const BodyTurn* bodies, double h) {
     DriveLanesOf<Number>& drive = run.drives[pair.driven - 1];
     const GroundTurn a(bodies, pair.a), b(bodies, pair.b);
     const Lanes share_a = widened(drive.share_a), share_b = widened(drive.share_b);
-    const LaneVec apart = b.x - a.x, spin = share_a * a.omega + share_b * b.omega, n = widened(pair.n), t = widened(pair.t),
-                  s = cross(n, t);
+    const LaneVec apart = b.x - a.x, spin = share_a * a.omega + share_b * b.omega, n = widened(pair.n),
+                  t = widened(pair.t), s = cross(n, t);
     const LaneVec to = share_a * a.way(apart, two_per_h) + share_b * b.way(apart, two_per_h);
     const LaneVec lead = cross(spin, widened(pair.r_a) - widened(pair.r_b)) - to;
     drive.t = rounded<Number>(widened(drive.own_t) + inner(lead, t));
@@ -455,9 +455,9 @@ void measure(const LaneRunOf<Number>& run) {
 
 template <class Number>
 constexpr ContactSweeps<Number> all_sweeps() {
-  return {lay_out<Number>,    read_back<Number>, prepare<Number>,      lead<Number>, warm_start<Number>,  solve<Number>,
-          solve_thin<Number>, solve_of<Number>,  relax<false, Number>, relax<true, Number>, sweep<Number>,
-          accumulate<Number>, part<Number>,      measure<Number>};
+  return {lay_out<Number>, read_back<Number>,  prepare<Number>,  lead<Number>,         warm_start<Number>,
+          solve<Number>,   solve_thin<Number>, solve_of<Number>, relax<false, Number>, relax<true, Number>,
+          sweep<Number>,   accumulate<Number>, part<Number>,     measure<Number>};
 }
 
 constexpr ContactKernels kernels_named(const char* name) {

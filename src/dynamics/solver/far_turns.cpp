@@ -173,14 +173,10 @@ Real worst_misfit(const Plan& plan, std::uint32_t slot) {
   return std::max({of(m.y(), m.z()), of(m.x(), m.z()), of(m.x(), m.y())});
 }
 
-/// rad^2: 16 sin^2(t/4) and a twentieth, which is not less than 4 sin^2(t/2), t the angle between two orientations.
-Real chord2(const Quat& from, const Quat& to) {
-  const auto apart2 = [&](Real sign) {
-    const Real x = to.x() - sign * from.x(), y = to.y() - sign * from.y(), z = to.z() - sign * from.z(),
-               w = to.w() - sign * from.w();
-    return x * x + y * y + z * z + w * w;
-  };
-  return 4.2 * apart2(from.w() * to.w() + from.x() * to.x() + from.y() * to.y() + from.z() * to.z() < 0 ? -1 : 1);
+/// rad^2: 4 sin^2(t/2), t the angle between two orientations, and what rounding may hide of it.
+Real turned2(const Quat& from, const Quat& to) {
+  const Real cosine = from.w() * to.w() + from.x() * to.x() + from.y() * to.y() + from.z() * to.z();
+  return 4 * (1 - cosine * cosine) + 64 * kUnitRoundoff;
 }
 
 /// Who has turned too far since its rows were made; always who is marked `again`. Their masses are made anew.
@@ -193,7 +189,7 @@ bool mark(const World& world, WideContacts& wide) {
     if (!f.may) return;
     const std::uint32_t slot = wide.slot[i];
     const Quat &q = s.q[slot], &start = wide.start_q[i];
-    if (!f.again && !(f.unlike * chord2(start, q) > kFarTurn)) return;
+    if (!f.again && !(f.unlike * turned2(start, q) > kFarTurn)) return;
     const Vec3 turn = 2 * (start.conjugate() * q).vec();
     if (!f.again && !(misfit(*world.plan, slot, turn) > kFarTurn)) return;
     f.marked = true, any.store(true, std::memory_order_relaxed);

@@ -220,7 +220,8 @@ void lead_belts(const World& world, WideContacts& wide, Real h) {
       const Vec3 n = get(pair.n, m.lane), t = get(pair.t, m.lane), s = n.cross(t);
       set(drive.t, lane, drive.own_t[lane] + lead.dot(t)), set(drive.s, lane, drive.own_s[lane] + lead.dot(s));
       // The ground's turn is in the friction already; the belt's is not.
-      const Vec3 friction = exp_map(h * (both.turn - both.spin).dot(n) * n) * Vec3(pair.p_t[lane] * t + pair.p_s[lane] * s);
+      const Vec3 friction =
+          exp_map(h * (both.turn - both.spin).dot(n) * n) * Vec3(pair.p_t[lane] * t + pair.p_s[lane] * s);
       set(pair.p_t, lane, friction.dot(t)), set(pair.p_s, lane, friction.dot(s));
     }
   });

@@ -35,16 +35,7 @@ struct ContactLanes {
 /// What place_pairs() works with. While no pair comes or goes pairs keep their places from step to step.
 struct Placing {
   explicit Placing(Memory* m)
-      : met(m),
-        kinematic(m),
-        movers(m),
-        regions(m),
-        members(m),
-        by_colour(m),
-        in_region(m),
-        at(m),
-        taken(m),
-        turn(m) {}
+      : met(m), kinematic(m), movers(m), regions(m), members(m), by_colour(m), in_region(m), at(m), taken(m), turn(m) {}
 
   bool stands = false;             // places are those of `met` and `regions`
   Array<ContactPair> met;          // what is solved in lanes

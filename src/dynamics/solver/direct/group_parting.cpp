@@ -72,7 +72,8 @@ Real ConeGroup::displacement_share(Real asked, Real most_closed) const {
   }
   const Real most = std::min(kLongestTurn * asked, std::max(asked, most_closed));
   const Real share = moved2 > most * most ? most / std::sqrt(moved2) : 1;
-  return is_joined() && turned2 * share * share > kFarthestTurn * kFarthestTurn ? kFarthestTurn / std::sqrt(turned2) : share;
+  return is_joined() && turned2 * share * share > kFarthestTurn * kFarthestTurn ? kFarthestTurn / std::sqrt(turned2)
+                                                                                : share;
 }
 
 /// Displacements yield, contacts and locks alike: what contradicts itself has one then, found in few steps, and a chain
