@@ -88,8 +88,8 @@ void find_turning_pairs(const World& world, const StepTime& time) {
       const Belts belts(world, row, c.geometry[m.row]);
       t.belt = belts.a.at(s.x[row.b]) - belts.b.at(s.x[row.a]);
     }
-    // What went along in the substep before slides by nothing, though its velocity is that of the chord. One that nobody
-    // could tell from the tangent changes nothing.
+    // What went along in the substep before slides by nothing, though its velocity is that of the chord. A chord as good as its tangent
+    // changes nothing.
     const Vec3 apart = s.x[row.b] - s.x[row.a];
     const Real turn2 = std::max(s.omega[row.a].squared_norm(), s.omega[row.b].squared_norm());
     const Real most2 = time.h * time.h / 4 * turn2 * turn2 * apart.squared_norm();  // (m/s)^2, of what is below
