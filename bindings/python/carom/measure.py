@@ -50,8 +50,9 @@ WIDTHS = 5            # that are tried, each half the one before
 SHARPEST = 2.0**-46   # of a step: how finely the time of an event is looked for
 KEPT = 16             # steps between states that are kept while an event is waited for
 LEAST = 1e-9          # s, the shortest step that a world takes
-ROUNDING = 2.0**-50   # of an answer, a substep: four roundings that all go the same way
-SURE = math.log(1e6)  # growth up to which chaos does not matter, as long as answers converge
+ROUNDING = 2.0**-52   # of an answer, a substep: as if all of them went the same way
+OPEN = 0.1            # of an answer: where errors grow e-fold, three trials that differ by more are no answer
+SURE = math.log(1e6)  # logarithm of the growth up to which no chaos is looked for
 
 class Chaotic(RuntimeError):
     """The answer depends on errors that nothing can lessen. lyapunov_time: s, errors grow e-fold in it; seconds: asked for; until: s, up
@@ -173,11 +174,17 @@ class Trial:
         world.step(seconds)
 
     def _growth(self) -> tuple[float, float]:
-        """How errors grow: e-fold at this rate, 1/s, or 0; in so many seconds."""
-        if self._start is None or not self._steps:
-            return 0.0, 0.0
-        growth = self._start.measure_growth(steps=min(self._steps, 1000000), dt=self.dt)
-        return growth.rate if growth.sensitive else 0.0, self._steps * self.dt
+        """How errors grow: e-fold at this rate, 1/s, or 0; in so many seconds. Growth is measured piece by piece, since a jump, as of an impact
+        that is met a step later, would else count as a rate."""
+        left, total, sensitive = self._steps, 0.0, False
+        while self._start is not None and left:
+            piece = self._start.measure_growth(steps=min(left, 1000000), dt=self.dt)
+            total += max(math.log(max(piece.factor, 1.0)), 0.0)
+            sensitive, left = sensitive or piece.sensitive, left - piece.steps
+            for _ in range(piece.steps if left else 0):
+                self._start.step(self.dt)
+        seconds = self._steps * self.dt
+        return (total / seconds, seconds) if sensitive and total > SURE else (0.0, seconds)
 
     def _close(self) -> None:
         for world in [*self._worlds, self._start]:
@@ -287,11 +294,13 @@ def measure(question: Question, parameters: Mapping[str, float], *, world: World
     try:
         answers = [asker.ask(level, watch=level == 1) for level in range(last + 1)]
         other = asker.ask(last, other=True)
+        if asker.growth[0] and any(max(trail[-3:]) - min(trail[-3:]) > OPEN * max(map(abs, trail)) for trail in zip(*answers)):
+            raise Chaotic(*asker.growth)
         found = {name: _slope(asker, name, most.get(name, WIDEST * abs(given[name]) or WIDEST), last) for name in wanted}
         bars, falls = [], []
         for trail, beside in zip(zip(*answers), other):
             bar, fall = _bar(trail)
-            bars.append(max(bar, SAFETY * abs(trail[-1] - beside)) + _rounding(asker, last, trail, bar))
+            bars.append(max(bar, SAFETY * abs(trail[-1] - beside)) + _rounding(asker, last))
             falls.append(fall)
         return Measured(value=asker.shape(answers[-1]), bar=asker.shape(bars), slopes=found, half_cost=2 ** (1 / math.log2(min(falls))),
                         lyapunov_time=1 / asker.growth[0] if asker.growth[0] else None, trials=[asker.shape(a) for a in answers],
@@ -309,17 +318,9 @@ def _bar(trail: Sequence[float]) -> tuple[float, float]:
     return SAFETY * max(step / fall**k for k, step in enumerate(steps)) / (fall - 1), fall
 
 
-def _rounding(asker: _Asker, last: int, trail: Sequence[float], bar: float) -> float:
-    """What rounding leaves, carried through growth. @raise Chaotic"""
-    rate, seconds = asker.growth
-    floor = ROUNDING * max(asker.largest, 2.0**-500) * max(asker.substeps << (last - 1), 16)
-    if rate * seconds <= SURE:
-        return floor
-    first, final = abs(trail[-3] - trail[-4]), abs(trail[-1] - trail[-2])
-    carried = floor * math.exp(min(rate * seconds, 600))
-    if first < SLOWEST**2 * final or carried > max(bar, 1e-3 * asker.largest):
-        raise Chaotic(rate, seconds)
-    return carried
+def _rounding(asker: _Asker, last: int) -> float:
+    """What rounding leaves of an answer."""
+    return ROUNDING * max(asker.largest, 2.0**-500) * max(asker.substeps << (last - 1), 16)
 
 
 def _slope(asker: _Asker, name: str, widest: float, last: int) -> Slope:
@@ -332,14 +333,16 @@ def _slope(asker: _Asker, name: str, widest: float, last: int) -> Slope:
 
     table: list[tuple[float, list[float]]] = []  # widths from the widest on, quotients
     coarse = last - 3
-    for k in range(WIDTHS):
+    for k in range(3 * WIDTHS):
+        if len(table) == WIDTHS:
+            break
         try:
             table.append((widest / 2**k, quotient(coarse, widest / 2**k)))
         except (CaromError, ArithmeticError, ValueError) as why:
             refused = why  # the parameter may not be moved that far
     if len(table) < 3:
         raise ValueError(f"the question has no answer within {widest:g} of {name} = {at:g}, so that it has no slope there: {refused} Give a smaller "
-                         f"width, widths={{{name!r}: {widest / 2**WIDTHS:.3g}}}, or leave it out of slopes=") from refused
+                         f"width, widths={{{name!r}: {widest / 2**(3 * WIDTHS):.3g}}}, or leave it out of slopes=") from refused
     smooth = [[(4 * fine - wide) / 3 for fine, wide in zip(table[k + 1][1], table[k][1])] for k in range(len(table) - 1)]
     apart = [[abs(a - b) for a, b in zip(smooth[k + 1], smooth[k])] for k in range(len(smooth) - 1)]
     best = min(range(len(apart)), key=lambda k: max(apart[k]))  # wider ones are bent, narrower ones noise
@@ -348,8 +351,8 @@ def _slope(asker: _Asker, name: str, widest: float, last: int) -> Slope:
     for level in range(last - 2, last + 1):
         narrow, wide = quotient(level, width), quotient(level, 2 * width)
         trail.append([(4 * a - b) / 3 for a, b in zip(narrow, wide)])
-    rounding = ROUNDING * asker.largest * max(asker.substeps << (last - 1), 16) / width
-    bars = [_bar(row)[0] + bent + rounding for row, bent in zip(zip(*trail), apart[best])]
+    rounding = _rounding(asker, last) / width
+    bars = [_bar(row)[0] + bent / 4 + rounding for row, bent in zip(zip(*trail), apart[best])]  # of what is bent, a fifteenth is left
     return Slope(asker.shape(trail[-1]), asker.shape(bars), width)
 
 
