@@ -43,10 +43,6 @@ def turned(angle):
     return 0, 0, math.sin(angle / 2), math.cos(angle / 2)
 
 
-def touches(world):
-    return any(contact.separation <= 0 or contact.normal_impulse > 0 for contact in world.contacts())
-
-
 # ---- kinds ----
 
 
@@ -56,7 +52,7 @@ def throw(draw):
         world = trial.world()
         world.ground()
         ball = world.body(trial.engine.sphere(0.1), position=(0, height + 0.1, 0), linear_velocity=(2, speed, 0))
-        return trial.until(world, touches, most=10)
+        return trial.until(world, lambda w: trial.touches(w, ball), most=10)
 
     return question, {"speed": draw(1, 6), "height": draw(0.5, 3)}, lambda speed, height: (speed + math.sqrt(speed**2 + 2 * G * height)) / G
 
@@ -174,10 +170,10 @@ def bounce(draw):
         rubber = world.material(restitution=restitution, friction=0)
         world.ground(material=rubber)
         ball = world.body(trial.engine.sphere(radius), position=(0, height + radius, 0), material=rubber)
-        time = trial.until(world, touches, most=5)
+        time = trial.until(world, lambda w: trial.touches(w, ball), most=5)
         for _ in range(2):
             time += trial.run(world, 0.05)  # in the air
-            time += trial.until(world, touches, most=5)
+            time += trial.until(world, lambda w: trial.touches(w, ball), most=5)
         return time
 
     def truth(restitution, height):
@@ -409,8 +405,8 @@ def stone(draw):
     def question(trial, speed):
         world = trial.world()
         world.ground()
-        world.body(trial.engine.hull(corners), position=(0, 1, 0), linear_velocity=(1, speed, 0), angular_velocity=spin)
-        return trial.until(world, touches, most=5)
+        lump = world.body(trial.engine.hull(corners), position=(0, 1, 0), linear_velocity=(1, speed, 0), angular_velocity=spin)
+        return trial.until(world, lambda w: trial.touches(w, lump), most=5)
 
     return question, {"speed": draw(1, 5)}, None
 
@@ -456,8 +452,102 @@ def leaning(draw):
     return question, {"angle": draw(0.3, 0.5)}, truth
 
 
+def rolls_off(draw):
+    """How fast a ball is, to the side, that rolled off a large one."""
+    start, radius = draw(0.2, 0.4), draw(0.05, 0.2)
+
+    def question(trial, size):
+        world = trial.world()
+        rubber = world.material(friction=0.9)
+        world.body(trial.engine.sphere(size), type="static", material=rubber)
+        way = size + radius
+        ball = world.body(trial.engine.sphere(radius), position=(way * math.sin(start), way * math.cos(start), 0), material=rubber)
+        trial.until(world, lambda w: ball.position[1] < 0, most=5)
+        return ball.linear_velocity[0]
+
+    return question, {"size": draw(0.5, 1.5)}, None
+
+
+def wedge(draw):
+    """How far a wedge is pushed aside by a block that slides down it; all without friction."""
+    angle, seconds = draw(0.3, 0.7), draw(0.3, 0.5)
+
+    def question(trial, heavy):
+        world = trial.world()
+        ice = world.material(friction=0)
+        world.ground(material=ice)
+        high = 3 * math.tan(angle)
+        corners = [(x, y, z) for x, y in ((-1.5, 0), (1.5, 0), (-1.5, high)) for z in (-0.5, 0.5)]
+        slope = world.body(trial.engine.hull(corners), mass=heavy, material=ice)
+        along, up = (math.cos(angle), -math.sin(angle)), (math.sin(angle), math.cos(angle))
+        at = [-1.5 + 0.4 * along[0] + 0.1 * up[0], high + 0.4 * along[1] + 0.1 * up[1], 0]
+        world.body(trial.engine.box(0.2, 0.1, 0.2), position=at, orientation=turned(-angle), mass=1, material=ice)
+        trial.run(world, seconds)
+        return slope.position[0]
+
+    def truth(heavy):
+        return -0.5 * G * math.sin(angle) * math.cos(angle) / (heavy + math.sin(angle) ** 2) * seconds**2
+
+    return question, {"heavy": draw(1, 5)}, truth
+
+
+def gears(draw):
+    """How far a motor has turned a wheel that drives another one."""
+    seconds = draw(1, 2)
+
+    def question(trial, torque, ratio):
+        world = trial.world(gravity=(0, 0, 0))
+        ball, wheels, hinges = trial.engine.sphere(0.1), [], []
+        for x in (0, 1):
+            wheels.append(world.body(ball, position=(x, 0, 0), mass=1, inertia=(1, 0, 0, 0, 1, 0, 0, 0, 1), center=(0, 0, 0)))
+            hinges.append(world.joint("hinge", None, wheels[-1], position=(x, 0, 0), axis=(0, 0, 1)))
+        teeth = world.joint("gear", wheels[0], wheels[1], position=(0, 0, 0), axis=(0, 0, 1))
+        teeth.transmission(ratio=ratio)
+        hinges[0].motor("twist", speed=100, max_force=torque)
+        trial.run(world, seconds)
+        x, y, z, w = wheels[0].orientation
+        return math.sin(2 * math.atan2(z, w))
+
+    return question, {"torque": draw(0.5, 3), "ratio": draw(0.5, 2)}, None
+
+
+def arm(draw):
+    """Where the hand of an arm of two driven joints is."""
+    seconds, fast = draw(0.5, 1.5), draw(0.5, 2)
+
+    def question(trial, torque):
+        world = trial.world()
+        bar, parts, last = trial.engine.box(0.5, 0.03, 0.03), [], None
+        for k in range(2):
+            parts.append(world.body(bar, position=(0.5 + k, 0, 0), mass=1))
+            hinge = world.joint("hinge", last, parts[-1], position=(k, 0, 0), axis=(0, 0, 1))
+            hinge.motor("twist", speed=fast, max_force=torque)
+            last = parts[-1]
+        trial.run(world, seconds)
+        return parts[1].position[1]
+
+    return question, {"torque": draw(5, 40)}, None
+
+
+def egg(draw):
+    """Where an egg that rocks on the floor has rolled."""
+    seconds, lean = draw(0.5, 1.5), draw(0.3, 1.0)
+
+    def question(trial, friction):
+        world = trial.world()
+        wood = world.material(friction=friction)
+        world.ground(material=wood)
+        high = math.hypot(0.2 * math.cos(lean), 0.3 * math.sin(lean))
+        shell = world.body(trial.engine.ellipsoid(0.3, 0.2, 0.2), position=(0, high, 0), orientation=turned(lean), material=wood)
+        trial.run(world, seconds)
+        return shell.position[0]
+
+    return question, {"friction": draw(0.6, 0.9)}, None
+
+
 KINDS = (throw, slide, incline, pendulum, double_pendulum, skid, bounce, spring, damped, top, collision, rolls_down, off_a_ball, motor, pulley, board,
-         tips, belt, stone, skittle, leaning)
+         tips, belt, stone, skittle, leaning, rolls_off, wedge,
+         gears, arm, egg)
 
 
 def scene(kind, seed):

@@ -33,6 +33,7 @@ from .engine import Engine
 from .errors import CaromError
 
 if TYPE_CHECKING:
+    from .body import Body
     from .world import World
 
     Answer = Union[float, Sequence[float]]
@@ -115,6 +116,7 @@ class Trial:
             world.gravity = gravity
         for name, value in {**_dials(self.level, self._other), **dials}.items():
             world.dials[name] = value
+        world.collect_events("contact")
         return world
 
     def run(self, world: World, seconds: float, each: Callable[[World], object] | None = None) -> float:
@@ -150,6 +152,13 @@ class Trial:
                 return step * self.dt + self._within(world, happened)
         raise ValueError(f"until(): it has not happened within most={most:g} s in a trial of steps of {self.dt:.3g} s; give it more, or look "
                          f"whether {getattr(happened, '__name__', 'the function')} can become true")
+
+    def touches(self, world: World, body: Body, other: Body | None = None) -> bool:
+        """Whether a body touched another one in the last step, or any: also where it only hit it, and was gone when the step ended. It
+        needs contact events, which trial.world() turns on."""
+        found = [(c.body_a, c.body_b) for c in world.contacts() if c.separation <= 0 or c.normal_impulse > 0]
+        found += [(e.body_a, e.body_b) for e in world.contact_events() if e.kind != "end"]
+        return any(body in pair and (other is None or other in pair) for pair in found)
 
     def _within(self, world: World, happened: Callable[[World], object]) -> float:
         """When in the next step it happens; the world is put there."""
