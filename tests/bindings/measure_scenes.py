@@ -1,7 +1,7 @@
 """Scenes whose answer is known, for test_measure.py: draws a scene of a kind from a seed, with the question, its parameters, and the truth.
 
 A truth is a closed form where there is one; else the equation of motion, integrated here by a Runge-Kutta method of fourth order at steps
-that leave 1e-11; else the engine's own run at a step 64 times as fine as the last trial's ("fine").
+that leave 1e-11; else the engine's own finer run.
 """
 import math
 import random
@@ -11,7 +11,7 @@ SLOPE = 1e-4  # relative width of difference quotients of a truth
 
 
 class Scene:
-    """question(trial, **parameters), and truth(**parameters) -> number, or None: its own fine run."""
+    """question(trial, **parameters), and truth(**parameters) -> number, or None."""
 
     def __init__(self, kind, question, parameters, truth=None):
         self.kind, self.question, self.parameters, self.truth = kind, question, parameters, truth
@@ -465,7 +465,33 @@ def rolls_off(draw):
         trial.until(world, lambda w: ball.position[1] < 0, most=5)
         return ball.linear_velocity[0]
 
-    return question, {"size": draw(0.5, 1.5)}, None
+    def truth(size):
+        """It rolls, from some angle on it slips, and leaves where nothing presses it on; its speed to the side stays then."""
+        way, friction = size + radius, 0.9
+
+        def squared(angle):  # of the speed, while it rolls
+            return 10 / 7 * G * way * (math.cos(start) - math.cos(angle))
+
+        low, high = start, 1.5
+        while high - low > 1e-14:
+            angle = (low + high) / 2
+            rolls = 2 / 7 * math.sin(angle) < friction * (math.cos(angle) - squared(angle) / (G * way))
+            low, high = (angle, high) if rolls else (low, angle)
+
+        def presses(angle, rate):
+            return G * math.cos(angle) - way * rate * rate
+
+        def rates(y):
+            return y[1], (G * math.sin(y[0]) - friction * presses(*y)) / way
+
+        y, step = [low, math.sqrt(squared(low)) / way], 1e-4
+        while presses(*y) > 0:
+            before, y = y, follow(rates, y, step, 1)
+        last = presses(*before) / (presses(*before) - presses(*y))
+        angle, rate = follow(rates, before, last * step, 1)
+        return rate * way * math.cos(angle)
+
+    return question, {"size": draw(0.5, 1.5)}, truth
 
 
 def wedge(draw):

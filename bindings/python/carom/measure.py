@@ -102,7 +102,7 @@ class Trial:
     """What a question is asked with: it makes the world and lets time pass, at the settings of one trial."""
 
     def __init__(self, engine: Engine, origin: World | None, level: int, other: bool = False, watch: bool = False):
-        self.engine, self.level, self.dt = engine, level, FRAME / 2**level
+        self.engine, self.level, self.dt = engine, level, FRAME / 2.0**level
         self._origin, self._other, self._watch = origin, other, watch
         self._worlds: list[World] = []
         self._steps, self._start = 0, None  # type: int, World | None
@@ -222,10 +222,10 @@ class _Asker:
         self.growth = (0.0, 0.0)
         self.substeps = 0
 
-    def ask(self, level: int, other: bool = False, watch: bool = False, **moved: float) -> tuple[float, ...]:
+    def ask(self, level: int, other: bool = False, watch: bool = False, moved: Mapping[str, float] | None = None) -> tuple[float, ...]:
         trial = Trial(self.engine, self.world, level, other, watch)
         try:
-            said = self.question(trial, **{**self.parameters, **moved})
+            said = self.question(trial, **{**self.parameters, **(moved or {})})
             answer = self._numbers(said)
             if watch:
                 self.growth = trial._growth()
@@ -337,7 +337,7 @@ def _slope(asker: _Asker, name: str, widest: float, last: int) -> Slope:
     at = asker.parameters[name]
 
     def quotient(level: int, width: float) -> list[float]:
-        up, down = asker.ask(level, **{name: at + width}), asker.ask(level, **{name: at - width})
+        up, down = asker.ask(level, moved={name: at + width}), asker.ask(level, moved={name: at - width})
         return [(a - b) / (2 * width) for a, b in zip(up, down)]
 
     table: list[tuple[float, list[float]]] = []  # widths from the widest on, quotients
