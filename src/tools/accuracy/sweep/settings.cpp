@@ -63,6 +63,13 @@ Setting solved(const char* solver, int substeps, unsigned matters_to, const std:
   return setting;
 }
 
+/// @param tolerance  m and rad per second of motion
+Setting asked(const std::string& tolerance) {
+  return {"asked for " + tolerance,
+          {"accuracy_place=" + tolerance, "accuracy_turn=" + tolerance},
+          kTouches | kJoined | kFlies | kTurns};
+}
+
 }  // namespace
 
 SceneTraits traits_of(const Challenge& challenge) {
@@ -119,6 +126,9 @@ const std::vector<Setting>& carom_settings() {
       solved(
           "severity", 4, kLasts, ", to the end",
           {"velocity_tolerance=1e-9", "velocity_iterations=100", "position_iterations=50", "position_tolerance=1e-5"}),
+      asked("1e-2"),
+      asked("1e-3"),
+      asked("1e-4"),
       solved("auto", 4, kFlies, ", explicit Euler", {"integrator=explicit_euler"}),
       solved("auto", 4, kFlies, ", semi-implicit Euler", {"integrator=semi_implicit_euler"}),
       solved("auto", 4, kFlies | kTurns, ", Runge-Kutta 4", {"integrator=rk4"}),
