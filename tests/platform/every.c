@@ -218,6 +218,24 @@ static void refused_copy(const char* plugins, const char* folder) { /* the begin
   refused_bytes(folder, "half", half, sizeof half, "", "build");
 }
 
+#if defined(__linux__)
+/* A plugin whose text says something else: of a library that it needs, or of the C library that it was linked with. */
+static void refused_altered(const char* folder, const char* old, const char* new_text, const char* cure) {
+  static char image[1 << 20];
+  char path[4096];
+  const size_t length = strlen(old);
+  size_t size, i, found = 0;
+  FILE* file;
+  snprintf(path, sizeof path, "%s/calls_c" ENDING, folder);
+  file = fopen(path, "rb");
+  size = file ? fread(image, 1, sizeof image, file) : 0;
+  if (!size || size == sizeof image || fclose(file)) exit(1);
+  for (i = 0; i + length < size; ++i)
+    if (!memcmp(image + i, old, length)) memcpy(image + i, new_text, length), ++found;
+  if (found) refused_bytes(folder, "altered", image, size, new_text, cure); /* musl has no such words */
+}
+#endif
+
 /* The first bytes of shared objects: of a format, and in it the number of a machine. */
 static const struct {
   const char *system, *machine;
@@ -262,6 +280,10 @@ static void wrong_files(const char* plugins, const char* folder) {
   refused_bytes(folder, "text", "int support(void);\n", 19, "no shared object", "the compiler made");
   refused_bytes(folder, "empty", "", 0, "no shared object", "the compiler made");
   refused_copy(plugins, folder);
+#if defined(__linux__)
+  refused_altered(folder, "libc.so.6", "libc.so.9", "install the library that is named");
+  refused_altered(folder, "GLIBC_2.", "GLIBC_9.", "build the plugin on this system");
+#endif
   refused("box" ENDING, CAROM_E_PLUGIN_PATH, "not an absolute path", "absolute path");
   refused(folder, CAROM_E_PLUGIN_PATH, "not a readable file", "absolute path");
   snprintf(path, sizeof path, "%s/there_is_none" ENDING, folder);
