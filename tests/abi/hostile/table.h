@@ -406,6 +406,7 @@ inline Argument query_shapes(Context& c, bool move, bool& half_space) {
   return a;
 }
 
+inline Argument no_device() { return {of(nullptr), {{"null", of(nullptr), kNull}}}; }
 inline Argument shape_but_scenery(Context& c);
 inline Argument shape_pairs(Context& c) {
   carom_pairs q = {};
@@ -1526,6 +1527,11 @@ inline const Row kRows[] = {
 
     // ---- batches ----
     INIT(carom_batch_column_init, carom_batch_column),
+    // Devices are those of the machine: test_device.cpp and test_device_on_host.cpp ask them.
+    ROW_THAT(carom_device_open, only_wrong(), engine(c), fixed_number(0), out(c, sizeof(void*)), error(c)),
+    ROW_THAT(carom_device_close, only_wrong(), no_device(), error(c)),
+    ROW_THAT(carom_device_get_info, only_wrong(), no_device(), fixed(c.take(sizeof(carom_device_info))), error(c)),
+    ROW_THAT(carom_device_pairs_distance, only_wrong(), no_device(), fixed(c.take(sizeof(carom_pairs))), fixed(nullptr), fixed(c.take(sizeof(carom_distance))), fixed_number(sizeof(carom_distance)), error(c)),
     {"carom_batch_create", [](Context& c) {
        return call("carom_batch_create", carom_batch_create, {engine(c), out(c, sizeof(void*)), error(c)}).after([](const Value* v) {
          carom_batch_destroy(*static_cast<carom_batch* const*>(v[1].p), nullptr);
