@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <mutex>
+#include <string>
 
 #include "abi/loader.h"
 
@@ -24,7 +25,7 @@ constexpr ClBits kAnyType = 0xFFFFFFFF;
 constexpr ClUint kDeviceName = 0x102B, kDeviceVersion = 0x102F, kDoubleConfig = 0x1032, kAvailable = 0x1027,
                  kHasCompiler = 0x1028, kLittleEndian = 0x1026, kBuildLog = 0x1183;
 constexpr ClBits kDenormals = 1, kRoundsToNearest = 4, kReadWrite = 1;
-constexpr ClInt kNoDevice = -1, kOutOfMemory[] = {-4, -5, -6};
+constexpr ClInt kOutOfMemory[] = {-4, -5, -6};
 
 /// Loaded once, for good.
 struct OpenCl {
@@ -192,7 +193,7 @@ bool ClDevice::build(Call& call, const char* text, Program& program, char* log, 
   if (code == 0) return program.swap(made), true;
   std::size_t length = 0;
   cl.get_build_info(made.handle, device_, kBuildLog, 0, nullptr, &length);
-  std::pmr::string all(length + 1, 0, std::pmr::get_default_resource());
+  std::string all(length + 1, 0);
   if (length) cl.get_build_info(made.handle, device_, kBuildLog, length, all.data(), nullptr);
   const char* const first = std::strstr(all.c_str(), "error");
   std::snprintf(log, size, "%s", first ? first : all.c_str());
