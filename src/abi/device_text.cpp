@@ -34,12 +34,12 @@ bool starts_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool goes_on(char c) { return starts_word(c) || is_digit(c); }
 
-/// Reads a text piece by piece.
+/// Reads a text word by word.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {}
 
-  /// The next piece: a word, a number, blanks and comments as one blank, or a character. Empty at the end.
+  /// What comes next: a word, a number, blanks and comments as one blank, or a character. Empty at the end.
   std::string_view next() {
     const std::size_t begin = at_;
     if (begin >= text_.size()) return {};

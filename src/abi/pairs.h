@@ -36,7 +36,7 @@ class PairColumns {
   /// What a call of carom_pairs_distance() is given: arguments 2 to 5.
   bool read_all(Call& call, const carom_pairs* given, const carom_distance_desc* desc, carom_distance_desc& known_desc,
                 const carom_distance* dst, std::uint64_t stride);
-  /// Take in arrays and look at all that is in them. Nobody else changes them during the call.
+  /// Take in arrays and look at all that is in them. They stay as they are during the call.
   bool read(Call& call, int argument, const carom_pairs* given);
   /// Each pair has a distance.
   bool have_distances(Call& call, int argument) const;
