@@ -5,8 +5,8 @@ import ctypes
 from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 from . import raw
-from ._root import Root
-from ._values import count_of, describe, floats, listed, need_numpy, shape_of, whole
+from ._root import Root, count_of
+from ._values import describe, floats, listed, need_numpy, shape_of, whole
 from .query import spread
 
 if TYPE_CHECKING:
