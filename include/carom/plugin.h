@@ -28,7 +28,7 @@ extern "C" {
 typedef int32_t (*carom_support_fn)(void *user, const double *params, uint64_t param_len, const double dir[3],
                                     double out[3]);
 
-#if defined(CAROM_PLUGIN_H) /* for a compiler of C: bindings read no texts */
+#if defined(__cplusplus) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 199901L) /* C90 has no macros of this kind */
 /** The parameters as a support function sees them. On a device (pairs.h) they lie in another memory than the stack, so
  *  a text says carom_params where it could say const double *. */
 typedef const double *carom_params;

@@ -39,7 +39,8 @@ inline std::vector<carom_distance> on_host(carom_engine* engine, const Pairs& pa
   return out;
 }
 
-inline std::vector<carom_distance> on_device(carom_device* device, const Pairs& pairs, const carom_distance_desc* desc) {
+inline std::vector<carom_distance> on_device(carom_device* device, const Pairs& pairs,
+                                             const carom_distance_desc* desc) {
   std::vector<carom_distance> out(pairs.size());
   const carom_pairs view = pairs.view();
   carom_error e = CAROM_ERROR_INIT;

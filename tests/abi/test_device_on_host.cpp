@@ -59,7 +59,7 @@ void devices_that_are_none_are_refused(void**) {
 }
 
 void an_engine_with_a_device_stays(void**) {
-  play_device("");
+  play_device("quick");
   carom_engine* engine = engine_of(1);
   carom_error e;
   carom_device* device = device_of(engine, e);
@@ -70,7 +70,7 @@ void an_engine_with_a_device_stays(void**) {
 
 /// Ways to ask, and a driver, that fail: the results stay as they were.
 void what_a_device_cannot_do_is_said(void**) {
-  play_device("");
+  play_device("quick");
   carom_engine* engine = engine_of(1);
   carom_error e;
   carom_device* device = device_of(engine, e);
@@ -89,21 +89,20 @@ void what_a_device_cannot_do_is_said(void**) {
   }
   play_device("fails");
   e = CAROM_ERROR_INIT;
-  assert_int_equal(carom_device_pairs_distance(device, &view, nullptr, out.data(), sizeof out[0], &e), CAROM_E_UNSUPPORTED);
+  assert_int_equal(carom_device_pairs_distance(device, &view, nullptr, out.data(), sizeof out[0], &e),
+                   CAROM_E_UNSUPPORTED);
   assert_non_null(std::strstr(e.message, "OpenCL says -36"));
-  play_device("");
+  play_device("quick");
   assert_memory_equal(out.data(), before.data(), out.size() * sizeof out[0]);
   assert_same(on_device(device, pairs, nullptr), on_host(engine, pairs, nullptr));  // and it goes on
   close(engine, device);
 }
 
-CAROM_SUPPORT_TEXT(
-static int32_t support(void* user, carom_params p, uint64_t n, const double dir[3], double out[3]) {
+CAROM_SUPPORT_TEXT(static int32_t support(void* user, carom_params p, uint64_t n, const double dir[3], double out[3]) {
   (void)user, (void)n;
   for (int i = 0; i < 3; ++i) out[i] = dir[i] < 0 ? -p[i] : p[i];
   return 0;
-}
-)
+})
 
 std::atomic<bool> lies{false};
 /// A box until it lies, in a cone of directions only.
@@ -120,7 +119,7 @@ const char* const kLyingText =
     "  return 0; }";
 
 void texts_that_are_none_are_refused_with_the_reason(void**) {
-  play_device("");
+  play_device("quick");
   struct Case {
     const char *text, *what;
   };
@@ -132,9 +131,10 @@ void texts_that_are_none_are_refused_with_the_reason(void**) {
   };
   const std::string calls = with("return 0;", "out[0] = hypot(out[0], 0.0); return 0;"),
                     broken = with("out[3]) {", "out[3]) { double x = y;"),
-                    other = with("-p[i] : p[i]", "-p[i] : p[i] * 1.0000001"), single = with("return 0;", "float x = 1; return 0;"),
-                    line = "#define X 1\n" + box, quoted = with("return 0;", "\"x\"; return 0;"),
-                    renamed = with("support", "supports"), refuses = with("return 0;", "return 1;"),
+                    other = with("-p[i] : p[i]", "-p[i] : p[i] * 1.0000001"),
+                    single = with("return 0;", "float x = 1; return 0;"), line = "#define X 1\n" + box,
+                    quoted = with("return 0;", "\"x\"; return 0;"), renamed = with("support", "supports"),
+                    refuses = with("return 0;", "return 1;"),
                     device_word = with("return 0;", "get_global_id(0); return 0;");
   const Case cases[] = {
       {nullptr, "no text of the support function comes with plugin test.box"},
@@ -173,7 +173,8 @@ void texts_that_are_none_are_refused_with_the_reason(void**) {
     for (int twice = 0; twice < 2; ++twice) {
       e = CAROM_ERROR_INIT;
       const int32_t code = carom_device_pairs_distance(device, &view, nullptr, out.data(), sizeof out[0], &e);
-      if (code != CAROM_E_UNSUPPORTED || !std::strstr(e.message, c.what) || !std::strstr(e.message, "shape_b of pair 57"))
+      if (code != CAROM_E_UNSUPPORTED || !std::strstr(e.message, c.what) ||
+          !std::strstr(e.message, "shape_b of pair 57"))
         print_error("%s, not: %s", e.message, c.what), assert_true(false);
       assert_int_equal(e.has_witness, std::strcmp(c.what, "other bits") == 0);
       assert_memory_equal(out.data(), before.data(), out.size() * sizeof out[0]);
@@ -186,7 +187,7 @@ void texts_that_are_none_are_refused_with_the_reason(void**) {
 }
 
 void an_old_plugin_and_a_hull_of_round_shapes_are_asked_on_the_host_alone(void**) {
-  play_device("");
+  play_device("quick");
   carom_engine* engine = engine_of(1);
   carom_error e;
   carom_device* device = device_of(engine, e);
@@ -215,7 +216,7 @@ void an_old_plugin_and_a_hull_of_round_shapes_are_asked_on_the_host_alone(void**
 
 /// NaN in a cone that no check looks into: such pairs are the host's, and FAULT there as well.
 void a_function_that_misbehaves_is_the_hosts_to_judge(void**) {
-  play_device("");
+  play_device("quick");
   carom_engine* engine = engine_of(2);
   carom_error e;
   carom_device* device = device_of(engine, e);
@@ -245,10 +246,11 @@ void nvidias_compiler_takes_all_texts_without_a_card(void**) {
   const char* const named_file = getenv("CAROM_NVRTC");
   void* const nvrtc = dlopen(named_file ? named_file : "libnvrtc.so.12", RTLD_NOW | RTLD_LOCAL);
   if (!nvrtc) {
-    std::printf("skipped: no NVRTC. Unpack the wheel nvidia-cuda-nvrtc-cu12, and name its lib/libnvrtc.so.12 in CAROM_NVRTC\n");
+    std::printf(
+        "skipped: no NVRTC. Unpack the wheel nvidia-cuda-nvrtc-cu12, and name its lib/libnvrtc.so.12 in CAROM_NVRTC\n");
     skip();
   }
-  play_device("");
+  play_device("quick");
   char path[] = "/tmp/carom_device_text_XXXXXX";
   assert_true(mkstemp(path) >= 0);
   setenv("HOST_OPENCL_TEXT", path, 1);
@@ -256,7 +258,8 @@ void nvidias_compiler_takes_all_texts_without_a_card(void**) {
   carom_error e;
   carom_device* device = device_of(engine, e);
   // With a core that is not their form's, plugins speak for themselves.
-  const char* const names[] = {"box", "capsule", "cone", "cylinder", "ellipsoid", "hull", "sphere", "tapered_capsule", "template"};
+  const char* const names[] = {"box",    "capsule",         "cone",    "cylinder", "ellipsoid", "hull",
+                               "sphere", "tapered_capsule", "template"};
   std::vector<carom_shape_plugin> plugins;
   std::vector<std::string> ids;
   std::vector<carom_shape> shapes;
@@ -276,8 +279,9 @@ void nvidias_compiler_takes_all_texts_without_a_card(void**) {
     carom_shape shape = 0;
     if (this_name == "sphere" || this_name == "capsule") continue;  // their function is that of a core alone: below
     assert_int_equal(carom_plugin_register(engine, &plugins.back(), &handle, nullptr), CAROM_OK);
-    assert_int_equal(carom_shape_create(engine, handle, this_name == "hull" ? cloud.data() : numbers, count, &shape, nullptr),
-                     CAROM_OK);
+    assert_int_equal(
+        carom_shape_create(engine, handle, this_name == "hull" ? cloud.data() : numbers, count, &shape, nullptr),
+        CAROM_OK);
     shapes.push_back(shape);
   }
   Pairs pairs;
@@ -291,14 +295,16 @@ void nvidias_compiler_takes_all_texts_without_a_card(void**) {
   std::remove(path);
   assert_true(text.str().size() > 20000 && text.str().find("p6_support") != std::string::npos);
   using Program = void*;
-  const auto create = reinterpret_cast<int (*)(Program*, const char*, const char*, int, const char* const*, const char* const*)>(
-      dlsym(nvrtc, "nvrtcCreateProgram"));
+  const auto create =
+      reinterpret_cast<int (*)(Program*, const char*, const char*, int, const char* const*, const char* const*)>(
+          dlsym(nvrtc, "nvrtcCreateProgram"));
   const auto compile = reinterpret_cast<int (*)(Program, int, const char* const*)>(dlsym(nvrtc, "nvrtcCompileProgram"));
   const auto log_size = reinterpret_cast<int (*)(Program, size_t*)>(dlsym(nvrtc, "nvrtcGetProgramLogSize"));
   const auto get_log = reinterpret_cast<int (*)(Program, char*)>(dlsym(nvrtc, "nvrtcGetProgramLog"));
   const auto code_size = reinterpret_cast<int (*)(Program, size_t*)>(dlsym(nvrtc, "nvrtcGetPTXSize"));
   Program program = nullptr;
-  const char* const options[] = {"--fmad=false", "--device-as-default-execution-space", "--gpu-architecture=compute_90"};
+  const char* const options[] = {"--fmad=false", "--device-as-default-execution-space",
+                                 "--gpu-architecture=compute_90"};
   size_t size = 0;
   assert_int_equal(create(&program, text.str().c_str(), "pairs.cu", 0, nullptr, nullptr), 0);
   if (compile(program, 3, options) != 0) {

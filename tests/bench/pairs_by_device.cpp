@@ -34,7 +34,9 @@ Pairs drawn(carom_engine* engine, std::size_t n, double gap) {
   return pairs;
 }
 
-void row(const char* what, std::size_t n, double time) { std::printf("| %s | %.3g |\n", what, static_cast<double>(n) / time); }
+void row(const char* what, std::size_t n, double time) {
+  std::printf("| %s | %.3g |\n", what, static_cast<double>(n) / time);
+}
 
 void measure(std::size_t n, double gap) {
   std::vector<carom_distance> single, found(n);

@@ -5,6 +5,7 @@
  *   contract  a compiler that contracts a * b + c where the processor can
  *   fails     kernels that are refused
  *   none      no device
+ *   quick     a compiler that does not optimise
  * A program's text is written to the file that HOST_OPENCL_TEXT names, as well. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -62,7 +63,8 @@ EXPORT int32_t clGetDeviceInfo(void* device, uint32_t which, size_t size, void* 
   if (size == 4) memcpy(value, &(uint32_t){1}, 4);
   return 0;
 }
-EXPORT void* clCreateContext(const intptr_t* p, uint32_t n, void* const* devices, void* notify, void* user, int32_t* code) {
+EXPORT void* clCreateContext(const intptr_t* p, uint32_t n, void* const* devices, void* notify, void* user,
+                             int32_t* code) {
   (void)p, (void)n, (void)notify, (void)user;
   *code = 0;
   return devices[0];
@@ -98,7 +100,8 @@ EXPORT int32_t clEnqueueReadBuffer(void* queue, void* buffer, uint32_t wait, siz
   return memcpy(data, b->data + at, bytes), 0;
 }
 
-EXPORT void* clCreateProgramWithSource(void* context, uint32_t n, const char** texts, const size_t* sizes, int32_t* code) {
+EXPORT void* clCreateProgramWithSource(void* context, uint32_t n, const char** texts, const size_t* sizes,
+                                       int32_t* code) {
   Program* const p = calloc(1, sizeof *p);
   (void)context, (void)n, (void)sizes;
   p->text = strdup(texts[0]);
@@ -111,7 +114,8 @@ EXPORT int32_t clReleaseProgram(void* program) {
   free(p->text);
   return free(p), 0;
 }
-EXPORT int32_t clBuildProgram(void* program, uint32_t n, void* const* devices, const char* options, void* notify, void* user) {
+EXPORT int32_t clBuildProgram(void* program, uint32_t n, void* const* devices, const char* options, void* notify,
+                              void* user) {
   Program* const p = program;
   char folder[] = "/tmp/host_opencl_XXXXXX", path[64], command[512];
   FILE* file;
@@ -121,9 +125,12 @@ EXPORT int32_t clBuildProgram(void* program, uint32_t n, void* const* devices, c
   file = fopen(path, "w");
   fprintf(file, "%s\nuint64_t* host_opencl_item(void) { return &carom_item; }\n", p->text);
   fclose(file);
-  if (getenv("HOST_OPENCL_TEXT") && (file = fopen(getenv("HOST_OPENCL_TEXT"), "w"))) fprintf(file, "%s", p->text), fclose(file);
-  snprintf(command, sizeof command, "cc -std=c99 -O2 -fPIC -shared -Wall -Wextra -Werror=implicit-function-declaration %s -o %s/p.so %s -lm 2>&1",
-           is("contract") ? "-ffp-contract=fast -march=native" : "-ffp-contract=off", folder, path);
+  if (getenv("HOST_OPENCL_TEXT") && (file = fopen(getenv("HOST_OPENCL_TEXT"), "w")))
+    fprintf(file, "%s", p->text), fclose(file);
+  snprintf(command, sizeof command,
+           "cc -std=c99 %s -fPIC -shared -Wall -Wextra -Werror=implicit-function-declaration %s -o %s/p.so %s -lm 2>&1",
+           is("quick") ? "-O0" : "-O2", is("contract") ? "-ffp-contract=fast -march=native" : "-ffp-contract=off",
+           folder, path);
   file = popen(command, "r");
   p->log[fread(p->log, 1, sizeof p->log - 1, file)] = 0;
   if (pclose(file) == 0) {
@@ -134,7 +141,8 @@ EXPORT int32_t clBuildProgram(void* program, uint32_t n, void* const* devices, c
   if (system(command)) return -6;
   return p->code ? 0 : -11;
 }
-EXPORT int32_t clGetProgramBuildInfo(void* program, void* device, uint32_t which, size_t size, void* value, size_t* needed) {
+EXPORT int32_t clGetProgramBuildInfo(void* program, void* device, uint32_t which, size_t size, void* value,
+                                     size_t* needed) {
   const Program* const p = program;
   (void)device, (void)which;
   if (needed) *needed = strlen(p->log) + 1;
@@ -166,8 +174,9 @@ static double real(const Kernel* k, int i) {
   double x;
   return memcpy(&x, &k->value[i], 8), x;
 }
-EXPORT int32_t clEnqueueNDRangeKernel(void* queue, void* kernel, uint32_t dimensions, const size_t* offset, const size_t* count,
-                                      const size_t* local, uint32_t events, void* list, void* event) {
+EXPORT int32_t clEnqueueNDRangeKernel(void* queue, void* kernel, uint32_t dimensions, const size_t* offset,
+                                      const size_t* count, const size_t* local, uint32_t events, void* list,
+                                      void* event) {
   const Kernel* const k = kernel;
   (void)queue, (void)dimensions, (void)offset, (void)local, (void)events, (void)list, (void)event;
   if (is("fails") && strcmp(k->name, "carom_measure_pairs") == 0) return -36;
