@@ -339,8 +339,8 @@ int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *
 int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_get_ledger_state(carom_world *world, carom_ledger_state *state, carom_error *error);
 int32_t carom_pairs_distance(carom_engine *engine, const carom_pairs *pairs, const carom_distance_desc *desc, carom_distance *dst, uint64_t stride, carom_error *error);
-int32_t carom_device_open(carom_engine *engine, uint32_t index, carom_device **device, carom_error *error);
-int32_t carom_device_close(carom_device *device, carom_error *error);
+int32_t carom_device_create(carom_engine *engine, uint32_t index, carom_device **device, carom_error *error);
+int32_t carom_device_destroy(carom_device *device, carom_error *error);
 int32_t carom_device_get_info(carom_device *device, carom_device_info *info, carom_error *error);
 int32_t carom_device_pairs_distance(carom_device *device, const carom_pairs *pairs, const carom_distance_desc *desc, carom_distance *dst, uint64_t stride, carom_error *error);
 int32_t carom_particles_desc_init(carom_particles_desc *desc, uint32_t struct_size);

@@ -41,7 +41,7 @@ CAROM_API int32_t carom_engine_desc_init(carom_engine_desc *desc, uint32_t struc
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY */
 CAROM_API int32_t carom_engine_create(const carom_engine_desc *desc, carom_engine **engine, carom_error *error);
 
-/** Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds and batches, close its devices first);
+/** Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
  *  REENTRANT   @thread writer: no other call may use the engine */
 CAROM_API int32_t carom_engine_destroy(carom_engine *engine, carom_error *error);
 

@@ -62,14 +62,14 @@ typedef struct carom_device carom_device;
 
 /** Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
  *  @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
- *  @param device out: to be closed before the engine is destroyed   @owns the caller: carom_device_close()
+ *  @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
  *  @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
  *          (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
  *  @since 0.9 */
-CAROM_API int32_t carom_device_open(carom_engine *engine, uint32_t index, carom_device **device, carom_error *error);
+CAROM_API int32_t carom_device_create(carom_engine *engine, uint32_t index, carom_device **device, carom_error *error);
 
-/** @param device from carom_device_open()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9 */
-CAROM_API int32_t carom_device_close(carom_device *device, carom_error *error);
+/** @param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9 */
+CAROM_API int32_t carom_device_destroy(carom_device *device, carom_error *error);
 
 /** A device, and what it has done since it was opened. */
 typedef struct carom_device_info {
@@ -81,11 +81,11 @@ typedef struct carom_device_info {
   uint64_t host_pairs; /**< of them, left to the host */
 } carom_device_info;
 
-/** @param device from carom_device_open()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9 */
+/** @param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9 */
 CAROM_API int32_t carom_device_get_info(carom_device *device, carom_device_info *info, carom_error *error);
 
 /** As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
- *  @param device from carom_device_open()
+ *  @param device from carom_device_create()
  *  @param desc   may be NULL: defaults
  *  @param dst    out, [pairs->count]; no array of pairs
  *  @param stride as carom_pairs_distance()

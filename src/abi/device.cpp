@@ -385,14 +385,14 @@ using namespace carom::abi;
 
 extern "C" {
 
-int32_t carom_device_open(carom_engine* engine, uint32_t index, carom_device** device, carom_error* error) {
+int32_t carom_device_create(carom_engine* engine, uint32_t index, carom_device** device, carom_error* error) {
   return guarded(error, [&](Call& call) {
     const FloatScope scope;
     open(call, engine, index, device);
   });
 }
 
-int32_t carom_device_close(carom_device* device, carom_error* error) {
+int32_t carom_device_destroy(carom_device* device, carom_error* error) {
   return guarded(error, [&](Call& call) {
     if (!present(call, 1, "device", device)) return;
     if (!device->gate.enter_alone()) {

@@ -141,7 +141,7 @@ int32_t carom_engine_destroy(carom_engine* engine, carom_error* error) {
     if (!present(call, 1, "engine", engine)) return;
     if (const std::uint32_t worlds = engine->worlds.load(std::memory_order_acquire)) {
       call.fail(CAROM_E_IN_USE, 1, "%u worlds, batches or devices of this engine are alive", worlds);
-      call.advise("destroy its worlds and batches, and close its devices first");
+      call.advise("destroy its worlds, batches and devices first");
       return;
     }
     const std::uint32_t tag = engine->tag;

@@ -24,11 +24,11 @@ inline carom_engine* engine_of(uint32_t threads) {
 inline carom_device* device_of(carom_engine* engine, carom_error& error) {
   carom_device* device = nullptr;
   error = CAROM_ERROR_INIT;
-  return carom_device_open(engine, 0, &device, &error) == CAROM_OK ? device : nullptr;
+  return carom_device_create(engine, 0, &device, &error) == CAROM_OK ? device : nullptr;
 }
 
 inline void close(carom_engine* engine, carom_device* device) {
-  assert_int_equal(carom_device_close(device, nullptr), CAROM_OK);
+  assert_int_equal(carom_device_destroy(device, nullptr), CAROM_OK);
   assert_int_equal(carom_engine_destroy(engine, nullptr), CAROM_OK);
 }
 

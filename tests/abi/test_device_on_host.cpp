@@ -54,7 +54,7 @@ void devices_that_are_none_are_refused(void**) {
   }
   play_device("");
   carom_device* device = nullptr;
-  assert_int_equal(carom_device_open(engine, 1, &device, nullptr), CAROM_E_NOT_FOUND);
+  assert_int_equal(carom_device_create(engine, 1, &device, nullptr), CAROM_E_NOT_FOUND);
   assert_int_equal(carom_engine_destroy(engine, nullptr), CAROM_OK);
 }
 

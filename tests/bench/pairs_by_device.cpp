@@ -55,7 +55,7 @@ void measure(std::size_t n, double gap) {
     assert_same(found, single);
     carom_device* device = nullptr;
     carom_error e = CAROM_ERROR_INIT;
-    if (carom_device_open(engine, 0, &device, &e) != CAROM_OK) {
+    if (carom_device_create(engine, 0, &device, &e) != CAROM_OK) {
       std::printf("no device: %s\n", e.message);
     } else {
       carom_device_info info = {};
@@ -69,7 +69,7 @@ void measure(std::size_t n, double gap) {
                     100 * static_cast<double>(info.host_pairs) / static_cast<double>(info.pairs), threads);
       row(what, n, time);
       assert_same(found, single);
-      carom_device_close(device, nullptr);
+      carom_device_destroy(device, nullptr);
     }
     carom_engine_destroy(engine, nullptr);
   }

@@ -3754,7 +3754,7 @@ namespace Carom
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_engine_create(EngineDesc* desc, IntPtr* engine, Error* error);
 
-        /// <summary>Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds and batches, close its devices first);
+        /// <summary>Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
         /// REENTRANT   @thread writer: no other call may use the engine</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_engine_destroy(Engine engine, Error* error);
@@ -4193,23 +4193,23 @@ namespace Carom
 
         /// <summary>Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
         /// @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
-        /// @param device out: to be closed before the engine is destroyed   @owns the caller: carom_device_close()
+        /// @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
         /// @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
         ///         (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
         /// @since 0.9</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int carom_device_open(Engine engine, uint index, IntPtr* device, Error* error);
+        public static extern int carom_device_create(Engine engine, uint index, IntPtr* device, Error* error);
 
-        /// <summary>@param device from carom_device_open()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9</summary>
+        /// <summary>@param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int carom_device_close(IntPtr device, Error* error);
+        public static extern int carom_device_destroy(IntPtr device, Error* error);
 
-        /// <summary>@param device from carom_device_open()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9</summary>
+        /// <summary>@param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_device_get_info(IntPtr device, DeviceInfo* info, Error* error);
 
         /// <summary>As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
-        /// @param device from carom_device_open()
+        /// @param device from carom_device_create()
         /// @param desc   may be NULL: defaults
         /// @param dst    out, [pairs-&gt;count]; no array of pairs
         /// @param stride as carom_pairs_distance()

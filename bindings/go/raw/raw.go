@@ -4968,7 +4968,7 @@ func EngineCreate(desc *EngineDesc, engine **Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_create((*C.carom_engine_desc)(unsafe.Pointer(desc)), (**C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds and batches, close its devices first);
+// Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
 // REENTRANT   @thread writer: no other call may use the engine
 func EngineDestroy(engine *Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_destroy((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
@@ -5480,26 +5480,26 @@ func PairsDistance(engine *Engine, pairs *Pairs, desc *DistanceDesc, dst *Distan
 
 // Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
 // @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
-// @param device out: to be closed before the engine is destroyed   @owns the caller: carom_device_close()
+// @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
 // @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
 // (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
 // @since 0.9
-func DeviceOpen(engine *Engine, index uint32, device **Device, error_ *Error) int32 {
-	return int32(C.carom_device_open((*C.carom_engine)(unsafe.Pointer(engine)), C.uint32_t(index), (**C.carom_device)(unsafe.Pointer(device)), (*C.carom_error)(unsafe.Pointer(error_))))
+func DeviceCreate(engine *Engine, index uint32, device **Device, error_ *Error) int32 {
+	return int32(C.carom_device_create((*C.carom_engine)(unsafe.Pointer(engine)), C.uint32_t(index), (**C.carom_device)(unsafe.Pointer(device)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// @param device from carom_device_open()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9
-func DeviceClose(device *Device, error_ *Error) int32 {
-	return int32(C.carom_device_close((*C.carom_device)(unsafe.Pointer(device)), (*C.carom_error)(unsafe.Pointer(error_))))
+// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9
+func DeviceDestroy(device *Device, error_ *Error) int32 {
+	return int32(C.carom_device_destroy((*C.carom_device)(unsafe.Pointer(device)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// @param device from carom_device_open()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9
+// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9
 func DeviceGetInfo(device *Device, info *DeviceInfo, error_ *Error) int32 {
 	return int32(C.carom_device_get_info((*C.carom_device)(unsafe.Pointer(device)), (*C.carom_device_info)(unsafe.Pointer(info)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
 // As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
-// @param device from carom_device_open()
+// @param device from carom_device_create()
 // @param desc   may be NULL: defaults
 // @param dst    out, [pairs->count]; no array of pairs
 // @param stride as carom_pairs_distance()

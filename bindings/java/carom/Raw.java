@@ -4505,7 +4505,7 @@ public final class Raw {
     private static final class carom_engine_destroy_ {
         static final MethodHandle CALL = Library.call("carom_engine_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** Destroy an engine; its worlds, batches and devices must be gone.   status: OK; NULL_ARGUMENT; IN_USE (destroy its worlds and batches, close its devices first);
+    /** Destroy an engine; its worlds, batches and devices must be gone.   status: OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
      *  REENTRANT   thread: writer: no other call may use the engine */
     public static int carom_engine_destroy(MemorySegment engine, MemorySegment error) {
         try { return (int) carom_engine_destroy_.CALL.invokeExact(engine, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -5237,31 +5237,31 @@ public final class Raw {
         try { return (int) carom_pairs_distance_.CALL.invokeExact(engine, pairs, desc, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
-    private static final class carom_device_open_ {
-        static final MethodHandle CALL = Library.call("carom_device_open", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS, ADDRESS));
+    private static final class carom_device_create_ {
+        static final MethodHandle CALL = Library.call("carom_device_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS, ADDRESS));
     }
     /** Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
      *  param: index  among all devices of all platforms, in the order in which the system has them; 0 is the first
-     *  param: device out: to be closed before the engine is destroyed   owns: the caller: carom_device_close()
+     *  param: device out: to be destroyed before the engine   owns: the caller: carom_device_destroy()
      *  status: OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
      *          (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
      *  since: 0.9 */
-    public static int carom_device_open(MemorySegment engine, int index, MemorySegment device, MemorySegment error) {
-        try { return (int) carom_device_open_.CALL.invokeExact(engine, index, device, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    public static int carom_device_create(MemorySegment engine, int index, MemorySegment device, MemorySegment error) {
+        try { return (int) carom_device_create_.CALL.invokeExact(engine, index, device, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
-    private static final class carom_device_close_ {
-        static final MethodHandle CALL = Library.call("carom_device_close", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
+    private static final class carom_device_destroy_ {
+        static final MethodHandle CALL = Library.call("carom_device_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** param: device from carom_device_open()   status: OK; NULL_ARGUMENT; BUSY; REENTRANT   since: 0.9 */
-    public static int carom_device_close(MemorySegment device, MemorySegment error) {
-        try { return (int) carom_device_close_.CALL.invokeExact(device, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    /** param: device from carom_device_create()   status: OK; NULL_ARGUMENT; BUSY; REENTRANT   since: 0.9 */
+    public static int carom_device_destroy(MemorySegment device, MemorySegment error) {
+        try { return (int) carom_device_destroy_.CALL.invokeExact(device, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
     private static final class carom_device_get_info_ {
         static final MethodHandle CALL = Library.call("carom_device_get_info", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
     }
-    /** param: device from carom_device_open()   status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   since: 0.9 */
+    /** param: device from carom_device_create()   status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   since: 0.9 */
     public static int carom_device_get_info(MemorySegment device, MemorySegment info, MemorySegment error) {
         try { return (int) carom_device_get_info_.CALL.invokeExact(device, info, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -5270,7 +5270,7 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_device_pairs_distance", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS));
     }
     /** As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
-     *  param: device from carom_device_open()
+     *  param: device from carom_device_create()
      *  param: desc   may be NULL: defaults
      *  param: dst    out, [pairs-&gt;count]; no array of pairs
      *  param: stride as carom_pairs_distance()

@@ -459,7 +459,7 @@ export interface Raw {
   /** Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY */
   carom_engine_create(desc: number, engine: number, error: number): number;
-  /** Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds and batches, close its devices first);
+  /** Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
    *  REENTRANT   @thread writer: no other call may use the engine */
   carom_engine_destroy(engine: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
@@ -746,17 +746,17 @@ export interface Raw {
   carom_pairs_distance(engine: number, pairs: number, desc: number, dst: number, stride: bigint, error: number): number;
   /** Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
    *  @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
-   *  @param device out: to be closed before the engine is destroyed   @owns the caller: carom_device_close()
+   *  @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
    *  @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
    *          (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
    *  @since 0.9 */
-  carom_device_open(engine: number, index: number, device: number, error: number): number;
-  /** @param device from carom_device_open()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9 */
-  carom_device_close(device: number, error: number): number;
-  /** @param device from carom_device_open()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9 */
+  carom_device_create(engine: number, index: number, device: number, error: number): number;
+  /** @param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9 */
+  carom_device_destroy(device: number, error: number): number;
+  /** @param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9 */
   carom_device_get_info(device: number, info: number, error: number): number;
   /** As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
-   *  @param device from carom_device_open()
+   *  @param device from carom_device_create()
    *  @param desc   may be NULL: defaults
    *  @param dst    out, [pairs->count]; no array of pairs
    *  @param stride as carom_pairs_distance()

@@ -51,8 +51,8 @@ class Device(Root):
 
     def __init__(self, engine: Engine, index: int = 0) -> None:
         pointer = ctypes.c_void_p()
-        engine._call(raw.carom_device_open, whole(index, "index", 0, 2**32 - 1), ctypes.byref(pointer))
-        super().__init__(pointer.value, raw.carom_device_close, engine._owner)
+        engine._call(raw.carom_device_create, whole(index, "index", 0, 2**32 - 1), ctypes.byref(pointer))
+        super().__init__(pointer.value, raw.carom_device_destroy, engine._owner)
         engine._batches.add(self)
 
     def _info(self) -> raw.carom_device_info:

@@ -1940,7 +1940,7 @@ def carom_engine_create(desc: Any, engine: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY"""
     ...
 def carom_engine_destroy(engine: Any, error: Any) -> int:
-    """Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds and batches, close its devices first);
+    """Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
     REENTRANT   @thread writer: no other call may use the engine"""
     ...
 def carom_jobs_desc_init(desc: Any, struct_size: Any) -> int:
@@ -2299,23 +2299,23 @@ def carom_pairs_distance(engine: Any, pairs: Any, desc: Any, dst: Any, stride: A
             thread: some results were written)
     @since 0.9"""
     ...
-def carom_device_open(engine: Any, index: Any, device: Any, error: Any) -> int:
+def carom_device_create(engine: Any, index: Any, device: Any, error: Any) -> int:
     """Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
     @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
-    @param device out: to be closed before the engine is destroyed   @owns the caller: carom_device_close()
+    @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
     @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
             (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
     @since 0.9"""
     ...
-def carom_device_close(device: Any, error: Any) -> int:
-    """@param device from carom_device_open()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9"""
+def carom_device_destroy(device: Any, error: Any) -> int:
+    """@param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9"""
     ...
 def carom_device_get_info(device: Any, info: Any, error: Any) -> int:
-    """@param device from carom_device_open()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9"""
+    """@param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9"""
     ...
 def carom_device_pairs_distance(device: Any, pairs: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
     """As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
-    @param device from carom_device_open()
+    @param device from carom_device_create()
     @param desc   may be NULL: defaults
     @param dst    out, [pairs->count]; no array of pairs
     @param stride as carom_pairs_distance()

@@ -1528,8 +1528,8 @@ inline const Row kRows[] = {
     // ---- batches ----
     INIT(carom_batch_column_init, carom_batch_column),
     // Devices are those of the machine: test_device.cpp and test_device_on_host.cpp ask them.
-    ROW_THAT(carom_device_open, only_wrong(), engine(c), fixed_number(0), out(c, sizeof(void*)), error(c)),
-    ROW_THAT(carom_device_close, only_wrong(), no_device(), error(c)),
+    ROW_THAT(carom_device_create, only_wrong(), engine(c), fixed_number(0), out(c, sizeof(void*)), error(c)),
+    ROW_THAT(carom_device_destroy, only_wrong(), no_device(), error(c)),
     ROW_THAT(carom_device_get_info, only_wrong(), no_device(), fixed(c.take(sizeof(carom_device_info))), error(c)),
     ROW_THAT(carom_device_pairs_distance, only_wrong(), no_device(), fixed(c.take(sizeof(carom_pairs))), fixed(nullptr), fixed(c.take(sizeof(carom_distance))), fixed_number(sizeof(carom_distance)), error(c)),
     {"carom_batch_create", [](Context& c) {

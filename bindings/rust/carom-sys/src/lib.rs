@@ -3825,7 +3825,7 @@ extern "C" {
     /// Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
     pub fn carom_engine_create(desc: *const carom_engine_desc, engine: *mut *mut carom_engine, error: *mut carom_error) -> i32;
-    /// Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds and batches, close its devices first);
+    /// Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
     /// REENTRANT   @thread writer: no other call may use the engine
     pub fn carom_engine_destroy(engine: *mut carom_engine, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
@@ -4112,17 +4112,17 @@ extern "C" {
     pub fn carom_pairs_distance(engine: *mut carom_engine, pairs: *const carom_pairs, desc: *const carom_distance_desc, dst: *mut carom_distance, stride: u64, error: *mut carom_error) -> i32;
     /// Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
     /// @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
-    /// @param device out: to be closed before the engine is destroyed   @owns the caller: carom_device_close()
+    /// @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
     /// @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
     ///         (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
     /// @since 0.9
-    pub fn carom_device_open(engine: *mut carom_engine, index: u32, device: *mut *mut carom_device, error: *mut carom_error) -> i32;
-    /// @param device from carom_device_open()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9
-    pub fn carom_device_close(device: *mut carom_device, error: *mut carom_error) -> i32;
-    /// @param device from carom_device_open()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9
+    pub fn carom_device_create(engine: *mut carom_engine, index: u32, device: *mut *mut carom_device, error: *mut carom_error) -> i32;
+    /// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9
+    pub fn carom_device_destroy(device: *mut carom_device, error: *mut carom_error) -> i32;
+    /// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9
     pub fn carom_device_get_info(device: *mut carom_device, info: *mut carom_device_info, error: *mut carom_error) -> i32;
     /// As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
-    /// @param device from carom_device_open()
+    /// @param device from carom_device_create()
     /// @param desc   may be NULL: defaults
     /// @param dst    out, [pairs->count]; no array of pairs
     /// @param stride as carom_pairs_distance()
