@@ -48,7 +48,7 @@ class Said(unittest.TestCase):
                 for pointer in pointers(owner, members):
                     text = pointer.get("length", "") + " " + pointer.get("stride", "")
                     text = re.sub("width of |(each )?zero-terminated", "", text)
-                    for name in re.findall(r"\b[a-z_]+\b", re.sub(r"\b(?:rays|shapes)->count", "", text)):
+                    for name in re.findall(r"\b[a-z_]+\b", re.sub(r"\b(?:rays|shapes|pairs)->count", "", text)):
                         self.assertIn(name, beside, (owner["name"], pointer["name"], text))
 
     def test_void_and_arrays_have_lengths(self):
