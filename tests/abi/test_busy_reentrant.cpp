@@ -299,6 +299,12 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   add("shape_support", carom_shape_support(b.engine, b.ball, kUp, 1, v, nullptr));
   add("shape_distance",
       carom_shape_distance(b.engine, b.ball, kUp, kUpright, b.crate, kUp, kUpright, nullptr, &distance, nullptr));
+  carom_pairs pairs = {};
+  pairs.struct_size = sizeof pairs;
+  pairs.count = 1;
+  pairs.shapes_a = &b.ball, pairs.shapes_b = &b.crate;
+  pairs.positions_a = pairs.positions_b = kUp, pairs.orientations_a = pairs.orientations_b = kUpright;
+  add("pairs_distance", carom_pairs_distance(b.engine, &pairs, nullptr, &distance, sizeof distance, nullptr));
   carom_cast cast = {};
   cast.struct_size = sizeof cast;
   carom_overlap overlap = {};

@@ -26,6 +26,16 @@ int32_t measure(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
   return carom_shape_distance(b.engine, s, kZero, kUpright, t, kZero, kUpright, nullptr, &r, e);
 }
 
+int32_t measure_pair(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
+  carom_distance r = {};
+  carom_pairs p = {};
+  p.struct_size = sizeof p;
+  p.count = 1;
+  p.shapes_a = &s, p.shapes_b = &t;
+  p.positions_a = p.positions_b = kZero, p.orientations_a = p.orientations_b = kUpright;
+  return carom_pairs_distance(b.engine, &p, nullptr, &r, sizeof r, e);
+}
+
 int32_t cast(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
   carom_cast r = {};
   r.struct_size = sizeof r;
@@ -124,6 +134,8 @@ const Place kPlaces[] = {
     {"shape_support", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { double p[3]; return carom_shape_support(b.engine, h, kUp, 1, p, e); }},
     {"shape_distance a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return measure(b, h, b.ball, e); }},
     {"shape_distance b", kShape, 5, [](Bench& b, uint64_t h, carom_error* e) { return measure(b, b.ball, h, e); }},
+    {"pairs_distance a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return measure_pair(b, h, b.ball, e); }},
+    {"pairs_distance b", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return measure_pair(b, b.ball, h, e); }},
     {"ray_cast", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_cast r = {}; r.struct_size = sizeof r; return carom_ray_cast(b.engine, h, kZero, kUpright, kUp, kUp, 1, nullptr, &r, e); }},
     {"shape_cast a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return cast(b, h, b.ball, e); }},
     {"shape_cast b", kShape, 6, [](Bench& b, uint64_t h, carom_error* e) { return cast(b, b.ball, h, e); }},

@@ -1293,6 +1293,57 @@ namespace Carom
         public static LedgerState New() { return new LedgerState { StructSize = (uint)sizeof(LedgerState) }; }
     }
 
+    /// <summary>Pairs in the caller's arrays, at any stride (0: tightly packed). struct_size set by the caller, what is not set
+    /// zero.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Pairs
+    {
+        public uint StructSize;
+        /// <summary>0</summary>
+        public uint Reserved;
+        /// <summary>pairs, at most 2^24</summary>
+        public ulong Count;
+        public ulong* ShapesA;
+        public ulong* ShapesB;
+        /// <summary>3 each, m, world</summary>
+        public double* PositionsA;
+        /// <summary>4 each: x, y, z, w</summary>
+        public double* OrientationsA;
+        /// <summary>3 each, m, world</summary>
+        public double* PositionsB;
+        /// <summary>4 each: x, y, z, w</summary>
+        public double* OrientationsB;
+        /// <summary>bytes; 0: tightly packed; so below</summary>
+        public ulong ShapeAStride;
+        public ulong ShapeBStride;
+        public ulong PositionAStride;
+        public ulong OrientationAStride;
+        public ulong PositionBStride;
+        public ulong OrientationBStride;
+
+        /// <summary>With its size set.</summary>
+        public static Pairs New() { return new Pairs { StructSize = (uint)sizeof(Pairs) }; }
+    }
+
+    /// <summary>A device, and what it has done since it was opened.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct DeviceInfo
+    {
+        public uint StructSize;
+        public uint Reserved;
+        /// <summary>as its driver says, zero-terminated</summary>
+        public fixed byte Name[128];
+        /// <summary>of OpenCL and the driver, zero-terminated</summary>
+        public fixed byte Version[128];
+        /// <summary>that it was asked for</summary>
+        public ulong Pairs;
+        /// <summary>of them, left to the host</summary>
+        public ulong HostPairs;
+
+        /// <summary>With its size set.</summary>
+        public static DeviceInfo New() { return new DeviceInfo { StructSize = (uint)sizeof(DeviceInfo) }; }
+    }
+
     /// <summary>What all particles of a set have in common. Fill with carom_particles_desc_init().</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct ParticlesDesc
@@ -1443,6 +1494,8 @@ namespace Carom
         public uint Reserved;
         /// <summary>handed to support: what a closure of the host holds, or NULL. The function must stay pure: same point for the same user, params and dir, as long as the plugin is there</summary>
         public void* User;
+        /// <summary>`support_text` of CAROM_SUPPORT_TEXT(), zero-terminated; NULL: devices cannot ask the shape</summary>
+        public byte* Text;
 
         /// <summary>With its size set.</summary>
         public static ShapePlugin New() { return new ShapePlugin { StructSize = (uint)sizeof(ShapePlugin) }; }
@@ -3703,7 +3756,7 @@ namespace Carom
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_engine_create(EngineDesc* desc, IntPtr* engine, Error* error);
 
-        /// <summary>Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+        /// <summary>Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
         /// REENTRANT   @thread writer: no other call may use the engine</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_engine_destroy(Engine engine, Error* error);
@@ -3716,8 +3769,8 @@ namespace Carom
         /// functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
         /// on the stepping one.
         /// @param desc may be NULL: the stepping thread alone
-        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-        /// no more threads); OUT_OF_MEMORY; REENTRANT</summary>
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+        /// alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_engine_set_jobs(Engine engine, JobsDesc* desc, Error* error);
 
@@ -4124,6 +4177,49 @@ namespace Carom
         /// <summary>@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_world_get_ledger_state(World world, LedgerState* state, Error* error);
+
+        /// <summary>Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+        /// carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+        /// is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+        /// status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+        /// @param desc   may be NULL: defaults
+        /// @param dst    out, [pairs-&gt;count]; no array of pairs
+        /// @param stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+        ///               written, too
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+        ///         pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+        ///         thread: some results were written)
+        /// @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_pairs_distance(Engine engine, Pairs* pairs, DistanceDesc* desc, Distance* dst, ulong stride, Error* error);
+
+        /// <summary>Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+        /// @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+        /// @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
+        /// @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+        ///         (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+        /// @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_device_create(Engine engine, uint index, IntPtr* device, Error* error);
+
+        /// <summary>@param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_device_destroy(IntPtr device, Error* error);
+
+        /// <summary>@param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_device_get_info(IntPtr device, DeviceInfo* info, Error* error);
+
+        /// <summary>As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+        /// @param device from carom_device_create()
+        /// @param desc   may be NULL: defaults
+        /// @param dst    out, [pairs-&gt;count]; no array of pairs
+        /// @param stride as carom_pairs_distance()
+        /// @status as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+        ///         pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+        /// @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_device_pairs_distance(IntPtr device, Pairs* pairs, DistanceDesc* desc, Distance* dst, ulong stride, Error* error);
 
         /// <summary>@status OK; NULL_ARGUMENT; STRUCT_SIZE</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
@@ -5132,6 +5228,29 @@ carom_ledger_state.rounding_angular 224 8 f64
 carom_ledger_state.total_rounding_energy 232 8 f64
 carom_ledger_state.total_rounding_linear 240 8 f64
 carom_ledger_state.total_rounding_angular 248 8 f64
+carom_pairs 0 112 struct
+carom_pairs.struct_size 0 4 u32
+carom_pairs.reserved 4 4 u32
+carom_pairs.count 8 8 u64
+carom_pairs.shapes_a 16 8 ptr
+carom_pairs.shapes_b 24 8 ptr
+carom_pairs.positions_a 32 8 ptr
+carom_pairs.orientations_a 40 8 ptr
+carom_pairs.positions_b 48 8 ptr
+carom_pairs.orientations_b 56 8 ptr
+carom_pairs.shape_a_stride 64 8 u64
+carom_pairs.shape_b_stride 72 8 u64
+carom_pairs.position_a_stride 80 8 u64
+carom_pairs.orientation_a_stride 88 8 u64
+carom_pairs.position_b_stride 96 8 u64
+carom_pairs.orientation_b_stride 104 8 u64
+carom_device_info 0 280 struct
+carom_device_info.struct_size 0 4 u32
+carom_device_info.reserved 4 4 u32
+carom_device_info.name 8 128 char[128]
+carom_device_info.version 136 128 char[128]
+carom_device_info.pairs 264 8 u64
+carom_device_info.host_pairs 272 8 u64
 carom_particles_desc 0 40 struct
 carom_particles_desc.struct_size 0 4 u32
 carom_particles_desc.reserved 4 4 u32
@@ -5172,7 +5291,7 @@ carom_geometry.form_arg 8 16 u32[4]
 carom_geometry.core_radius_param 24 4 u32
 carom_geometry.mass_form 28 4 u32
 carom_geometry.mass_arg 32 16 u32[4]
-carom_shape_plugin 0 88 struct
+carom_shape_plugin 0 96 struct
 carom_shape_plugin.struct_size 0 4 u32
 carom_shape_plugin.abi_major 4 4 u32
 carom_shape_plugin.abi_minor 8 4 u32
@@ -5189,6 +5308,7 @@ carom_shape_plugin.rules 64 8 ptr
 carom_shape_plugin.rule_count 72 4 u32
 carom_shape_plugin.reserved 76 4 u32
 carom_shape_plugin.user 80 8 ptr
+carom_shape_plugin.text 88 8 ptr
 carom_distance_desc 0 40 struct
 carom_distance_desc.struct_size 0 4 u32
 carom_distance_desc.simplex 4 4 u32

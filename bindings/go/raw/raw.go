@@ -1287,6 +1287,10 @@ type Batch struct{ _ C.char }
 
 type Engine struct{ _ C.char }
 
+// What computes beside the host: a processor of OpenCL, which is loaded when the first is asked for. One call at a time
+// uses it: a call on a device that another call uses is BUSY.
+type Device struct{ _ C.char }
+
 type World struct{ _ C.char }
 
 // Details of the last failure of one call. Owned by the caller; start from CAROM_ERROR_INIT.
@@ -2934,6 +2938,80 @@ func NewLedgerState() LedgerState {
 	return LedgerState{StructSize: uint32(unsafe.Sizeof(LedgerState{}))}
 }
 
+// Pairs in the caller's arrays, at any stride (0: tightly packed). struct_size set by the caller, what is not set
+// zero.
+type Pairs struct {
+	StructSize uint32
+
+	// 0
+	Reserved uint32
+
+	// pairs, at most 2^24
+	Count uint64
+
+	ShapesA *Shape
+
+	ShapesB *Shape
+
+	// 3 each, m, world
+	PositionsA *float64
+
+	// 4 each: x, y, z, w
+	OrientationsA *float64
+
+	// 3 each, m, world
+	PositionsB *float64
+
+	// 4 each: x, y, z, w
+	OrientationsB *float64
+
+	// bytes; 0: tightly packed; so below
+	ShapeAStride uint64
+
+	ShapeBStride uint64
+
+	PositionAStride uint64
+
+	OrientationAStride uint64
+
+	PositionBStride uint64
+
+	OrientationBStride uint64
+}
+
+var _ = [1]struct{}{}[unsafe.Sizeof(Pairs{})-C.sizeof_carom_pairs] // as large as in C
+
+// NewPairs has its size set.
+func NewPairs() Pairs {
+	return Pairs{StructSize: uint32(unsafe.Sizeof(Pairs{}))}
+}
+
+// A device, and what it has done since it was opened.
+type DeviceInfo struct {
+	StructSize uint32
+
+	Reserved uint32
+
+	// as its driver says, zero-terminated
+	Name [128]byte
+
+	// of OpenCL and the driver, zero-terminated
+	Version [128]byte
+
+	// that it was asked for
+	Pairs uint64
+
+	// of them, left to the host
+	HostPairs uint64
+}
+
+var _ = [1]struct{}{}[unsafe.Sizeof(DeviceInfo{})-C.sizeof_carom_device_info] // as large as in C
+
+// NewDeviceInfo has its size set.
+func NewDeviceInfo() DeviceInfo {
+	return DeviceInfo{StructSize: uint32(unsafe.Sizeof(DeviceInfo{}))}
+}
+
 // What all particles of a set have in common. Fill with carom_particles_desc_init().
 type ParticlesDesc struct {
 	StructSize uint32
@@ -3129,6 +3207,9 @@ type ShapePlugin struct {
 
 	// handed to support: what a closure of the host holds, or NULL. The function must stay pure: same point for the same user, params and dir, as long as the plugin is there
 	User unsafe.Pointer
+
+	// `support_text` of CAROM_SUPPORT_TEXT(), zero-terminated; NULL: devices cannot ask the shape
+	Text *byte
 }
 
 var _ = [1]struct{}{}[unsafe.Sizeof(ShapePlugin{})-C.sizeof_carom_shape_plugin] // as large as in C
@@ -4890,7 +4971,7 @@ func EngineCreate(desc *EngineDesc, engine **Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_create((*C.carom_engine_desc)(unsafe.Pointer(desc)), (**C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+// Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
 // REENTRANT   @thread writer: no other call may use the engine
 func EngineDestroy(engine *Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_destroy((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
@@ -4905,8 +4986,8 @@ func JobsDescInit(desc *JobsDesc, struct_size uint32) int32 {
 // functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
 // on the stepping one.
 // @param desc may be NULL: the stepping thread alone
-// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-// no more threads); OUT_OF_MEMORY; REENTRANT
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+// alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT
 func EngineSetJobs(engine *Engine, desc *JobsDesc, error_ *Error) int32 {
 	return int32(C.carom_engine_set_jobs((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_jobs_desc)(unsafe.Pointer(desc)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
@@ -5382,6 +5463,54 @@ func WorldGetLedger(world *World, dst *LedgerEntry, stride uint64, capacity uint
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
 func WorldGetLedgerState(world *World, state *LedgerState, error_ *Error) int32 {
 	return int32(C.carom_world_get_ledger_state((*C.carom_world)(unsafe.Pointer(world)), (*C.carom_ledger_state)(unsafe.Pointer(state)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+// carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+// is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+// status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+// @param desc   may be NULL: defaults
+// @param dst    out, [pairs->count]; no array of pairs
+// @param stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+// written, too
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+// pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+// thread: some results were written)
+// @since 0.9
+func PairsDistance(engine *Engine, pairs *Pairs, desc *DistanceDesc, dst *Distance, stride uint64, error_ *Error) int32 {
+	return int32(C.carom_pairs_distance((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_pairs)(unsafe.Pointer(pairs)), (*C.carom_distance_desc)(unsafe.Pointer(desc)), (*C.carom_distance)(unsafe.Pointer(dst)), C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+// @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+// @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
+// @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+// (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+// @since 0.9
+func DeviceCreate(engine *Engine, index uint32, device **Device, error_ *Error) int32 {
+	return int32(C.carom_device_create((*C.carom_engine)(unsafe.Pointer(engine)), C.uint32_t(index), (**C.carom_device)(unsafe.Pointer(device)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9
+func DeviceDestroy(device *Device, error_ *Error) int32 {
+	return int32(C.carom_device_destroy((*C.carom_device)(unsafe.Pointer(device)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9
+func DeviceGetInfo(device *Device, info *DeviceInfo, error_ *Error) int32 {
+	return int32(C.carom_device_get_info((*C.carom_device)(unsafe.Pointer(device)), (*C.carom_device_info)(unsafe.Pointer(info)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+// @param device from carom_device_create()
+// @param desc   may be NULL: defaults
+// @param dst    out, [pairs->count]; no array of pairs
+// @param stride as carom_pairs_distance()
+// @status as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+// pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+// @since 0.9
+func DevicePairsDistance(device *Device, pairs *Pairs, desc *DistanceDesc, dst *Distance, stride uint64, error_ *Error) int32 {
+	return int32(C.carom_device_pairs_distance((*C.carom_device)(unsafe.Pointer(device)), (*C.carom_pairs)(unsafe.Pointer(pairs)), (*C.carom_distance_desc)(unsafe.Pointer(desc)), (*C.carom_distance)(unsafe.Pointer(dst)), C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE
@@ -6481,6 +6610,29 @@ var Layout = []Row{
 	{"carom_ledger_state.total_rounding_energy", unsafe.Offsetof(LedgerState{}.TotalRoundingEnergy), unsafe.Sizeof(LedgerState{}.TotalRoundingEnergy), "f64"},
 	{"carom_ledger_state.total_rounding_linear", unsafe.Offsetof(LedgerState{}.TotalRoundingLinear), unsafe.Sizeof(LedgerState{}.TotalRoundingLinear), "f64"},
 	{"carom_ledger_state.total_rounding_angular", unsafe.Offsetof(LedgerState{}.TotalRoundingAngular), unsafe.Sizeof(LedgerState{}.TotalRoundingAngular), "f64"},
+	{"carom_pairs", 0, unsafe.Sizeof(Pairs{}), "struct"},
+	{"carom_pairs.struct_size", unsafe.Offsetof(Pairs{}.StructSize), unsafe.Sizeof(Pairs{}.StructSize), "u32"},
+	{"carom_pairs.reserved", unsafe.Offsetof(Pairs{}.Reserved), unsafe.Sizeof(Pairs{}.Reserved), "u32"},
+	{"carom_pairs.count", unsafe.Offsetof(Pairs{}.Count), unsafe.Sizeof(Pairs{}.Count), "u64"},
+	{"carom_pairs.shapes_a", unsafe.Offsetof(Pairs{}.ShapesA), unsafe.Sizeof(Pairs{}.ShapesA), "ptr"},
+	{"carom_pairs.shapes_b", unsafe.Offsetof(Pairs{}.ShapesB), unsafe.Sizeof(Pairs{}.ShapesB), "ptr"},
+	{"carom_pairs.positions_a", unsafe.Offsetof(Pairs{}.PositionsA), unsafe.Sizeof(Pairs{}.PositionsA), "ptr"},
+	{"carom_pairs.orientations_a", unsafe.Offsetof(Pairs{}.OrientationsA), unsafe.Sizeof(Pairs{}.OrientationsA), "ptr"},
+	{"carom_pairs.positions_b", unsafe.Offsetof(Pairs{}.PositionsB), unsafe.Sizeof(Pairs{}.PositionsB), "ptr"},
+	{"carom_pairs.orientations_b", unsafe.Offsetof(Pairs{}.OrientationsB), unsafe.Sizeof(Pairs{}.OrientationsB), "ptr"},
+	{"carom_pairs.shape_a_stride", unsafe.Offsetof(Pairs{}.ShapeAStride), unsafe.Sizeof(Pairs{}.ShapeAStride), "u64"},
+	{"carom_pairs.shape_b_stride", unsafe.Offsetof(Pairs{}.ShapeBStride), unsafe.Sizeof(Pairs{}.ShapeBStride), "u64"},
+	{"carom_pairs.position_a_stride", unsafe.Offsetof(Pairs{}.PositionAStride), unsafe.Sizeof(Pairs{}.PositionAStride), "u64"},
+	{"carom_pairs.orientation_a_stride", unsafe.Offsetof(Pairs{}.OrientationAStride), unsafe.Sizeof(Pairs{}.OrientationAStride), "u64"},
+	{"carom_pairs.position_b_stride", unsafe.Offsetof(Pairs{}.PositionBStride), unsafe.Sizeof(Pairs{}.PositionBStride), "u64"},
+	{"carom_pairs.orientation_b_stride", unsafe.Offsetof(Pairs{}.OrientationBStride), unsafe.Sizeof(Pairs{}.OrientationBStride), "u64"},
+	{"carom_device_info", 0, unsafe.Sizeof(DeviceInfo{}), "struct"},
+	{"carom_device_info.struct_size", unsafe.Offsetof(DeviceInfo{}.StructSize), unsafe.Sizeof(DeviceInfo{}.StructSize), "u32"},
+	{"carom_device_info.reserved", unsafe.Offsetof(DeviceInfo{}.Reserved), unsafe.Sizeof(DeviceInfo{}.Reserved), "u32"},
+	{"carom_device_info.name", unsafe.Offsetof(DeviceInfo{}.Name), unsafe.Sizeof(DeviceInfo{}.Name), "char[128]"},
+	{"carom_device_info.version", unsafe.Offsetof(DeviceInfo{}.Version), unsafe.Sizeof(DeviceInfo{}.Version), "char[128]"},
+	{"carom_device_info.pairs", unsafe.Offsetof(DeviceInfo{}.Pairs), unsafe.Sizeof(DeviceInfo{}.Pairs), "u64"},
+	{"carom_device_info.host_pairs", unsafe.Offsetof(DeviceInfo{}.HostPairs), unsafe.Sizeof(DeviceInfo{}.HostPairs), "u64"},
 	{"carom_particles_desc", 0, unsafe.Sizeof(ParticlesDesc{}), "struct"},
 	{"carom_particles_desc.struct_size", unsafe.Offsetof(ParticlesDesc{}.StructSize), unsafe.Sizeof(ParticlesDesc{}.StructSize), "u32"},
 	{"carom_particles_desc.reserved", unsafe.Offsetof(ParticlesDesc{}.Reserved), unsafe.Sizeof(ParticlesDesc{}.Reserved), "u32"},
@@ -6538,6 +6690,7 @@ var Layout = []Row{
 	{"carom_shape_plugin.rule_count", unsafe.Offsetof(ShapePlugin{}.RuleCount), unsafe.Sizeof(ShapePlugin{}.RuleCount), "u32"},
 	{"carom_shape_plugin.reserved", unsafe.Offsetof(ShapePlugin{}.Reserved), unsafe.Sizeof(ShapePlugin{}.Reserved), "u32"},
 	{"carom_shape_plugin.user", unsafe.Offsetof(ShapePlugin{}.User), unsafe.Sizeof(ShapePlugin{}.User), "ptr"},
+	{"carom_shape_plugin.text", unsafe.Offsetof(ShapePlugin{}.Text), unsafe.Sizeof(ShapePlugin{}.Text), "ptr"},
 	{"carom_distance_desc", 0, unsafe.Sizeof(DistanceDesc{}), "struct"},
 	{"carom_distance_desc.struct_size", unsafe.Offsetof(DistanceDesc{}.StructSize), unsafe.Sizeof(DistanceDesc{}.StructSize), "u32"},
 	{"carom_distance_desc.simplex", unsafe.Offsetof(DistanceDesc{}.Simplex), unsafe.Sizeof(DistanceDesc{}.Simplex), "u32"},

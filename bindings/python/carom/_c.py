@@ -518,6 +518,10 @@ class carom_ledger_entry(Structure):
     _fields_ = [("name", c_char_p), ("kinetic", c_double), ("potential", c_double), ("linear", c_double * 3), ("angular", c_double * 3), ("total_kinetic", c_double), ("total_potential", c_double), ("total_linear", c_double * 3), ("total_angular", c_double * 3)]
 class carom_ledger_state(Structure):
     _fields_ = [("struct_size", c_uint32), ("is_kept", c_uint32), ("steps", c_uint64), ("start_kinetic", c_double), ("start_potential", c_double), ("start_linear", c_double * 3), ("start_angular", c_double * 3), ("before_kinetic", c_double), ("before_potential", c_double), ("before_linear", c_double * 3), ("before_angular", c_double * 3), ("now_kinetic", c_double), ("now_potential", c_double), ("now_linear", c_double * 3), ("now_angular", c_double * 3), ("rounding_energy", c_double), ("rounding_linear", c_double), ("rounding_angular", c_double), ("total_rounding_energy", c_double), ("total_rounding_linear", c_double), ("total_rounding_angular", c_double)]
+class carom_pairs(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("count", c_uint64), ("shapes_a", POINTER(carom_shape)), ("shapes_b", POINTER(carom_shape)), ("positions_a", POINTER(c_double)), ("orientations_a", POINTER(c_double)), ("positions_b", POINTER(c_double)), ("orientations_b", POINTER(c_double)), ("shape_a_stride", c_uint64), ("shape_b_stride", c_uint64), ("position_a_stride", c_uint64), ("orientation_a_stride", c_uint64), ("position_b_stride", c_uint64), ("orientation_b_stride", c_uint64)]
+class carom_device_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("name", c_char * 128), ("version", c_char * 128), ("pairs", c_uint64), ("host_pairs", c_uint64)]
 class carom_particles_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("gravity_factor", c_double), ("linear_damping", c_double), ("mass", c_double), ("capacity", c_uint64)]
 class carom_plan_line(Structure):
@@ -529,7 +533,7 @@ class carom_param_rule(Structure):
 class carom_geometry(Structure):
     _fields_ = [("struct_size", c_uint32), ("form", c_uint32), ("form_arg", c_uint32 * 4), ("core_radius_param", c_uint32), ("mass_form", c_uint32), ("mass_arg", c_uint32 * 4)]
 class carom_shape_plugin(Structure):
-    _fields_ = [("struct_size", c_uint32), ("abi_major", c_uint32), ("abi_minor", c_uint32), ("flags", c_uint32), ("id", c_char_p), ("version", c_uint32), ("param_count", c_uint32), ("params", POINTER(carom_param)), ("geometry", POINTER(carom_geometry)), ("support", carom_support_fn), ("param_tail_group", c_uint32), ("param_tail_min", c_uint32), ("rules", POINTER(carom_param_rule)), ("rule_count", c_uint32), ("reserved", c_uint32), ("user", c_void_p)]
+    _fields_ = [("struct_size", c_uint32), ("abi_major", c_uint32), ("abi_minor", c_uint32), ("flags", c_uint32), ("id", c_char_p), ("version", c_uint32), ("param_count", c_uint32), ("params", POINTER(carom_param)), ("geometry", POINTER(carom_geometry)), ("support", carom_support_fn), ("param_tail_group", c_uint32), ("param_tail_min", c_uint32), ("rules", POINTER(carom_param_rule)), ("rule_count", c_uint32), ("reserved", c_uint32), ("user", c_void_p), ("text", c_char_p)]
 class carom_distance_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("simplex", c_uint32), ("narrow_phase", c_uint32), ("pair_routines", c_uint32), ("tolerance", c_double), ("hybrid_margin", c_double), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32)]
 class carom_distance(Structure):
@@ -621,6 +625,8 @@ STRUCTS = {
     "carom_joint_state": carom_joint_state,
     "carom_ledger_entry": carom_ledger_entry,
     "carom_ledger_state": carom_ledger_state,
+    "carom_pairs": carom_pairs,
+    "carom_device_info": carom_device_info,
     "carom_particles_desc": carom_particles_desc,
     "carom_plan_line": carom_plan_line,
     "carom_param": carom_param,
@@ -855,6 +861,11 @@ FUNCTIONS = {
     "carom_world_enable_ledger": ("0.9", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
     "carom_world_get_ledger": ("0.9", c_int32, (c_void_p, POINTER(carom_ledger_entry), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_get_ledger_state": ("0.9", c_int32, (c_void_p, POINTER(carom_ledger_state), POINTER(carom_error),)),
+    "carom_pairs_distance": ("0.9", c_int32, (c_void_p, POINTER(carom_pairs), POINTER(carom_distance_desc), POINTER(carom_distance), c_uint64, POINTER(carom_error),)),
+    "carom_device_create": ("0.9", c_int32, (c_void_p, c_uint32, POINTER(c_void_p), POINTER(carom_error),)),
+    "carom_device_destroy": ("0.9", c_int32, (c_void_p, POINTER(carom_error),)),
+    "carom_device_get_info": ("0.9", c_int32, (c_void_p, POINTER(carom_device_info), POINTER(carom_error),)),
+    "carom_device_pairs_distance": ("0.9", c_int32, (c_void_p, POINTER(carom_pairs), POINTER(carom_distance_desc), POINTER(carom_distance), c_uint64, POINTER(carom_error),)),
     "carom_particles_desc_init": ("0.9", c_int32, (POINTER(carom_particles_desc), c_uint32,)),
     "carom_particles_create": ("0.9", c_int32, (c_void_p, POINTER(carom_particles_desc), POINTER(carom_particles), POINTER(carom_error),)),
     "carom_particles_destroy": ("0.9", c_int32, (c_void_p, carom_particles, POINTER(carom_error),)),

@@ -967,6 +967,32 @@ class carom_ledger_state(ctypes.Structure):
     total_rounding_energy: float
     total_rounding_linear: float
     total_rounding_angular: float
+class carom_pairs(ctypes.Structure):
+    """Pairs in the caller's arrays, at any stride (0: tightly packed). struct_size set by the caller, what is not set
+    zero."""
+    struct_size: int
+    reserved: int
+    count: int
+    shapes_a: Any
+    shapes_b: Any
+    positions_a: Any
+    orientations_a: Any
+    positions_b: Any
+    orientations_b: Any
+    shape_a_stride: int
+    shape_b_stride: int
+    position_a_stride: int
+    orientation_a_stride: int
+    position_b_stride: int
+    orientation_b_stride: int
+class carom_device_info(ctypes.Structure):
+    """A device, and what it has done since it was opened."""
+    struct_size: int
+    reserved: int
+    name: builtins.bytes
+    version: builtins.bytes
+    pairs: int
+    host_pairs: int
 class carom_particles_desc(ctypes.Structure):
     """What all particles of a set have in common. Fill with carom_particles_desc_init()."""
     struct_size: int
@@ -1035,6 +1061,7 @@ class carom_shape_plugin(ctypes.Structure):
     rule_count: int
     reserved: int
     user: Any
+    text: Any
 class carom_distance_desc(ctypes.Structure):
     """Settings of a query; fill with carom_distance_desc_init(). Values as the dials of the same name."""
     struct_size: int
@@ -1914,7 +1941,7 @@ def carom_engine_create(desc: Any, engine: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY"""
     ...
 def carom_engine_destroy(engine: Any, error: Any) -> int:
-    """Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    """Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
     REENTRANT   @thread writer: no other call may use the engine"""
     ...
 def carom_jobs_desc_init(desc: Any, struct_size: Any) -> int:
@@ -1925,8 +1952,8 @@ def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
     functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
     on the stepping one.
     @param desc may be NULL: the stepping thread alone
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-    no more threads); OUT_OF_MEMORY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+    alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT"""
     ...
 def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
     """Load a shape plugin from a shared object. @param path absolute.
@@ -2258,6 +2285,44 @@ def carom_world_get_ledger(world: Any, dst: Any, stride: Any, capacity: Any, cou
     ...
 def carom_world_get_ledger_state(world: Any, state: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
+    ...
+def carom_pairs_distance(engine: Any, pairs: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
+    """Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+    carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+    is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+    status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+    @param desc   may be NULL: defaults
+    @param dst    out, [pairs->count]; no array of pairs
+    @param stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+                  written, too
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+            pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+            thread: some results were written)
+    @since 0.9"""
+    ...
+def carom_device_create(engine: Any, index: Any, device: Any, error: Any) -> int:
+    """Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+    @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+    @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
+    @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+            (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+    @since 0.9"""
+    ...
+def carom_device_destroy(device: Any, error: Any) -> int:
+    """@param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9"""
+    ...
+def carom_device_get_info(device: Any, info: Any, error: Any) -> int:
+    """@param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9"""
+    ...
+def carom_device_pairs_distance(device: Any, pairs: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
+    """As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+    @param device from carom_device_create()
+    @param desc   may be NULL: defaults
+    @param dst    out, [pairs->count]; no array of pairs
+    @param stride as carom_pairs_distance()
+    @status as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+            pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+    @since 0.9"""
     ...
 def carom_particles_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""

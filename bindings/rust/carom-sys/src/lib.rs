@@ -820,6 +820,12 @@ pub struct carom_batch {
 pub struct carom_engine {
     _opaque: [u8; 0],
 }
+/// What computes beside the host: a processor of OpenCL, which is loaded when the first is asked for. One call at a time
+/// uses it: a call on a device that another call uses is BUSY.
+#[repr(C)]
+pub struct carom_device {
+    _opaque: [u8; 0],
+}
 #[repr(C)]
 pub struct carom_world {
     _opaque: [u8; 0],
@@ -2286,6 +2292,67 @@ impl Default for carom_ledger_state {
         }
     }
 }
+/// Pairs in the caller's arrays, at any stride (0: tightly packed). struct_size set by the caller, what is not set
+/// zero.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct carom_pairs {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// pairs, at most 2^24
+    pub count: u64,
+    pub shapes_a: *const carom_shape,
+    pub shapes_b: *const carom_shape,
+    /// 3 each, m, world
+    pub positions_a: *const f64,
+    /// 4 each: x, y, z, w
+    pub orientations_a: *const f64,
+    /// 3 each, m, world
+    pub positions_b: *const f64,
+    /// 4 each: x, y, z, w
+    pub orientations_b: *const f64,
+    /// bytes; 0: tightly packed; so below
+    pub shape_a_stride: u64,
+    pub shape_b_stride: u64,
+    pub position_a_stride: u64,
+    pub orientation_a_stride: u64,
+    pub position_b_stride: u64,
+    pub orientation_b_stride: u64,
+}
+impl Default for carom_pairs {
+    fn default() -> Self {
+        unsafe {
+            let mut it: Self = zeroed();
+            it.struct_size = size_of::<carom_pairs>() as u32;
+            it
+        }
+    }
+}
+/// A device, and what it has done since it was opened.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct carom_device_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// as its driver says, zero-terminated
+    pub name: [c_char; 128],
+    /// of OpenCL and the driver, zero-terminated
+    pub version: [c_char; 128],
+    /// that it was asked for
+    pub pairs: u64,
+    /// of them, left to the host
+    pub host_pairs: u64,
+}
+impl Default for carom_device_info {
+    fn default() -> Self {
+        unsafe {
+            let mut it: Self = zeroed();
+            it.struct_size = size_of::<carom_device_info>() as u32;
+            it
+        }
+    }
+}
 /// What all particles of a set have in common. Fill with carom_particles_desc_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -2462,6 +2529,8 @@ pub struct carom_shape_plugin {
     pub reserved: u32,
     /// handed to support: what a closure of the host holds, or NULL. The function must stay pure: same point for the same user, params and dir, as long as the plugin is there
     pub user: *mut c_void,
+    /// `support_text` of CAROM_SUPPORT_TEXT(), zero-terminated; NULL: devices cannot ask the shape
+    pub text: *const c_char,
 }
 impl Default for carom_shape_plugin {
     fn default() -> Self {
@@ -3758,7 +3827,7 @@ extern "C" {
     /// Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
     pub fn carom_engine_create(desc: *const carom_engine_desc, engine: *mut *mut carom_engine, error: *mut carom_error) -> i32;
-    /// Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    /// Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
     /// REENTRANT   @thread writer: no other call may use the engine
     pub fn carom_engine_destroy(engine: *mut carom_engine, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
@@ -3767,8 +3836,8 @@ extern "C" {
     /// functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
     /// on the stepping one.
     /// @param desc may be NULL: the stepping thread alone
-    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-    /// no more threads); OUT_OF_MEMORY; REENTRANT
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+    /// alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT
     pub fn carom_engine_set_jobs(engine: *mut carom_engine, desc: *const carom_jobs_desc, error: *mut carom_error) -> i32;
     /// Load a shape plugin from a shared object. @param path absolute.
     /// The plugin is checked before anything is called, then by its support points in 256 directions, with parameters that
@@ -4030,6 +4099,39 @@ extern "C" {
     pub fn carom_world_get_ledger(world: *mut carom_world, dst: *mut carom_ledger_entry, stride: u64, capacity: u64, count: *mut u64, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
     pub fn carom_world_get_ledger_state(world: *mut carom_world, state: *mut carom_ledger_state, error: *mut carom_error) -> i32;
+    /// Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+    /// carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+    /// is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+    /// status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+    /// @param desc   may be NULL: defaults
+    /// @param dst    out, [pairs->count]; no array of pairs
+    /// @param stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+    ///               written, too
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+    ///         pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+    ///         thread: some results were written)
+    /// @since 0.9
+    pub fn carom_pairs_distance(engine: *mut carom_engine, pairs: *const carom_pairs, desc: *const carom_distance_desc, dst: *mut carom_distance, stride: u64, error: *mut carom_error) -> i32;
+    /// Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+    /// @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+    /// @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
+    /// @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+    ///         (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+    /// @since 0.9
+    pub fn carom_device_create(engine: *mut carom_engine, index: u32, device: *mut *mut carom_device, error: *mut carom_error) -> i32;
+    /// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9
+    pub fn carom_device_destroy(device: *mut carom_device, error: *mut carom_error) -> i32;
+    /// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9
+    pub fn carom_device_get_info(device: *mut carom_device, info: *mut carom_device_info, error: *mut carom_error) -> i32;
+    /// As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+    /// @param device from carom_device_create()
+    /// @param desc   may be NULL: defaults
+    /// @param dst    out, [pairs->count]; no array of pairs
+    /// @param stride as carom_pairs_distance()
+    /// @status as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+    ///         pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+    /// @since 0.9
+    pub fn carom_device_pairs_distance(device: *mut carom_device, pairs: *const carom_pairs, desc: *const carom_distance_desc, dst: *mut carom_distance, stride: u64, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_particles_desc_init(desc: *mut carom_particles_desc, struct_size: u32) -> i32;
     /// Make an empty set.
@@ -4878,6 +4980,29 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_ledger_state.total_rounding_energy", offset_of!(carom_ledger_state, total_rounding_energy), size_of::<f64>(), "f64"),
     ("carom_ledger_state.total_rounding_linear", offset_of!(carom_ledger_state, total_rounding_linear), size_of::<f64>(), "f64"),
     ("carom_ledger_state.total_rounding_angular", offset_of!(carom_ledger_state, total_rounding_angular), size_of::<f64>(), "f64"),
+    ("carom_pairs", 0, size_of::<carom_pairs>(), "struct"),
+    ("carom_pairs.struct_size", offset_of!(carom_pairs, struct_size), size_of::<u32>(), "u32"),
+    ("carom_pairs.reserved", offset_of!(carom_pairs, reserved), size_of::<u32>(), "u32"),
+    ("carom_pairs.count", offset_of!(carom_pairs, count), size_of::<u64>(), "u64"),
+    ("carom_pairs.shapes_a", offset_of!(carom_pairs, shapes_a), size_of::<*const carom_shape>(), "ptr"),
+    ("carom_pairs.shapes_b", offset_of!(carom_pairs, shapes_b), size_of::<*const carom_shape>(), "ptr"),
+    ("carom_pairs.positions_a", offset_of!(carom_pairs, positions_a), size_of::<*const f64>(), "ptr"),
+    ("carom_pairs.orientations_a", offset_of!(carom_pairs, orientations_a), size_of::<*const f64>(), "ptr"),
+    ("carom_pairs.positions_b", offset_of!(carom_pairs, positions_b), size_of::<*const f64>(), "ptr"),
+    ("carom_pairs.orientations_b", offset_of!(carom_pairs, orientations_b), size_of::<*const f64>(), "ptr"),
+    ("carom_pairs.shape_a_stride", offset_of!(carom_pairs, shape_a_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.shape_b_stride", offset_of!(carom_pairs, shape_b_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.position_a_stride", offset_of!(carom_pairs, position_a_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.orientation_a_stride", offset_of!(carom_pairs, orientation_a_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.position_b_stride", offset_of!(carom_pairs, position_b_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.orientation_b_stride", offset_of!(carom_pairs, orientation_b_stride), size_of::<u64>(), "u64"),
+    ("carom_device_info", 0, size_of::<carom_device_info>(), "struct"),
+    ("carom_device_info.struct_size", offset_of!(carom_device_info, struct_size), size_of::<u32>(), "u32"),
+    ("carom_device_info.reserved", offset_of!(carom_device_info, reserved), size_of::<u32>(), "u32"),
+    ("carom_device_info.name", offset_of!(carom_device_info, name), size_of::<c_char>() * 128, "char[128]"),
+    ("carom_device_info.version", offset_of!(carom_device_info, version), size_of::<c_char>() * 128, "char[128]"),
+    ("carom_device_info.pairs", offset_of!(carom_device_info, pairs), size_of::<u64>(), "u64"),
+    ("carom_device_info.host_pairs", offset_of!(carom_device_info, host_pairs), size_of::<u64>(), "u64"),
     ("carom_particles_desc", 0, size_of::<carom_particles_desc>(), "struct"),
     ("carom_particles_desc.struct_size", offset_of!(carom_particles_desc, struct_size), size_of::<u32>(), "u32"),
     ("carom_particles_desc.reserved", offset_of!(carom_particles_desc, reserved), size_of::<u32>(), "u32"),
@@ -4935,6 +5060,7 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_shape_plugin.rule_count", offset_of!(carom_shape_plugin, rule_count), size_of::<u32>(), "u32"),
     ("carom_shape_plugin.reserved", offset_of!(carom_shape_plugin, reserved), size_of::<u32>(), "u32"),
     ("carom_shape_plugin.user", offset_of!(carom_shape_plugin, user), size_of::<*mut c_void>(), "ptr"),
+    ("carom_shape_plugin.text", offset_of!(carom_shape_plugin, text), size_of::<*const c_char>(), "ptr"),
     ("carom_distance_desc", 0, size_of::<carom_distance_desc>(), "struct"),
     ("carom_distance_desc.struct_size", offset_of!(carom_distance_desc, struct_size), size_of::<u32>(), "u32"),
     ("carom_distance_desc.simplex", offset_of!(carom_distance_desc, simplex), size_of::<u32>(), "u32"),
