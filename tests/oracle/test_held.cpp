@@ -130,10 +130,11 @@ struct Arm {
 /// It keeps its place in the hand: a thousandth of the arm in a hundred turns, or what a way of the fourth order in the turn
 /// of a substep leaves.
 static void what_an_arm_takes_round_stays(void**) {
-  for (const Arm& c : {Arm{false, 2, false, 0.5, 1, 0.05, 0.9, 1.0 / 60}, Arm{true, 2, false, 0.5, 1, 0.05, 0.9, 1.0 / 60},
-                       Arm{false, 2, true, 2, 1, 0.05, 0.4, 1.0 / 60}, Arm{true, 2, false, 4, 1, 0.05, 0.9, 1.0 / 60},
-                       Arm{false, 3, true, 3, 0.2, 0.01, 0.6, 1.0 / 60}, Arm{true, 4, false, 1, 3, 0.1, 0.3, 1.0 / 30},
-                       Arm{false, 4, false, 4, 0.7, 0.04, 0.7, 1.0 / 120}}) {
+  for (const Arm& c :
+       {Arm{false, 2, false, 0.5, 1, 0.05, 0.9, 1.0 / 60}, Arm{true, 2, false, 0.5, 1, 0.05, 0.9, 1.0 / 60},
+        Arm{false, 2, true, 2, 1, 0.05, 0.4, 1.0 / 60}, Arm{true, 2, false, 4, 1, 0.05, 0.9, 1.0 / 60},
+        Arm{false, 3, true, 3, 0.2, 0.01, 0.6, 1.0 / 60}, Arm{true, 4, false, 1, 3, 0.1, 0.3, 1.0 / 30},
+        Arm{false, 4, false, 4, 0.7, 0.04, 0.7, 1.0 / 120}}) {
     constexpr int kSubsteps = 4;
     TestWorld t;
     choose(t, kAutoChoice, kSubsteps);
@@ -141,8 +142,7 @@ static void what_an_arm_takes_round_stays(void**) {
     const std::uint32_t material = t.material(c.friction, 0);
     const Shape* const beam = t.keep(box(Vec3(0.45 * c.length, 0.03 * c.length, 0.03 * c.length)));
     const std::uint32_t arm = t.add(beam, Vec3::zero(), c.driven ? BodyType::dynamic : BodyType::kinematic);
-    const Shape* const shape =
-        t.keep(c.round ? cylinder(c.size, c.size) : box(Vec3::constant(c.size)));
+    const Shape* const shape = t.keep(c.round ? cylinder(c.size, c.size) : box(Vec3::constant(c.size)));
     const Quat lies = c.round ? turn_between(Vec3(0, 1, 0), Vec3(1, 0, 0)) : Quat::identity();
     const Vec3 hand(c.length, 0, 0);
     const std::uint32_t held = t.add(shape, hand, BodyType::dynamic, lies, material);

@@ -198,9 +198,8 @@ void find_bends(ConeProblem& problem, Real h) {
 
 void obey_locks(ConeProblem& problem) {
   if (problem.tree.empty()) return;
-  lead_to(problem, [&](const ConeLink& lock) {
-    return lock.low - lock.surface - relative<&ConeBody::v>(problem.bodies, lock);
-  });
+  lead_to(problem,
+          [&](const ConeLink& lock) { return lock.low - lock.surface - relative<&ConeBody::v>(problem.bodies, lock); });
   for (std::uint32_t j = 0; j < problem.tree.size(); ++j)
     if (ConeBody& b = problem.bodies[problem.body_at(j)]; !problem.tree[j].is_alone()) b.v += b.step;
 }
