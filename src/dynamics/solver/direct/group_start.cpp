@@ -57,15 +57,20 @@ void ConeGroup::bend_ways(Real h) {
 
 /// What hangs on an arm that swings leaves its circle by the tangent, and is displaced back onto it after the move: in
 /// contact locks are not asked for that bend (load_links()). Friction's target is where that leads the surface, else
-/// what is gripped creeps outwards by half (omega h)^2 of its arm in each substep.
+/// what is gripped creeps outwards by half (omega h)^2 of its arm in each substep. Of what sticks. Where a joint closes a
+/// loop its row leads bodies elsewhere than the forest alone: a track on sprockets gained energy.
 void ConeGroup::bend_arms(Real h) {
-  if (!shares() || problem_.tree.empty()) return;
+  if (!shares() || problem_.tree.empty() || std::ranges::any_of(problem_.links, &ConeLink::is_lock)) return;
   find_bends(problem_, h);
+  const auto sticks = [](const ConeContact& c) {  // since the substep before
+    const Real n = c.p.dot(c.n);
+    return n > 0 && (c.p - n * c.n).norm() < c.friction * n;
+  };
   const auto is_slow = [&](std::uint32_t body) {
     return body == kInvalid || problem_.bodies[body].v.angular().squared_norm() * h * h < kBends * kBends;
   };
   for (ConeContact& c : problem_.contacts) {
-    if (!(c.friction > 0) || !is_slow(c.a) || !is_slow(c.b)) continue;
+    if (!sticks(c) || !is_slow(c.a) || !is_slow(c.b)) continue;
     const Vec3 bend = relative<&ConeBody::step>(problem_.bodies, c), along = bend - bend.dot(c.n) * c.n;
     c.curve += along, c.surface += along;
   }
