@@ -34,7 +34,8 @@ struct ConeLink {
   // Of a limit or drive of a joint of the forest: S^T of its row, @see TreeNode.
   bool is_of_child = false;
   Vec6 of_child;
-  bool bends = false;  // a lock whose target is the bend of its arm over the substep
+  Real curve;          // m/s or rad/s, of a lock: how its arm bends over the substep
+  bool bends = false;  // that is asked of it
 
   /// Its impulse is whatever holds it: linear.
   bool is_lock() const { return k > 0 && low == high && give == 0 && most == kInfinity; }

@@ -256,14 +256,14 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     const bool is_of_forest = i >= problem.links.size();
     c.k = is_of_forest ? 1
                        : response(c.a, c.d_a, c.w_a) + response(c.b, c.d_b, c.w_b);  // locks there hold, whatever it is
-    c.bends = false;
+    c.bends = false, c.curve = 0;
     c.p = c.start_p = phase == LinkPhase::move ? get(row.p, lane) : 0;
     if (at_row.is_drive)
       ask(c, w.drives[at_row.row], at_row, phase, h, most, halved);
     else if (phase == LinkPhase::part)
       lock(c, std::clamp(-get(row.error, lane), -most, most));
     else
-      lock(c, bends ? -get(row.curve, lane) : 0), c.bends = bends;
+      c.curve = phase == LinkPhase::move ? get(row.curve, lane) : 0, lock(c, bends ? -c.curve : 0), c.bends = bends;
     const bool leads =
         at_row.is_drive && phase == LinkPhase::move && c.d_b == Vec3::zero() &&
         (at_row.kind == DriveKind::spring ? is_far || !bends : at_row.kind == DriveKind::motor && is_far);

@@ -44,15 +44,36 @@ void ConeGroup::bend_ways(Real h) {
   };
   each([&](ConeContact& contact, std::uint32_t i) {
     const TurningPair* const turning_pairs = led_by(i);
-    if (!c_.rows[i].rolls && !turning_pairs) return;
     contact.surface -= contact.curve;
     contact.curve.set_zero();
+    if (!c_.rows[i].rolls && !turning_pairs) return;
     if (turning_pairs && turning_pairs != of) lead = lead_of(world_, *turning_pairs, h);
     of = turning_pairs;
     if (c_.rows[i].rolls) contact.curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
     if (turning_pairs) contact.curve += lead.along(contact.apart, contact.n);
     contact.surface += contact.curve;
   });
+}
+
+/// What hangs on an arm that swings leaves its circle by the tangent, and is displaced back onto it after the move: in
+/// contact locks are not asked for that bend (load_links()). Friction's target is where that leads the surface, else
+/// what is gripped creeps outwards by half (omega h)^2 of its arm in each substep. Of what sticks. Where a joint closes a
+/// loop its row leads bodies elsewhere than the forest alone: a track on sprockets gained energy.
+void ConeGroup::bend_arms(Real h) {
+  if (!shares() || problem_.tree.empty() || std::ranges::any_of(problem_.links, &ConeLink::is_lock)) return;
+  find_bends(problem_, h);
+  const auto sticks = [](const ConeContact& c) {  // since the substep before
+    const Real n = c.p.dot(c.n);
+    return n > 0 && (c.p - n * c.n).norm() < c.friction * n;
+  };
+  const auto is_slow = [&](std::uint32_t body) {
+    return body == kInvalid || problem_.bodies[body].v.angular().squared_norm() * h * h < kBends * kBends;
+  };
+  for (ConeContact& c : problem_.contacts) {
+    if (!sticks(c) || !is_slow(c.a) || !is_slow(c.b)) continue;
+    const Vec3 bend = relative<&ConeBody::step>(problem_.bodies, c), along = bend - bend.dot(c.n) * c.n;
+    c.curve += along, c.surface += along;
+  }
 }
 
 const TurningPair* ConeGroup::led_by(std::uint32_t row) const { return is_led_ ? turning_pair_at(c_, row) : nullptr; }
@@ -188,6 +209,7 @@ Real ConeGroup::start(Real h) {
   if (is_joined()) stiffen(world_, problem_, link_row_, h, Borne::in_substep);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
   hold_forest(Forest::anew);
+  bend_arms(h);
   for (ConeLink& link : problem_.links)  // `gained` is, as yet, minus what the substep before ended with
     if (link.is_spring()) link.p = link.start_p = link.given(-relative<&ConeBody::gained>(problem_.bodies, link));
   for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);
