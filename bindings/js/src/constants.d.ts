@@ -496,7 +496,9 @@ export const CAROM_JOINT_PULLEY: 6;
 export const CAROM_JOINT_GEAR: 7;
 /** each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free */
 export const CAROM_JOINT_SIX_AXIS: 8;
-export const CAROM_JOINT_COUNT: 9;
+/** the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints */
+export const CAROM_JOINT_COUPLING: 9;
+export const CAROM_JOINT_COUNT: 10;
 /** rad, of B about the x axes, whole turns counted: ball, hinge */
 export const CAROM_COORDINATE_TWIST: 0;
 /** rad, [0, pi], between the x axes: ball, universal */
@@ -804,4 +806,4 @@ export const CAROM_WANT_FIRST: 0;
 /** whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points */
 export const CAROM_WANT_ANY: 1;
 /** Kinds of joints by name. */
-export const JOINTS: { ball: 0, hinge: 1, slider: 2, weld: 3, distance: 4, universal: 5, pulley: 6, gear: 7, six_axis: 8 };
+export const JOINTS: { ball: 0, hinge: 1, slider: 2, weld: 3, distance: 4, universal: 5, pulley: 6, gear: 7, six_axis: 8, coupling: 9 };

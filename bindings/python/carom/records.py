@@ -62,7 +62,8 @@ ContactWord = Literal["begin", "end", "hit"]
 SensorWord = Literal["enter", "leave"]
 SleepWord = Literal["asleep", "awake"]
 ForceFieldWord = Literal["uniform", "radial", "vortex", "magnetic"]
-JointWord = Literal["ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear", "six_axis"]
+JointWord = Literal["ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear", "six_axis",
+    "coupling"]
 CoordinateWord = Literal["twist", "swing", "slide", "distance"]
 AxisWord = Literal["x", "y", "z", "turn_x", "turn_y", "turn_z"]
 AxisModeWord = Literal["free", "locked", "limited"]
@@ -210,6 +211,14 @@ class JointTransmissionRecord(Record):
     anchor_a: tuple[float, float, float]
     anchor_b: tuple[float, float, float]
     length: float
+
+
+class JointCouplingRecord(Record):
+    """What a coupling makes follow what"""
+    follower: Joint | None
+    leader: Joint | None
+    polynomial: tuple[float, ...]
+    user: int
 
 
 class JointAxisRecord(Record):

@@ -273,6 +273,9 @@ class Digest {
     carom_joint_transmission transmission = {};
     transmission.struct_size = sizeof transmission;
     keep(carom_joint_get_transmission(world_, j, &transmission, nullptr), transmission);
+    carom_joint_coupling coupling = {};
+    coupling.struct_size = sizeof coupling;
+    keep(carom_joint_get_coupling(world_, j, &coupling, nullptr), coupling);
     carom_joint_orientation_drive drive = {};
     drive.struct_size = sizeof drive;
     keep(carom_joint_get_orientation_drive(world_, j, &drive, nullptr), drive);

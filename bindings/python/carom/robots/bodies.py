@@ -239,7 +239,11 @@ def close_loops(world: World, bodies: Bodies, problems: Problems) -> dict[str, J
             axis.mode, axis.lower, axis.upper = raw.CAROM_AXIS_MODE_LIMITED, data[0], data[0]
             bodies.set_axis(move)
         elif kind == int(kinds.mjEQ_JOINT):
-            problems.add("equality", name, "a joint that follows another: the library has no such coupling")
+            pair = [bodies.joints.get(joint) for joint in (one, other)]
+            if one not in bodies.axes or other not in bodies.axes or None in pair:
+                problems.add("equality", name, "a joint that follows another, of which one is neither hinge nor slide")
+                continue
+            made[name] = world.couple(pair[0], pair[1], data[:5])  # both tell where they are from where the model was written
         else:
             word = next((w[len("mjEQ_"):].lower() for w, value in kinds.__members__.items() if int(value) == kind), str(kind))
             problems.add("equality", name, f"of kind {word}: the library has no such constraint")

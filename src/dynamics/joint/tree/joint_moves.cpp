@@ -81,7 +81,7 @@ void JointMoves::join_parts(const World& world) {
     next += is_asked;
     if (!world.joints.alive(j)) continue;
     const Joint& joint = world.joints.joint[j];
-    if (joint.broken || joint.def.kind == JointKind::gear) continue;
+    if (joint.broken || joint.def.kind == JointKind::gear || is_coupling(joint.def.kind)) continue;
     if (joint.def.body_b != kInvalid) is_b_[joint.def.body_b] = 1;
     if (is_asked) continue;
     join(part_, node(world, joint.def.body_a), node(world, joint.def.body_b));
