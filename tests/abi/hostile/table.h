@@ -152,7 +152,8 @@ inline Argument joint_motor(Context& c) {
 }
 inline Argument joint_coupling(Context& c) {
   auto d = fresh<carom_joint_coupling>(carom_joint_coupling_init);
-  d.follower = c.any_handle(kJoint), d.leader = c.any_handle(kJoint);
+  bool none = false;
+  d.follower = pick(c, kJoint, none), d.leader = pick(c, kJoint, none);
   for (double& x : d.polynomial) x = c.between(-2, 2);
   return in_struct(c, d,
                    {HOSTILE_RESERVED(carom_joint_coupling, reserved), HOSTILE_HANDLE(carom_joint_coupling, follower, kJoint, false),
