@@ -395,7 +395,7 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
  *  leave places. Numbers are within 1e9. Those of AXES and AXIS_SPEEDS along what is locked are not used: there the joint
  *  is without a gap afterwards. Whole turns count. Places beyond limits are taken: what is beyond is led back. A joint
  *  that has what is written already stays as it is, to the bit. So what was read may be written back, of loops, too; else
- *  a joint of a loop is UNSUPPORTED. Of what is not a joint's only gears go on from where they are: distance joints
+ *  a joint of a loop is UNSUPPORTED. Of a universal joint TURN_Y and TURN_Z are used, its twist follows. Of what is not a joint's only gears go on from where they are: distance joints
  *  and pulleys hold, springs and contacts do not.
  *
  *  ACCELERATION is (rate as the last step ended - rate as it began) / step, finite, and 0 before the first step.
@@ -406,7 +406,8 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
 /* clang-format off */
 #define CAROM_JOINT_BULK_COORDINATES 0u /* 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only */
 #define CAROM_JOINT_BULK_SPEEDS 1u      /* 4: m/s or rad/s, their rates, from the present velocities; read only */
-#define CAROM_JOINT_BULK_AXES 2u        /* 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
+#define CAROM_JOINT_BULK_AXES 2u        /* 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal,
+                                           six-axis */
 #define CAROM_JOINT_BULK_AXIS_SPEEDS 3u /* 6: m/s and rad/s, their rates; written likewise */
 #define CAROM_JOINT_BULK_FORCE 4u       /* 3: N, world, as carom_joint_state.force; read only */
 #define CAROM_JOINT_BULK_TORQUE 5u      /* 3: N m, world, as carom_joint_state.torque; read only */
@@ -443,7 +444,12 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
 #define CAROM_JOINT_BULK_ARMATURE 35u           /* 1: armature, likewise */
 #define CAROM_JOINT_BULK_EFFORT_LIMIT 36u       /* 1: effort_limit, likewise */
 #define CAROM_JOINT_BULK_SPEED_LIMIT 37u        /* 1: speed_limit, likewise */
-#define CAROM_JOINT_BULK_COUNT 38u
+#define CAROM_JOINT_BULK_DRIVE_TARGET 38u       /* 1: target of the drive of a hinge's or slider's axis, likewise: a servo's */
+#define CAROM_JOINT_BULK_DRIVE_VELOCITY 39u     /* 1: speed, likewise */
+#define CAROM_JOINT_BULK_DRIVE_EFFORT 40u       /* 1: effort, likewise */
+#define CAROM_JOINT_BULK_DRIVE_MAX_FORCE 41u    /* 1: max_force, likewise */
+#define CAROM_JOINT_BULK_DRIVE_GAINS 42u        /* 2: drive_stiffness and drive_damping, in its units, likewise */
+#define CAROM_JOINT_BULK_COUNT 43u
 /* clang-format on */
 /** @} */
 

@@ -35,6 +35,8 @@ bool is_free(const World& w, std::uint32_t j, std::uint32_t axis) {
       return axis == 0;
     case JointKind::ball:
       return axis >= 3;
+    case JointKind::universal:
+      return axis > 3;
     default:
       return !w.joints.axes_of(joint).axis[axis].is_locked();
   }

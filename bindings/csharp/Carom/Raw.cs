@@ -2822,7 +2822,7 @@ namespace Carom
         public const uint CAROM_JOINT_BULK_COORDINATES = 0;
         /// <summary>4: m/s or rad/s, their rates, from the present velocities; read only</summary>
         public const uint CAROM_JOINT_BULK_SPEEDS = 1;
-        /// <summary>6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis</summary>
+        /// <summary>6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis</summary>
         public const uint CAROM_JOINT_BULK_AXES = 2;
         /// <summary>6: m/s and rad/s, their rates; written likewise</summary>
         public const uint CAROM_JOINT_BULK_AXIS_SPEEDS = 3;
@@ -2894,7 +2894,17 @@ namespace Carom
         public const uint CAROM_JOINT_BULK_EFFORT_LIMIT = 36;
         /// <summary>1: speed_limit, likewise</summary>
         public const uint CAROM_JOINT_BULK_SPEED_LIMIT = 37;
-        public const uint CAROM_JOINT_BULK_COUNT = 38;
+        /// <summary>1: target of the drive of a hinge's or slider's axis, likewise: a servo's</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_TARGET = 38;
+        /// <summary>1: speed, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_VELOCITY = 39;
+        /// <summary>1: effort, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_EFFORT = 40;
+        /// <summary>1: max_force, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41;
+        /// <summary>2: drive_stiffness and drive_damping, in its units, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_GAINS = 42;
+        public const uint CAROM_JOINT_BULK_COUNT = 43;
         /// <summary>gyroscopic term of bodies with unlike moments of inertia</summary>
         public const uint CAROM_EFFECT_GYROSCOPIC = 0;
         /// <summary>damping of velocity</summary>

@@ -887,7 +887,7 @@ const CAROM_JOINT_BULK_COORDINATES = uint32(0)
 // 4: m/s or rad/s, their rates, from the present velocities; read only
 const CAROM_JOINT_BULK_SPEEDS = uint32(1)
 
-// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
+// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis
 const CAROM_JOINT_BULK_AXES = uint32(2)
 
 // 6: m/s and rad/s, their rates; written likewise
@@ -995,7 +995,22 @@ const CAROM_JOINT_BULK_EFFORT_LIMIT = uint32(36)
 // 1: speed_limit, likewise
 const CAROM_JOINT_BULK_SPEED_LIMIT = uint32(37)
 
-const CAROM_JOINT_BULK_COUNT = uint32(38)
+// 1: target of the drive of a hinge's or slider's axis, likewise: a servo's
+const CAROM_JOINT_BULK_DRIVE_TARGET = uint32(38)
+
+// 1: speed, likewise
+const CAROM_JOINT_BULK_DRIVE_VELOCITY = uint32(39)
+
+// 1: effort, likewise
+const CAROM_JOINT_BULK_DRIVE_EFFORT = uint32(40)
+
+// 1: max_force, likewise
+const CAROM_JOINT_BULK_DRIVE_MAX_FORCE = uint32(41)
+
+// 2: drive_stiffness and drive_damping, in its units, likewise
+const CAROM_JOINT_BULK_DRIVE_GAINS = uint32(42)
+
+const CAROM_JOINT_BULK_COUNT = uint32(43)
 
 // gyroscopic term of bodies with unlike moments of inertia
 const CAROM_EFFECT_GYROSCOPIC = uint32(0)

@@ -569,7 +569,7 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_COORDINATES = 0;
     /** 4: m/s or rad/s, their rates, from the present velocities; read only */
     public static final int CAROM_JOINT_BULK_SPEEDS = 1;
-    /** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
+    /** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis */
     public static final int CAROM_JOINT_BULK_AXES = 2;
     /** 6: m/s and rad/s, their rates; written likewise */
     public static final int CAROM_JOINT_BULK_AXIS_SPEEDS = 3;
@@ -641,7 +641,17 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_EFFORT_LIMIT = 36;
     /** 1: speed_limit, likewise */
     public static final int CAROM_JOINT_BULK_SPEED_LIMIT = 37;
-    public static final int CAROM_JOINT_BULK_COUNT = 38;
+    /** 1: target of the drive of a hinge's or slider's axis, likewise: a servo's */
+    public static final int CAROM_JOINT_BULK_DRIVE_TARGET = 38;
+    /** 1: speed, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_VELOCITY = 39;
+    /** 1: effort, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_EFFORT = 40;
+    /** 1: max_force, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41;
+    /** 2: drive_stiffness and drive_damping, in its units, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_GAINS = 42;
+    public static final int CAROM_JOINT_BULK_COUNT = 43;
     /** gyroscopic term of bodies with unlike moments of inertia */
     public static final int CAROM_EFFECT_GYROSCOPIC = 0;
     /** damping of velocity */

@@ -556,7 +556,7 @@ export const CAROM_JOINT_ACCELERATIONS: 8;
 export const CAROM_JOINT_BULK_COORDINATES: 0;
 /** 4: m/s or rad/s, their rates, from the present velocities; read only */
 export const CAROM_JOINT_BULK_SPEEDS: 1;
-/** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
+/** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis */
 export const CAROM_JOINT_BULK_AXES: 2;
 /** 6: m/s and rad/s, their rates; written likewise */
 export const CAROM_JOINT_BULK_AXIS_SPEEDS: 3;
@@ -628,7 +628,17 @@ export const CAROM_JOINT_BULK_ARMATURE: 35;
 export const CAROM_JOINT_BULK_EFFORT_LIMIT: 36;
 /** 1: speed_limit, likewise */
 export const CAROM_JOINT_BULK_SPEED_LIMIT: 37;
-export const CAROM_JOINT_BULK_COUNT: 38;
+/** 1: target of the drive of a hinge's or slider's axis, likewise: a servo's */
+export const CAROM_JOINT_BULK_DRIVE_TARGET: 38;
+/** 1: speed, likewise */
+export const CAROM_JOINT_BULK_DRIVE_VELOCITY: 39;
+/** 1: effort, likewise */
+export const CAROM_JOINT_BULK_DRIVE_EFFORT: 40;
+/** 1: max_force, likewise */
+export const CAROM_JOINT_BULK_DRIVE_MAX_FORCE: 41;
+/** 2: drive_stiffness and drive_damping, in its units, likewise */
+export const CAROM_JOINT_BULK_DRIVE_GAINS: 42;
+export const CAROM_JOINT_BULK_COUNT: 43;
 /** gyroscopic term of bodies with unlike moments of inertia */
 export const CAROM_EFFECT_GYROSCOPIC: 0;
 /** damping of velocity */

@@ -75,7 +75,8 @@ JointBulkWord = Literal["coordinates", "speeds", "axes", "axis_speeds", "force",
     "axis_efforts", "axis_targets", "axis_target_velocities", "axis_target_efforts", "axis_max_forces", "axis_gains",
     "axis_limits", "orientation_target", "orientation_velocity", "orientation_effort", "orientation_gains",
     "acceleration", "axis_accelerations", "axis_frictions", "axis_armatures", "axis_effort_limits",
-    "axis_speed_limits", "friction", "armature", "effort_limit", "speed_limit"]
+    "axis_speed_limits", "friction", "armature", "effort_limit", "speed_limit", "drive_target", "drive_velocity",
+    "drive_effort", "drive_max_force", "drive_gains"]
 EffectWord = Literal["gyroscopic", "linear_damping", "angular_damping", "gravity", "user_force", "user_torque",
     "collision", "friction", "restitution", "rolling_resistance", "spinning_resistance", "sleep", "particles",
     "filter", "sensor", "joints", "scenery", "continuous", "surface_velocity", "axis_locks", "drag", "wind", "fields",

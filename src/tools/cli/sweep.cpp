@@ -155,7 +155,7 @@ void sweep_scene(const SweepOptions& options, Context& context) {
       continue;
     }
     file << line << std::flush;
-    if (!file) throw Error("line " + std::to_string(next) + " could not be written to " + options.out, "make room there");
+    if (!file) throw Error("line " + std::to_string(next) + " could not be written to " + options.out, "free space on the disk");
   }
 }
 

@@ -563,7 +563,7 @@ pub const CAROM_JOINT_ACCELERATIONS: u32 = 8;
 pub const CAROM_JOINT_BULK_COORDINATES: u32 = 0;
 /// 4: m/s or rad/s, their rates, from the present velocities; read only
 pub const CAROM_JOINT_BULK_SPEEDS: u32 = 1;
-/// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
+/// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis
 pub const CAROM_JOINT_BULK_AXES: u32 = 2;
 /// 6: m/s and rad/s, their rates; written likewise
 pub const CAROM_JOINT_BULK_AXIS_SPEEDS: u32 = 3;
@@ -635,7 +635,17 @@ pub const CAROM_JOINT_BULK_ARMATURE: u32 = 35;
 pub const CAROM_JOINT_BULK_EFFORT_LIMIT: u32 = 36;
 /// 1: speed_limit, likewise
 pub const CAROM_JOINT_BULK_SPEED_LIMIT: u32 = 37;
-pub const CAROM_JOINT_BULK_COUNT: u32 = 38;
+/// 1: target of the drive of a hinge's or slider's axis, likewise: a servo's
+pub const CAROM_JOINT_BULK_DRIVE_TARGET: u32 = 38;
+/// 1: speed, likewise
+pub const CAROM_JOINT_BULK_DRIVE_VELOCITY: u32 = 39;
+/// 1: effort, likewise
+pub const CAROM_JOINT_BULK_DRIVE_EFFORT: u32 = 40;
+/// 1: max_force, likewise
+pub const CAROM_JOINT_BULK_DRIVE_MAX_FORCE: u32 = 41;
+/// 2: drive_stiffness and drive_damping, in its units, likewise
+pub const CAROM_JOINT_BULK_DRIVE_GAINS: u32 = 42;
+pub const CAROM_JOINT_BULK_COUNT: u32 = 43;
 /// gyroscopic term of bodies with unlike moments of inertia
 pub const CAROM_EFFECT_GYROSCOPIC: u32 = 0;
 /// damping of velocity
