@@ -179,11 +179,11 @@ typedef struct carom_joint_transmission {
  *  holds the follower, it holds the leader. Fill with carom_joint_coupling_init(). */
 typedef struct carom_joint_coupling {
   uint32_t struct_size;
-  uint32_t reserved;     /**< 0 */
-  carom_joint follower;  /**< a hinge or slider */
-  carom_joint leader;    /**< another */
-  double polynomial[5];  /**< m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far */
-  uint64_t user;         /**< yours */
+  uint32_t reserved;    /**< 0 */
+  carom_joint follower; /**< a hinge or slider */
+  carom_joint leader;   /**< another */
+  double polynomial[5]; /**< m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far */
+  uint64_t user;        /**< yours */
 } carom_joint_coupling;
 
 /** What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge

@@ -84,8 +84,9 @@ bool read_joint(Call& call, const World& world, const carom_joint_desc* given, J
   carom_joint_desc_init(&d, sizeof d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
       !only_bits(call, 2, "desc->fields", d.fields, kJointFields) ||
-      !known(call, 2, "desc->kind", d.kind, CAROM_JOINT_COUNT) || !is_made_of_bodies(call, d.kind) || !read_ends(call, world, d, "joins", def) ||
-      !read_frames(call, world, d, def) || !in_range(call, 2, "desc->length", d.length, 0, kLongestJoint) ||
+      !known(call, 2, "desc->kind", d.kind, CAROM_JOINT_COUNT) || !is_made_of_bodies(call, d.kind) ||
+      !read_ends(call, world, d, "joins", def) || !read_frames(call, world, d, def) ||
+      !in_range(call, 2, "desc->length", d.length, 0, kLongestJoint) ||
       !in_range(call, 2, "desc->break_force", d.break_force, 0, kStrongestMotor) ||
       !in_range(call, 2, "desc->break_torque", d.break_torque, 0, kStrongestMotor))
     return false;
@@ -191,9 +192,13 @@ bool read_coupling(Call& call, const World& world, const carom_joint_coupling* g
       !read_coupled(call, world, 2, "coupling->leader", d.leader, to.leader))
     return false;
   user = d.user;
-  return to.follower != to.leader ||
-         call.fail(CAROM_E_OUT_OF_RANGE, 2, "coupling->follower and coupling->leader are one joint") ||
-         call.advise("couple two joints; one that is to stay where it is has a limit with lower = upper");
+  if (to.follower == to.leader)
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "coupling->follower and coupling->leader are one joint") ||
+           call.advise("couple two joints; one that is to stay where it is has a limit with lower = upper");
+  const JointDef def = world.coupling_def(to);
+  return def.body_a != kInvalid || def.body_b != kInvalid ||
+         call.fail(CAROM_E_OUT_OF_RANGE, 2, "neither of the two joints has a body that is dynamic; one must have") ||
+         call.advise("make one of their bodies dynamic");
 }
 
 /// Another polynomial for one that there is.
@@ -207,8 +212,7 @@ bool read_coupling(Call& call, const World& world, const Joint& joint, const car
     std::uint32_t slot = own;
     if (handle == CAROM_NULL_HANDLE) return true;
     if (!read_coupled(call, world, 3, name, handle, slot)) return false;
-    return slot == own ||
-           call.fail(CAROM_E_UNSUPPORTED, 3, "%s is not that of the coupling", name) ||
+    return slot == own || call.fail(CAROM_E_UNSUPPORTED, 3, "%s is not that of the coupling", name) ||
            call.advise("destroy the coupling and couple the other joints");
   };
   return is_own("coupling->follower", d.follower, now.follower) && is_own("coupling->leader", d.leader, now.leader);

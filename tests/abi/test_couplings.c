@@ -133,15 +133,15 @@ static void snapshots_have_it(void** state) {
   assert_true(carom_world_restore(b->world, bytes, size, NULL) != CAROM_OK);
 }
 
-#define REFUSED(result, change)                                                                \
-  do {                                                                                         \
-    carom_joint_coupling c = coupling_of(hinge, slider);                                       \
-    carom_joint made = 7;                                                                      \
-    carom_error e = CAROM_ERROR_INIT;                                                          \
-    change;                                                                                    \
-    assert_int_equal(carom_joint_couple(b->world, &c, &made, &e), result);                     \
-    assert_true(made == 7 && e.code == result && e.argument == 2 && strlen(e.message) > 8);    \
-    assert_true(bench_hash(b->world) == hash && count_of(b) == 3);                             \
+#define REFUSED(result, change)                                                             \
+  do {                                                                                      \
+    carom_joint_coupling c = coupling_of(hinge, slider);                                    \
+    carom_joint made = 7;                                                                   \
+    carom_error e = CAROM_ERROR_INIT;                                                       \
+    change;                                                                                 \
+    assert_int_equal(carom_joint_couple(b->world, &c, &made, &e), result);                  \
+    assert_true(made == 7 && e.code == result && e.argument == 2 && strlen(e.message) > 8); \
+    assert_true(bench_hash(b->world) == hash && count_of(b) == 3);                          \
   } while (0)
 
 static void wrong_ones_are_refused(void** state) {
@@ -178,7 +178,8 @@ static void wrong_ones_are_refused(void** state) {
   assert_int_equal(carom_joint_set_coupling(b->world, joint, &good, &e), CAROM_E_UNSUPPORTED);
   assert_int_equal(e.argument, 3);
   good = coupling_of(joint, hinge);
-  assert_int_equal(carom_joint_couple(b->world, &good, &joint, &e), CAROM_E_UNSUPPORTED); /* a coupling is not coupled */
+  assert_int_equal(carom_joint_couple(b->world, &good, &joint, &e),
+                   CAROM_E_UNSUPPORTED); /* a coupling is not coupled */
 }
 
 /* A tree with a coupling is a tree yet, and moving its joints leaves the coupling to lead back. */
@@ -192,8 +193,9 @@ static void trees_and_moves_go_on(void** state) {
   assert_int_equal(carom_joint_couple(b->world, &c, &coupling, NULL), CAROM_OK);
   assert_int_equal(carom_tree_get_coordinates(b->world, b->bodies[0], NULL, 0, 0, &n, NULL), CAROM_OK);
   assert_int_equal(n, 1);
-  assert_int_equal(carom_world_write_joints(b->world, CAROM_JOINT_BULK_POSITION, CAROM_SCALAR_F64, &other, 1, &place, 0, NULL),
-                   CAROM_OK);
+  assert_int_equal(
+      carom_world_write_joints(b->world, CAROM_JOINT_BULK_POSITION, CAROM_SCALAR_F64, &other, 1, &place, 0, NULL),
+      CAROM_OK);
   assert_true(fabs(off(b, coupling) - 0.3) < 1e-12);
   assert_int_equal(bench_steps(b->world, 240, NULL), CAROM_OK);
   assert_true(off(b, coupling) < 1e-3);

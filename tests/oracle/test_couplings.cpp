@@ -159,7 +159,8 @@ struct Floating {
     Vec3 l = Vec3::zero();
     for (std::uint32_t i = 0; i < 3; ++i) {
       const State& s = t.world.state;
-      l += t.world.scene.mass[i] * s.x[i].cross(s.v[i]) + s.q[i] * (t.world.scene.inertia[i] * (s.q[i].conjugate() * s.omega[i]));
+      l += t.world.scene.mass[i] * s.x[i].cross(s.v[i]) +
+           s.q[i] * (t.world.scene.inertia[i] * (s.q[i].conjugate() * s.omega[i]));
     }
     return l;
   }
@@ -215,7 +216,8 @@ static void a_rack_falls_in_closed_form(void**) {
       const std::uint32_t coupling = couple(t, rack, hinge, {0, kRadius, 0, 0, 0});
       t.run(60, kDt);
       const Real a = kMass * kG / (kMass + kInertia / (kRadius * kRadius));
-      const Real lag = solver >= kDirectChoice || order > 0 ? 1e-8 : 0.01;  // softness gives way as the rope of a pulley
+      const Real lag =
+          solver >= kDirectChoice || order > 0 ? 1e-8 : 0.01;  // softness gives way as the rope of a pulley
       assert_true(std::fabs(t.world.state.v[weight].y() + a) < lag);
       assert_true(std::fabs(joint(t, coupling).torque.x() - kMass * (kG - a)) < 20 * lag);
       assert_true(coordinate(t, hinge, Coordinate::twist) < -3.2);  // more than half a turn: counted
@@ -329,14 +331,10 @@ static void a_coupling_goes_with_its_joints(void**) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(pendulums_on_a_polynomial_keep_to_it),
-      cmocka_unit_test(solvers_are_of_second_order),
-      cmocka_unit_test(what_floats_keeps_all_that_it_has),
-      cmocka_unit_test(a_rack_falls_in_closed_form),
-      cmocka_unit_test(drives_and_limits_act_through_it),
-      cmocka_unit_test(a_hair_beside_is_as_good),
-      cmocka_unit_test(one_that_is_off_is_led_back),
-      cmocka_unit_test(others_keep_their_energy),
+      cmocka_unit_test(pendulums_on_a_polynomial_keep_to_it), cmocka_unit_test(solvers_are_of_second_order),
+      cmocka_unit_test(what_floats_keeps_all_that_it_has),    cmocka_unit_test(a_rack_falls_in_closed_form),
+      cmocka_unit_test(drives_and_limits_act_through_it),     cmocka_unit_test(a_hair_beside_is_as_good),
+      cmocka_unit_test(one_that_is_off_is_led_back),          cmocka_unit_test(others_keep_their_energy),
       cmocka_unit_test(a_coupling_goes_with_its_joints),
   };
   return cmocka_run_group_tests_name("oracle/couplings", tests, nullptr, nullptr);

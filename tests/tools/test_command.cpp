@@ -50,14 +50,16 @@ static void shards_of_a_sweep_join_to_the_whole(void**) {
   const nlohmann::json line = nlohmann::json::parse(whole.text.substr(0, whole.text.find('\n')));
   const Outcome run = carom("run falling --n 2 --dial substeps=1 --seconds 0.2 --json", false);
   assert_true(line["hash"] == nlohmann::json::parse(run.text)["hash"]);
-  const std::string path = (std::filesystem::temp_directory_path() / ("carom_sweep_" + std::to_string(getpid()) + ".jsonl")).string();
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("carom_sweep_" + std::to_string(getpid()) + ".jsonl")).string();
   for (const std::size_t kept : {std::size_t{0}, whole.text.find('\n') + 20, whole.text.size()}) {
     std::ofstream(path, std::ios::binary) << whole.text.substr(0, kept);
     assert_int_equal(carom(sweep + "--out " + path).code, 0);
     std::ifstream file(path, std::ios::binary);
     assert_true(std::string(std::istreambuf_iterator<char>(file), {}) == whole.text);
   }
-  for (const char* const wrong : {"--shard 0/2", "--shard 3/2", "--shard 1", "--over n", "--over n=5..2", "--over n=1,,2"}) {
+  for (const char* const wrong :
+       {"--shard 0/2", "--shard 3/2", "--shard 1", "--over n", "--over n=5..2", "--over n=1,,2"}) {
     const Outcome o = carom(sweep + wrong);
     assert_true(o.code == 2 && says(o, "what to do"));
   }

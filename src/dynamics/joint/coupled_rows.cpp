@@ -130,8 +130,10 @@ void factor_rows(WideJoints& w, CoupledRow& row) {
     Ends& to = rows[static_cast<std::size_t>(n++)];
     to.d.fill(Vec3::zero()), to.w.fill(Vec3::zero());
     const Vec3 d = get(r.d, lanes.lane);
-    if (side.a >= 0) to.d[static_cast<std::size_t>(side.a)] -= d, to.w[static_cast<std::size_t>(side.a)] -= get(r.w_a, lanes.lane);
-    if (side.b >= 0) to.d[static_cast<std::size_t>(side.b)] += d, to.w[static_cast<std::size_t>(side.b)] += get(r.w_b, lanes.lane);
+    if (side.a >= 0)
+      to.d[static_cast<std::size_t>(side.a)] -= d, to.w[static_cast<std::size_t>(side.a)] -= get(r.w_a, lanes.lane);
+    if (side.b >= 0)
+      to.d[static_cast<std::size_t>(side.b)] += d, to.w[static_cast<std::size_t>(side.b)] += get(r.w_b, lanes.lane);
   });
   row.locks = n;
   Ends& own = rows[static_cast<std::size_t>(n++)];
@@ -188,9 +190,8 @@ void place(const World& world, WideJoints& w, CoupledRow& row) {
     if (!b.moves || !rotates(world.scene, b.body)) continue;
     const Mat3 r = world.state.q[b.body].matrix();
     const Locks locks = world.scene.locks_of(b.body);
-    b.inv_inertia = locks & kAngularLocks
-                        ? inverse_of_free(r * world.scene.inertia[b.body] * r.transpose(), locks)
-                        : Mat3(r * world.scene.inv_inertia[b.body] * r.transpose());
+    b.inv_inertia = locks & kAngularLocks ? inverse_of_free(r * world.scene.inertia[b.body] * r.transpose(), locks)
+                                          : Mat3(r * world.scene.inv_inertia[b.body] * r.transpose());
   }
   const auto look = [&](Side& side) {
     const JointEnds ends = ends_of(world, world.joints.joint[side.joint].def);
@@ -200,8 +201,7 @@ void place(const World& world, WideJoints& w, CoupledRow& row) {
     return of;
   };
   const CoordinateRow follows = look(row.follower), leads = look(row.leader);
-  const PolynomialAt f =
-      polynomial_at(world.joints.coupling_of(world.joints.joint[row.joint]), row.leader.at);
+  const PolynomialAt f = polynomial_at(world.joints.coupling_of(world.joints.joint[row.joint]), row.leader.at);
   row.slope = f.slope, row.bend = f.bend;
   add_row(row, row.follower, follows, 1), add_row(row, row.leader, leads, -f.slope);
   row.error = row.follower.at - f.value;

@@ -41,7 +41,7 @@ struct CoupledBody {
 
 /// A coupling in a step.
 struct CoupledRow {
-  static constexpr int kMostBodies = 4, kMostLocks = 10, kMostOfAll = kMostLocks + 1;
+  static constexpr int kMostBodies = 4, kMostLocks = 2 * kMostEqualities, kMostOfAll = kMostLocks + 1;
   /// One of its two joints.
   struct Side {
     std::uint32_t joint = kInvalid, link = 0;  // slot; index in WideJoints::active

@@ -117,7 +117,7 @@ std::uint64_t layout_key(const Joints& joints, const Joint& joint) {
     return key;
   }
   std::uint32_t key = static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u) |
-                      (is_unstrung(joint) ? 1u << 30 : 0u);
+                      (is_unstrung(joint) ? 1u << 30 : 0u) | (is_coupling(joint.def.kind) ? 1u << 29 : 0u);
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) { key |= 8u << (3 * c + static_cast<std::uint32_t>(kind)); });
   return key | turn_key(joint, kFreeAxes);
 }

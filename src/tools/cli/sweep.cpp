@@ -43,7 +43,8 @@ Varied varied_from(const std::string& text, bool is_dial) {
   if (const std::size_t dots = values.find(".."); dots != std::string::npos) {
     char *end = nullptr, *last_end = nullptr;
     const std::string last_word = values.substr(dots + 2);
-    const long long first = std::strtoll(values.c_str(), &end, 10), last = std::strtoll(last_word.c_str(), &last_end, 10);
+    const long long first = std::strtoll(values.c_str(), &end, 10),
+                    last = std::strtoll(last_word.c_str(), &last_end, 10);
     if (end != values.c_str() + dots || last_word.empty() || *last_end || last < first ||
         last - first >= static_cast<long long>(kMostLines))
       refuse("is no range of whole numbers");
@@ -71,11 +72,11 @@ std::pair<std::size_t, std::size_t> lines_of(const std::string& shard, std::size
 /// A name for what is asked: a file of another sweep is none to go on from.
 std::string key_of(const SweepOptions& options) {
   const SceneChoice& c = options.choice;
-  nlohmann::json all = {{"scene", c.scene},   {"mesh", c.mesh},           {"preset", c.preset},    {"dials", c.dials},
-                        {"sets", c.sets},     {"forbidden", c.forbidden}, {"forced", c.forced},    {"over", options.over},
-                        {"dials over", options.over_dials}};
-  for (const auto& [name, value] : {std::pair("n", c.n), std::pair("seconds", c.seconds), std::pair("dt", c.dt),
-                                    std::pair("accuracy", c.accuracy)})
+  nlohmann::json all = {{"scene", c.scene},   {"mesh", c.mesh},       {"preset", c.preset},
+                        {"dials", c.dials},   {"sets", c.sets},       {"forbidden", c.forbidden},
+                        {"forced", c.forced}, {"over", options.over}, {"dials over", options.over_dials}};
+  for (const auto& [name, value] :
+       {std::pair("n", c.n), std::pair("seconds", c.seconds), std::pair("dt", c.dt), std::pair("accuracy", c.accuracy)})
     if (value) all[name] = *value;
   std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
   for (const char byte : all.dump()) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
@@ -109,8 +110,9 @@ std::string line_of(const SweepOptions& options, const std::vector<Varied>& vari
   about["scene"] = scene.name, about["seconds"] = run.simulated, about["steps"] = run.steps, about["hash"] = hash;
   about["worst_penetration"] = run.worst_penetration, about["faults"] = run.faults;
   for (const KindSummary& k : where_it_ended(stage))
-    about["ended"][k.kind] = {{"count", k.count}, {"moving", k.moving},   {"escaped", k.escaped}, {"not_finite", k.not_finite},
-                              {"low", k.low},     {"mean", k.mean},       {"high", k.high},       {"fastest", k.fastest}};
+    about["ended"][k.kind] = {
+        {"count", k.count}, {"moving", k.moving}, {"escaped", k.escaped}, {"not_finite", k.not_finite},
+        {"low", k.low},     {"mean", k.mean},     {"high", k.high},       {"fastest", k.fastest}};
   return about.dump() + "\n";
 }
 
@@ -138,7 +140,8 @@ void sweep_scene(const SweepOptions& options, Context& context) {
   for (const Varied& v : varied) {
     lines *= v.values.size();
     if (lines > kMostLines)
-      throw Error("the sweep has more than " + std::to_string(kMostLines) + " lines", "vary less, or in several sweeps");
+      throw Error("the sweep has more than " + std::to_string(kMostLines) + " lines",
+                  "vary less, or in several sweeps");
   }
   const auto [first, last] = lines_of(options.shard, lines);
   if (!options.out.empty()) check_output(options.out);
@@ -155,7 +158,8 @@ void sweep_scene(const SweepOptions& options, Context& context) {
       continue;
     }
     file << line << std::flush;
-    if (!file) throw Error("line " + std::to_string(next) + " could not be written to " + options.out, "free space on the disk");
+    if (!file)
+      throw Error("line " + std::to_string(next) + " could not be written to " + options.out, "free space on the disk");
   }
 }
 
@@ -172,7 +176,9 @@ void add_sweep_command(CLI::App& app, Context& context) {
   sweep->add_option("--over-dial", options->over_dials, "Likewise a dial")
       ->type_name("NAME=V,V,...|NAME=FIRST..LAST")
       ->allow_extra_args(false);
-  sweep->add_option("--shard", options->shard, "The i-th of n parts, by lines: n machines take one each, `cat` joins them")
+  sweep
+      ->add_option("--shard", options->shard,
+                   "The i-th of n parts, by lines: n machines take one each, `cat` joins them")
       ->type_name("i/n")
       ->capture_default_str();
   sweep->add_option("--out", options->out, "File that lines are appended to; one that was stopped goes on from there")

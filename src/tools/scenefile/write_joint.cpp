@@ -33,10 +33,8 @@ void write_coupling(carom_world* world, carom_joint joint, const std::vector<car
 
 }  // namespace
 
-json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d,
-                const std::vector<carom_joint>& all) {
-  const bool has_axes = d.kind == CAROM_JOINT_SIX_AXIS,
-             is_coupling = d.kind == CAROM_JOINT_COUPLING,
+json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d, const std::vector<carom_joint>& all) {
+  const bool has_axes = d.kind == CAROM_JOINT_SIX_AXIS, is_coupling = d.kind == CAROM_JOINT_COUPLING,
              couples = d.kind == CAROM_JOINT_PULLEY || d.kind == CAROM_JOINT_GEAR || is_coupling;
   json own = {{"kind", carom_joint_kind_name(d.kind)}}, limits = json::array();
   const auto lock = [&](const char* axes, std::vector<int> which) {

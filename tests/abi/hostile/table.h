@@ -155,10 +155,11 @@ inline Argument joint_coupling(Context& c) {
   bool none = false;
   d.follower = pick(c, kJoint, none), d.leader = pick(c, kJoint, none);
   for (double& x : d.polynomial) x = c.between(-2, 2);
-  return in_struct(c, d,
-                   {HOSTILE_RESERVED(carom_joint_coupling, reserved), HOSTILE_HANDLE(carom_joint_coupling, follower, kJoint, false),
-                    HOSTILE_HANDLE(carom_joint_coupling, leader, kJoint, false),
-                    HOSTILE_NUMBERS(carom_joint_coupling, polynomial, 5, {-1e9, 1e9})});
+  return in_struct(
+      c, d,
+      {HOSTILE_RESERVED(carom_joint_coupling, reserved), HOSTILE_HANDLE(carom_joint_coupling, follower, kJoint, false),
+       HOSTILE_HANDLE(carom_joint_coupling, leader, kJoint, false),
+       HOSTILE_NUMBERS(carom_joint_coupling, polynomial, 5, {-1e9, 1e9})});
 }
 inline Argument joint_transmission(Context& c) {
   auto d = fresh<carom_joint_transmission>(carom_joint_transmission_init);

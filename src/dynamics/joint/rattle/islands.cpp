@@ -185,7 +185,8 @@ void find_coupled(const World& world, Rattle& r, const RattleIsland& island) {
     c = {};
     j->coupling = static_cast<std::uint32_t>(r.couplings.size());
     const auto find = [&](std::uint32_t slot) {
-      const auto at = std::lower_bound(begin, end, slot, [](const RattleJoint& i, std::uint32_t s) { return i.slot < s; });
+      const auto at =
+          std::lower_bound(begin, end, slot, [](const RattleJoint& i, std::uint32_t s) { return i.slot < s; });
       at->is_counted = true;
       for (const std::uint32_t body : {at->a, at->b})
         if (body != 0 && std::find(c.body, c.body + c.count, body) == c.body + c.count) c.body[c.count++] = body;
@@ -320,7 +321,8 @@ void couple(Rattle& r) {
         const auto begin = order.rows.begin() + order.column[order.place[low.joint]],
                    end = order.rows.begin() + order.column[order.place[low.joint] + 1];
         const auto at = std::lower_bound(begin, end, order.place[high.joint]) - order.rows.begin();
-        r.pairs.push_back({high.joint, low.joint, static_cast<std::uint32_t>(at), one.body, high.is_a, low.is_a, high.end, low.end});
+        r.pairs.push_back(
+            {high.joint, low.joint, static_cast<std::uint32_t>(at), one.body, high.is_a, low.is_a, high.end, low.end});
       }
     island.pairs = static_cast<std::uint32_t>(r.pairs.size()) - island.pair;
     island.diagonal = diagonal, island.beside = beside;

@@ -396,8 +396,7 @@ class Mover {
       }
     };
     const Placed::Along follows = look(c.follower), leads = look(c.leader);
-    const PolynomialAt f =
-        polynomial_at(world_.joints.coupling_of(world_.joints.joint[j.slot]), leads.at);
+    const PolynomialAt f = polynomial_at(world_.joints.coupling_of(world_.joints.joint[j.slot]), leads.at);
     add(c.follower, follows, 1), add(c.leader, leads, -f.slope);
     if (!ahead)
       for (std::uint32_t k = 0; k < c.count; ++k) ends[k].i = r_.bodies[c.body[k]].inv_world * ends[k].w;
@@ -493,8 +492,8 @@ class Mover {
             block[n * k + l] = k == l;
             continue;
           }
-          block[n * k + l] = j.coupling ? response_of_coupling(j, is_symmetric)
-                                        : response(j, rows[k], r_.rows[j.row + l], a, b);
+          block[n * k + l] =
+              j.coupling ? response_of_coupling(j, is_symmetric) : response(j, rows[k], r_.rows[j.row + l], a, b);
         }
       if (half != 0) {
         std::uint32_t k = j.rows - j.soft_rows;
