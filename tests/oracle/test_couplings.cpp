@@ -43,11 +43,11 @@ std::uint32_t hang(TestWorld& t, const Pendulum& p, const Vec3& at, Real angle, 
 }
 
 /// Two pendulums of which one follows the other.
-struct Pair {
+struct CoupledPair {
   TestWorld t;
   Polynomial f;
   std::uint32_t follower = 0, leader = 0, coupling = 0;
-  explicit Pair(const Polynomial& polynomial, Real leads = 0.9) : f(polynomial) {
+  explicit CoupledPair(const Polynomial& polynomial, Real leads = 0.9) : f(polynomial) {
     hang(t, kShort, Vec3(0, 0, 0), value_of(f, leads), follower);
     hang(t, kLong, Vec3(3, 0, 0), leads, leader);
     coupling = couple(t, follower, leader, f);
@@ -86,7 +86,7 @@ constexpr Polynomial kQuadratic = {0.2, -0.7, 0.4, 0, 0}, kQuartic = {-0.1, 0.9,
 /// By RATTLE at order 6 the two pendulums go as their one degree of freedom does: coordinate and energy to 1e-10.
 static void pendulums_on_a_polynomial_keep_to_it(void**) {
   for (const Polynomial& f : {kQuadratic, kQuartic, kLinear}) {
-    Pair p(f);
+    CoupledPair p(f);
     p.t.world.set_dial(Dial::joint_order, 6);
     p.t.world.set_dial(Dial::substeps, 16);
     const Real before = energy_of(p.t);
@@ -109,7 +109,7 @@ static void solvers_are_of_second_order(void**) {
     for (const int solver : kJointSolvers) {
       Real error[2], off[2];
       for (int k = 0; k < 2; ++k) {
-        Pair p(f);
+        CoupledPair p(f);
         leave_joints_to_solver(p.t), choose(p.t, solver, 8 << k);
         off[k] = 0;
         for (int i = 0; i < 60; ++i) p.t.world.step(kDt), off[k] = std::max(off[k], p.off());
@@ -227,7 +227,7 @@ static void a_rack_falls_in_closed_form(void**) {
 /// A motor that holds the leader bears what hangs on the follower, and a limit of the follower stops the leader.
 static void drives_and_limits_act_through_it(void**) {
   for (const int solver : kJointSolvers) {
-    Pair p({0, 0.5, 0, 0, 0}, 0.8);
+    CoupledPair p({0, 0.5, 0, 0, 0}, 0.8);
     choose(p.t, solver, 8);
     set_motor(p.t, p.leader, Coordinate::twist, 0, 1e3);
     p.t.run(30, kDt);
@@ -245,8 +245,8 @@ static void drives_and_limits_act_through_it(void**) {
 /// move its leader.
 static void a_hair_beside_is_as_good(void**) {
   for (const int order : {0, 6}) {
-    Pair a(kQuadratic), b({0.2, -0.7, 0.4, 1e-15, 1e-15});
-    for (Pair* const p : {&a, &b}) p->t.world.set_dial(Dial::joint_order, order), p->t.run(60, kDt);
+    CoupledPair a(kQuadratic), b({0.2, -0.7, 0.4, 1e-15, 1e-15});
+    for (CoupledPair* const p : {&a, &b}) p->t.world.set_dial(Dial::joint_order, order), p->t.run(60, kDt);
     assert_true(std::fabs(a.at(a.leader) - b.at(b.leader)) < (order ? 1e-12 : 1e-9));
     TestWorld alone, with;
     std::uint32_t hinge = 0, follower = 0, leader = 0;
@@ -263,7 +263,7 @@ static void a_hair_beside_is_as_good(void**) {
 /// One that is made while it is off is led back, without more energy than its springs of correction may give.
 static void one_that_is_off_is_led_back(void**) {
   for (const int solver : kJointSolvers) {
-    Pair p({0.3, 1, 0, 0, 0}, 0);
+    CoupledPair p({0.3, 1, 0, 0, 0}, 0);
     choose(p.t, solver, 8);
     p.t.world.set_polynomial(p.coupling, {0.1, 1, 0, 0, 0});
     p.t.run(60, kDt);
@@ -313,18 +313,18 @@ static void others_keep_their_energy(void**) {
 /// A coupling goes with either of its joints, and the rest goes on.
 static void a_coupling_goes_with_its_joints(void**) {
   for (const bool first : {false, true}) {
-    Pair p(kQuadratic);
+    CoupledPair p(kQuadratic);
     p.t.run(2, kDt);
     p.t.world.remove_joint(first ? p.follower : p.leader);
     assert_false(p.t.world.joints.alive(p.coupling));
     assert_int_equal(p.t.world.joints.couplings.size(), 0);
     p.t.run(2, kDt);
   }
-  Pair p(kQuadratic);
+  CoupledPair p(kQuadratic);
   p.t.world.remove_body(0);  // with it the follower
   assert_int_equal(p.t.world.joints.slots.alive_count(), 1);
   p.t.run(2, kDt);
-  Pair q(kQuadratic);
+  CoupledPair q(kQuadratic);
   q.t.world.break_joint(q.follower);
   q.t.run(2, kDt);
 }
