@@ -197,7 +197,8 @@ static void what_floats_keeps_all_that_it_has(void**) {
         }
         if (solver >= kDirectChoice) assert_true(worst_gap(f.t) < 3e-9);
       }
-      assert_true(drift[1] < drift[0] / 3);
+      // A tree with a slider that turns freely is of first order under the direct solver, without a coupling as with one.
+      assert_true(drift[1] < drift[0] / (solver >= kDirectChoice ? 1.8 : 3.6));
     }
   }
 }

@@ -32,33 +32,6 @@ JointRowLanes& row_at(WideJoints& w, const DirectGroups::LinkRow& r) {
   return r.is_drive ? w.drives[r.row].row : w.rows[r.row];
 }
 
-/// The row of a coupling, from the bodies of the problem that it acts on: the first two are A and B.
-void load_coupling(const World& world, ConeProblem& problem, const CoupledRow& from, LinkMore& more, ConeLink& c) {
-  const BodyVelocity* const velocity = world.wide->velocity.data();
-  std::uint32_t met = 0;
-  c.surface = c.k = 0;
-  c.d_a = c.d_b = c.w_a = c.w_b = Vec3::zero();
-  for (const CoupledBody& b : from.ends()) {
-    if (!b.moves) {
-      const BodyVelocity& v = velocity[b.solver];
-      c.surface += b.d.dot(Vec3(v.v[0], v.v[1], v.v[2])) + b.w.dot(Vec3(v.omega[0], v.omega[1], v.omega[2]));
-      continue;
-    }
-    const Vec3 w = rotates(world.scene, b.body) ? b.w : Vec3(Vec3::zero());
-    const std::uint32_t k = met++;
-    const std::uint32_t body = k == 0 ? c.a : k == 1 ? c.b : more.body[k - 2];
-    if (k == 0)
-      c.d_a = -b.d, c.w_a = -w;
-    else if (k == 1)
-      c.d_b = b.d, c.w_b = w;
-    else
-      more.d[k - 2] = b.d, more.w[k - 2] = w;
-    const ConeBody& own = problem.bodies[body];
-    c.k += own.locks ? locked_response(own, b.d, w) : response_of(own, b.d, w);
-  }
-  c.more = met > 2 ? &more : nullptr;
-}
-
 bool is_rotor(const DirectGroups::LinkRow& r) { return r.is_drive && r.kind == DriveKind::rotor; }
 
 void lock(ConeLink& c, Real at) { c.low = c.high = at, c.give = 0, c.most = kInfinity; }
@@ -144,6 +117,33 @@ Real locked_response(const ConeBody& b, const Vec3& d, const Vec3& turn) {
   const Real moves = b.inv_mass * free_axes(b.locks).times(d).squared_norm(), turns = turn.dot(b.inv_inertia * turn);
   const Real whole = b.inv_mass * d.squared_norm() + b.inv_inertia.trace() * turn.squared_norm();
   return moves + turns > kRounding * whole ? moves + turns : 0;
+}
+
+/// The row of a coupling, from the bodies of the problem that it acts on: the first two are A and B.
+void load_coupling(const World& world, ConeProblem& problem, const CoupledRow& from, LinkMore& more, ConeLink& c) {
+  const BodyVelocity* const velocity = world.wide->velocity.data();
+  std::uint32_t met = 0;
+  c.surface = c.k = 0;
+  c.d_a = c.d_b = c.w_a = c.w_b = Vec3::zero();
+  for (const CoupledBody& b : from.ends()) {
+    if (!b.moves) {
+      const BodyVelocity& v = velocity[b.solver];
+      c.surface += b.d.dot(Vec3(v.v[0], v.v[1], v.v[2])) + b.w.dot(Vec3(v.omega[0], v.omega[1], v.omega[2]));
+      continue;
+    }
+    const Vec3 w = rotates(world.scene, b.body) ? b.w : Vec3(Vec3::zero());
+    const std::uint32_t k = met++;
+    const std::uint32_t body = k == 0 ? c.a : k == 1 ? c.b : more.body[k - 2];
+    if (k == 0)
+      c.d_a = -b.d, c.w_a = -w;
+    else if (k == 1)
+      c.d_b = b.d, c.w_b = w;
+    else
+      more.d[k - 2] = b.d, more.w[k - 2] = w;
+    const ConeBody& own = problem.bodies[body];
+    c.k += own.locks ? locked_response(own, b.d, w) : response_of(own, b.d, w);
+  }
+  c.more = met > 2 ? &more : nullptr;
 }
 
 }  // namespace
