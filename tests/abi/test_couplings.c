@@ -152,7 +152,7 @@ static void wrong_ones_are_refused(void** state) {
   carom_joint_coupling good = coupling_of(hinge, slider);
   carom_joint_desc d;
   carom_joint joint = 7;
-  carom_error e = CAROM_ERROR_INIT;
+  carom_error why = CAROM_ERROR_INIT;
   REFUSED(CAROM_E_OUT_OF_RANGE, c.leader = hinge);
   REFUSED(CAROM_E_UNSUPPORTED, c.leader = ball);
   REFUSED(CAROM_E_UNSUPPORTED, c.follower = ball);
@@ -166,19 +166,19 @@ static void wrong_ones_are_refused(void** state) {
   assert_int_equal(carom_joint_couple(b->world, &good, NULL, NULL), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_joint_couple(NULL, &good, &joint, NULL), CAROM_E_NULL_ARGUMENT);
   assert_int_equal(carom_joint_coupling_init(NULL, sizeof good), CAROM_E_NULL_ARGUMENT);
-  assert_int_equal(carom_joint_set_coupling(b->world, ball, &good, &e), CAROM_E_UNSUPPORTED);
-  assert_int_equal(carom_joint_get_coupling(b->world, ball, &good, &e), CAROM_E_UNSUPPORTED);
+  assert_int_equal(carom_joint_set_coupling(b->world, ball, &good, &why), CAROM_E_UNSUPPORTED);
+  assert_int_equal(carom_joint_get_coupling(b->world, ball, &good, &why), CAROM_E_UNSUPPORTED);
   carom_joint_desc_init(&d, sizeof d);
   d.kind = CAROM_JOINT_COUPLING, d.body_b = b->bodies[3];
-  assert_int_equal(carom_joint_create(b->world, &d, &joint, &e), CAROM_E_UNSUPPORTED);
-  assert_true(joint == 7 && strstr(e.remedy, "carom_joint_couple") && bench_hash(b->world) == hash);
+  assert_int_equal(carom_joint_create(b->world, &d, &joint, &why), CAROM_E_UNSUPPORTED);
+  assert_true(joint == 7 && strstr(why.remedy, "carom_joint_couple") && bench_hash(b->world) == hash);
   good = coupling_of(hinge, slider);
   assert_int_equal(carom_joint_couple(b->world, &good, &joint, NULL), CAROM_OK);
   good.leader = hinge;
-  assert_int_equal(carom_joint_set_coupling(b->world, joint, &good, &e), CAROM_E_UNSUPPORTED);
-  assert_int_equal(e.argument, 3);
+  assert_int_equal(carom_joint_set_coupling(b->world, joint, &good, &why), CAROM_E_UNSUPPORTED);
+  assert_int_equal(why.argument, 3);
   good = coupling_of(joint, hinge);
-  assert_int_equal(carom_joint_couple(b->world, &good, &joint, &e),
+  assert_int_equal(carom_joint_couple(b->world, &good, &joint, &why),
                    CAROM_E_UNSUPPORTED); /* a coupling is not coupled */
 }
 

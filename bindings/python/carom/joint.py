@@ -3,10 +3,11 @@ from __future__ import annotations
 
 import ctypes
 import math
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, TypeVar
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Callable, Mapping, TypeVar
 
 from . import raw
-from ._values import Record, describe, enum, handle_of, record, set_field, vec3
+from ._values import Record, describe, enum, handle_of, number, record, set_field, vec3, whole
 from .body import Thing
 from .records import (JointAxisRecord, JointCouplingRecord, JointLimitRecord, JointMotorRecord, JointOrientationDriveRecord, JointRecord, JointSpringRecord,
                       JointStateRecord, JointTransmissionRecord)
@@ -63,7 +64,9 @@ def make_joint(world: World, kind: JointWord | int, a: Body | None, b: Body | No
 
 
 def _polynomial(numbers: Iterable[float]) -> list[float]:
-    given = [float(x) for x in numbers]
+    if not isinstance(numbers, Iterable):
+        raise TypeError(f"polynomial takes at most five numbers, the constant one first, got {numbers!r}")
+    given = [number(x, "polynomial") for x in numbers]
     if len(given) > 5:
         raise ValueError(f"polynomial has {len(given)} numbers; it is of degree 4 at most: five numbers, the constant one first")
     return given + [0.0] * (5 - len(given))
@@ -71,7 +74,7 @@ def _polynomial(numbers: Iterable[float]) -> list[float]:
 
 def make_coupling(world: World, follower: Joint, leader: Joint, polynomial: Iterable[float], user: int) -> Joint:
     about = {"follower": handle_of(follower, "follower", "carom_joint", False), "leader": handle_of(leader, "leader", "carom_joint", False),
-             "polynomial": _polynomial(polynomial), "user": user}
+             "polynomial": _polynomial(polynomial), "user": whole(user, "user", 0, 2**64 - 1)}
     return world._create(Joint, raw.carom_joint_couple, ctypes.byref(describe(raw.carom_joint_coupling, about)))
 
 
