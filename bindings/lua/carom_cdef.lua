@@ -42,6 +42,7 @@ typedef struct carom_joint_limit carom_joint_limit;
 typedef struct carom_joint_motor carom_joint_motor;
 typedef struct carom_joint_spring carom_joint_spring;
 typedef struct carom_joint_transmission carom_joint_transmission;
+typedef struct carom_joint_coupling carom_joint_coupling;
 typedef struct carom_joint_axis carom_joint_axis;
 typedef struct carom_joint_orientation_drive carom_joint_orientation_drive;
 typedef struct carom_joint_state carom_joint_state;
@@ -128,6 +129,7 @@ struct carom_joint_limit { uint32_t struct_size; uint32_t enabled; double lower;
 struct carom_joint_motor { uint32_t struct_size; uint32_t enabled; double speed; double max_force; };
 struct carom_joint_spring { uint32_t struct_size; uint32_t enabled; double target; double frequency; double damping; double max_force; };
 struct carom_joint_transmission { uint32_t struct_size; uint32_t fields; double ratio; double anchor_a[3]; double anchor_b[3]; double length; };
+struct carom_joint_coupling { uint32_t struct_size; uint32_t reserved; carom_joint follower; carom_joint leader; double polynomial[5]; uint64_t user; };
 struct carom_joint_axis { uint32_t struct_size; uint32_t mode; double lower; double upper; uint32_t stop_gains; uint32_t drive_gains; uint32_t spring_gains; uint32_t drive; double stop_stiffness; double stop_damping; double target; double speed; double effort; double max_force; double drive_stiffness; double drive_damping; double rest; double spring_stiffness; double spring_damping; double friction; double armature; double effort_limit; double speed_limit; };
 struct carom_joint_orientation_drive { uint32_t struct_size; uint32_t drive; uint32_t gains; uint32_t reserved; double target[4]; double velocity[3]; double effort[3]; double max_force[3]; double stiffness; double damping; };
 struct carom_joint_state { uint32_t struct_size; uint32_t broken; double force[3]; double torque[3]; double gap; double angle; double coordinate[4]; double axis[6]; };
@@ -313,6 +315,7 @@ int32_t carom_joint_limit_init(carom_joint_limit *limit, uint32_t struct_size);
 int32_t carom_joint_motor_init(carom_joint_motor *motor, uint32_t struct_size);
 int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t struct_size);
 int32_t carom_joint_transmission_init(carom_joint_transmission *transmission, uint32_t struct_size);
+int32_t carom_joint_coupling_init(carom_joint_coupling *coupling, uint32_t struct_size);
 int32_t carom_joint_axis_init(carom_joint_axis *axis, uint32_t struct_size);
 int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive, uint32_t struct_size);
 int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint, carom_error *error);
@@ -327,6 +330,9 @@ int32_t carom_joint_get_motor(carom_world *world, carom_joint joint, uint32_t co
 int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, uint32_t coordinate, carom_joint_spring *spring, carom_error *error);
 int32_t carom_joint_set_transmission(carom_world *world, carom_joint joint, const carom_joint_transmission *transmission, carom_error *error);
 int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint, carom_joint_transmission *transmission, carom_error *error);
+int32_t carom_joint_couple(carom_world *world, const carom_joint_coupling *coupling, carom_joint *joint, carom_error *error);
+int32_t carom_joint_set_coupling(carom_world *world, carom_joint joint, const carom_joint_coupling *coupling, carom_error *error);
+int32_t carom_joint_get_coupling(carom_world *world, carom_joint joint, carom_joint_coupling *coupling, carom_error *error);
 int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axis, const carom_joint_axis *desc, carom_error *error);
 int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, uint32_t axis, carom_joint_axis *desc, carom_error *error);
 int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint, const carom_joint_orientation_drive *drive, carom_error *error);
@@ -676,7 +682,8 @@ return {
   CAROM_JOINT_PULLEY = 6,
   CAROM_JOINT_GEAR = 7,
   CAROM_JOINT_SIX_AXIS = 8,
-  CAROM_JOINT_COUNT = 9,
+  CAROM_JOINT_COUPLING = 9,
+  CAROM_JOINT_COUNT = 10,
   CAROM_COORDINATE_TWIST = 0,
   CAROM_COORDINATE_SWING = 1,
   CAROM_COORDINATE_SLIDE = 2,
@@ -744,7 +751,12 @@ return {
   CAROM_JOINT_BULK_ARMATURE = 35,
   CAROM_JOINT_BULK_EFFORT_LIMIT = 36,
   CAROM_JOINT_BULK_SPEED_LIMIT = 37,
-  CAROM_JOINT_BULK_COUNT = 38,
+  CAROM_JOINT_BULK_DRIVE_TARGET = 38,
+  CAROM_JOINT_BULK_DRIVE_VELOCITY = 39,
+  CAROM_JOINT_BULK_DRIVE_EFFORT = 40,
+  CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41,
+  CAROM_JOINT_BULK_DRIVE_GAINS = 42,
+  CAROM_JOINT_BULK_COUNT = 43,
   CAROM_EFFECT_GYROSCOPIC = 0,
   CAROM_EFFECT_LINEAR_DAMPING = 1,
   CAROM_EFFECT_ANGULAR_DAMPING = 2,

@@ -140,6 +140,8 @@ class Nullable(unittest.TestCase):
             "transmission": self.world.joint("gear", body, self.world.body(), position=(0, 0, 0), axis=(1, 0, 0)),
             "drive": six,
         }
+        self.leader = self.world.joint("slider", body, position=(0, 0, 0), axis=(1, 0, 0))
+        self.joints["coupling"] = self.world.couple(self.joints["limit"], self.leader)
         self.handles = {
             "carom_plugin": self.engine.plugin("carom.sphere"),
             "carom_shape": ball.handle,
@@ -195,6 +197,8 @@ class Nullable(unittest.TestCase):
                     setattr(made.contents, field["name"], self.handle(field["type"], function))
                 if field["name"] == "scalar":
                     made.contents.scalar = raw.CAROM_SCALAR_F64
+            if base == "carom_joint_coupling" and function == "carom_joint_couple":
+                made.contents.follower, made.contents.leader = self.joints["limit"].handle, self.leader.handle
             if base == "carom_batch_column":
                 made.contents.source, made.contents.n, made.contents.data = self.gravity.source, 1, self.gravity.data
             if base == "carom_pairs":

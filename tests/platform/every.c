@@ -128,7 +128,7 @@ static uint64_t hash_of(uint32_t solver, double precision) {
   body_at(world, CAROM_BODY_STATIC, ground[2], 2, 0, -4);
   for (i = 0; i < 24; ++i)
     body_at(world, CAROM_BODY_DYNAMIC, shape_of[i % 7], (i % 4) * 2.5 - 5, 1.25 + 0.5 * (i / 4), (i % 3) * 0.5 - 0.5);
-  for (i = 0; i < (int)CAROM_JOINT_COUNT && solver != CAROM_SOLVER_SEVERITY; ++i) { /* that one takes none */
+  for (i = 0; i < (int)CAROM_JOINT_COUPLING && solver != CAROM_SOLVER_SEVERITY; ++i) { /* that one takes none */
     const double x = 1.5 * i - 6;
     const carom_body a = body_at(world, CAROM_BODY_DYNAMIC, shape_of[i % 7], x, 8, 0),
                      b = body_at(world, CAROM_BODY_DYNAMIC, shape_of[1], x + 0.75, 8.25, 0.25);

@@ -1097,6 +1097,34 @@ namespace Carom
         }
     }
 
+    /// <summary>What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+    /// The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+    /// the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+    /// holds the follower, it holds the leader. Fill with carom_joint_coupling_init().</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct JointCoupling
+    {
+        public uint StructSize;
+        /// <summary>0</summary>
+        public uint Reserved;
+        /// <summary>a hinge or slider</summary>
+        public ulong Follower;
+        /// <summary>another</summary>
+        public ulong Leader;
+        /// <summary>m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far</summary>
+        public fixed double Polynomial[5];
+        /// <summary>yours</summary>
+        public ulong User;
+
+        /// <summary>With the library's defaults.</summary>
+        public static JointCoupling New()
+        {
+            JointCoupling it;
+            Raw.carom_joint_coupling_init(&it, (uint)sizeof(JointCoupling));
+            return it;
+        }
+    }
+
     /// <summary>What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
     /// has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
     /// each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.</summary>
@@ -2789,7 +2817,9 @@ namespace Carom
         public const uint CAROM_JOINT_GEAR = 7;
         /// <summary>each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free</summary>
         public const uint CAROM_JOINT_SIX_AXIS = 8;
-        public const uint CAROM_JOINT_COUNT = 9;
+        /// <summary>the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints</summary>
+        public const uint CAROM_JOINT_COUPLING = 9;
+        public const uint CAROM_JOINT_COUNT = 10;
         /// <summary>rad, of B about the x axes, whole turns counted: ball, hinge</summary>
         public const uint CAROM_COORDINATE_TWIST = 0;
         /// <summary>rad, [0, pi], between the x axes: ball, universal</summary>
@@ -2847,7 +2877,7 @@ namespace Carom
         public const uint CAROM_JOINT_BULK_COORDINATES = 0;
         /// <summary>4: m/s or rad/s, their rates, from the present velocities; read only</summary>
         public const uint CAROM_JOINT_BULK_SPEEDS = 1;
-        /// <summary>6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis</summary>
+        /// <summary>6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis</summary>
         public const uint CAROM_JOINT_BULK_AXES = 2;
         /// <summary>6: m/s and rad/s, their rates; written likewise</summary>
         public const uint CAROM_JOINT_BULK_AXIS_SPEEDS = 3;
@@ -2919,7 +2949,17 @@ namespace Carom
         public const uint CAROM_JOINT_BULK_EFFORT_LIMIT = 36;
         /// <summary>1: speed_limit, likewise</summary>
         public const uint CAROM_JOINT_BULK_SPEED_LIMIT = 37;
-        public const uint CAROM_JOINT_BULK_COUNT = 38;
+        /// <summary>1: target of the drive of a hinge's or slider's axis, likewise: a servo's</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_TARGET = 38;
+        /// <summary>1: speed, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_VELOCITY = 39;
+        /// <summary>1: effort, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_EFFORT = 40;
+        /// <summary>1: max_force, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41;
+        /// <summary>2: drive_stiffness and drive_damping, in its units, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_GAINS = 42;
+        public const uint CAROM_JOINT_BULK_COUNT = 43;
         /// <summary>gyroscopic term of bodies with unlike moments of inertia</summary>
         public const uint CAROM_EFFECT_GYROSCOPIC = 0;
         /// <summary>damping of velocity</summary>
@@ -4013,6 +4053,10 @@ namespace Carom
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_joint_transmission_init(JointTransmission* transmission, uint struct_size);
 
+        /// <summary>The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_joint_coupling_init(JointCoupling* coupling, uint struct_size);
+
         /// <summary>Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_joint_axis_init(JointAxis* axis, uint struct_size);
@@ -4022,8 +4066,8 @@ namespace Carom
         public static extern int carom_joint_orientation_drive_init(JointOrientationDrive* drive, uint struct_size);
 
         /// <summary>Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-        /// NOT_UNIT;
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+        ///         carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
         ///         NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
         ///         body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
         ///         LIMIT; OUT_OF_MEMORY</summary>
@@ -4092,6 +4136,32 @@ namespace Carom
         /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_joint_get_transmission(World world, ulong joint, JointTransmission* transmission, Error* error);
+
+        /// <summary>Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+        /// wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+        /// as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+        /// carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+        /// follower's coordinate that it pushes with, mean over the last step.
+        /// Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+        /// joint_order moves it. Oracle: tests/oracle/test_couplings.
+        /// @param joint out: the coupling
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+        ///         reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+        ///         REENTRANT; LIMIT; OUT_OF_MEMORY</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_joint_couple(World world, JointCoupling* coupling, ulong* joint, Error* error);
+
+        /// <summary>Give a coupling another polynomial; its bodies wake.
+        /// @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+        ///         field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_joint_set_coupling(World world, ulong joint, JointCoupling* coupling, Error* error);
+
+        /// <summary>@param coupling out: as it was made
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_joint_get_coupling(World world, ulong joint, JointCoupling* coupling, Error* error);
 
         /// <summary>Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
         /// drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
@@ -5152,6 +5222,13 @@ carom_joint_transmission.ratio 8 8 f64
 carom_joint_transmission.anchor_a 16 24 f64[3]
 carom_joint_transmission.anchor_b 40 24 f64[3]
 carom_joint_transmission.length 64 8 f64
+carom_joint_coupling 0 72 struct
+carom_joint_coupling.struct_size 0 4 u32
+carom_joint_coupling.reserved 4 4 u32
+carom_joint_coupling.follower 8 8 u64
+carom_joint_coupling.leader 16 8 u64
+carom_joint_coupling.polynomial 24 40 f64[5]
+carom_joint_coupling.user 64 8 u64
 carom_joint_axis 0 160 struct
 carom_joint_axis.struct_size 0 4 u32
 carom_joint_axis.mode 4 4 u32

@@ -797,7 +797,10 @@ const CAROM_JOINT_GEAR = uint32(7)
 // each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free
 const CAROM_JOINT_SIX_AXIS = uint32(8)
 
-const CAROM_JOINT_COUNT = uint32(9)
+// the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints
+const CAROM_JOINT_COUPLING = uint32(9)
+
+const CAROM_JOINT_COUNT = uint32(10)
 
 // rad, of B about the x axes, whole turns counted: ball, hinge
 const CAROM_COORDINATE_TWIST = uint32(0)
@@ -887,7 +890,7 @@ const CAROM_JOINT_BULK_COORDINATES = uint32(0)
 // 4: m/s or rad/s, their rates, from the present velocities; read only
 const CAROM_JOINT_BULK_SPEEDS = uint32(1)
 
-// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
+// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis
 const CAROM_JOINT_BULK_AXES = uint32(2)
 
 // 6: m/s and rad/s, their rates; written likewise
@@ -995,7 +998,22 @@ const CAROM_JOINT_BULK_EFFORT_LIMIT = uint32(36)
 // 1: speed_limit, likewise
 const CAROM_JOINT_BULK_SPEED_LIMIT = uint32(37)
 
-const CAROM_JOINT_BULK_COUNT = uint32(38)
+// 1: target of the drive of a hinge's or slider's axis, likewise: a servo's
+const CAROM_JOINT_BULK_DRIVE_TARGET = uint32(38)
+
+// 1: speed, likewise
+const CAROM_JOINT_BULK_DRIVE_VELOCITY = uint32(39)
+
+// 1: effort, likewise
+const CAROM_JOINT_BULK_DRIVE_EFFORT = uint32(40)
+
+// 1: max_force, likewise
+const CAROM_JOINT_BULK_DRIVE_MAX_FORCE = uint32(41)
+
+// 2: drive_stiffness and drive_damping, in its units, likewise
+const CAROM_JOINT_BULK_DRIVE_GAINS = uint32(42)
+
+const CAROM_JOINT_BULK_COUNT = uint32(43)
 
 // gyroscopic term of bodies with unlike moments of inertia
 const CAROM_EFFECT_GYROSCOPIC = uint32(0)
@@ -2673,6 +2691,37 @@ var _ = [1]struct{}{}[unsafe.Sizeof(JointTransmission{})-C.sizeof_carom_joint_tr
 // NewJointTransmission has the library's defaults.
 func NewJointTransmission() (it JointTransmission) {
 	JointTransmissionInit(&it, uint32(unsafe.Sizeof(JointTransmission{})))
+	return
+}
+
+// What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+// The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+// the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+// holds the follower, it holds the leader. Fill with carom_joint_coupling_init().
+type JointCoupling struct {
+	StructSize uint32
+
+	// 0
+	Reserved uint32
+
+	// a hinge or slider
+	Follower Joint
+
+	// another
+	Leader Joint
+
+	// m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far
+	Polynomial [5]float64
+
+	// yours
+	User uint64
+}
+
+var _ = [1]struct{}{}[unsafe.Sizeof(JointCoupling{})-C.sizeof_carom_joint_coupling] // as large as in C
+
+// NewJointCoupling has the library's defaults.
+func NewJointCoupling() (it JointCoupling) {
+	JointCouplingInit(&it, uint32(unsafe.Sizeof(JointCoupling{})))
 	return
 }
 
@@ -5275,6 +5324,11 @@ func JointTransmissionInit(transmission *JointTransmission, struct_size uint32) 
 	return int32(C.carom_joint_transmission_init((*C.carom_joint_transmission)(unsafe.Pointer(transmission)), C.uint32_t(struct_size)))
 }
 
+// The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
+func JointCouplingInit(coupling *JointCoupling, struct_size uint32) int32 {
+	return int32(C.carom_joint_coupling_init((*C.carom_joint_coupling)(unsafe.Pointer(coupling)), C.uint32_t(struct_size)))
+}
+
 // Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
 func JointAxisInit(axis *JointAxis, struct_size uint32) int32 {
 	return int32(C.carom_joint_axis_init((*C.carom_joint_axis)(unsafe.Pointer(axis)), C.uint32_t(struct_size)))
@@ -5286,8 +5340,8 @@ func JointOrientationDriveInit(drive *JointOrientationDrive, struct_size uint32)
 }
 
 // Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-// NOT_UNIT;
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+// carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
 // NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
 // body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
 // LIMIT; OUT_OF_MEMORY
@@ -5367,6 +5421,35 @@ func JointSetTransmission(world *World, joint Joint, transmission *JointTransmis
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
 func JointGetTransmission(world *World, joint Joint, transmission *JointTransmission, error_ *Error) int32 {
 	return int32(C.carom_joint_get_transmission((*C.carom_world)(unsafe.Pointer(world)), C.carom_joint(joint), (*C.carom_joint_transmission)(unsafe.Pointer(transmission)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+// wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+// as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+// carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+// follower's coordinate that it pushes with, mean over the last step.
+// Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+// joint_order moves it. Oracle: tests/oracle/test_couplings.
+// @param joint out: the coupling
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+// reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+// REENTRANT; LIMIT; OUT_OF_MEMORY
+func JointCouple(world *World, coupling *JointCoupling, joint *Joint, error_ *Error) int32 {
+	return int32(C.carom_joint_couple((*C.carom_world)(unsafe.Pointer(world)), (*C.carom_joint_coupling)(unsafe.Pointer(coupling)), (*C.carom_joint)(unsafe.Pointer(joint)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Give a coupling another polynomial; its bodies wake.
+// @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+// field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT
+func JointSetCoupling(world *World, joint Joint, coupling *JointCoupling, error_ *Error) int32 {
+	return int32(C.carom_joint_set_coupling((*C.carom_world)(unsafe.Pointer(world)), C.carom_joint(joint), (*C.carom_joint_coupling)(unsafe.Pointer(coupling)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @param coupling out: as it was made
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
+func JointGetCoupling(world *World, joint Joint, coupling *JointCoupling, error_ *Error) int32 {
+	return int32(C.carom_joint_get_coupling((*C.carom_world)(unsafe.Pointer(world)), C.carom_joint(joint), (*C.carom_joint_coupling)(unsafe.Pointer(coupling)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
 // Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
@@ -6534,6 +6617,13 @@ var Layout = []Row{
 	{"carom_joint_transmission.anchor_a", unsafe.Offsetof(JointTransmission{}.AnchorA), unsafe.Sizeof(JointTransmission{}.AnchorA), "f64[3]"},
 	{"carom_joint_transmission.anchor_b", unsafe.Offsetof(JointTransmission{}.AnchorB), unsafe.Sizeof(JointTransmission{}.AnchorB), "f64[3]"},
 	{"carom_joint_transmission.length", unsafe.Offsetof(JointTransmission{}.Length), unsafe.Sizeof(JointTransmission{}.Length), "f64"},
+	{"carom_joint_coupling", 0, unsafe.Sizeof(JointCoupling{}), "struct"},
+	{"carom_joint_coupling.struct_size", unsafe.Offsetof(JointCoupling{}.StructSize), unsafe.Sizeof(JointCoupling{}.StructSize), "u32"},
+	{"carom_joint_coupling.reserved", unsafe.Offsetof(JointCoupling{}.Reserved), unsafe.Sizeof(JointCoupling{}.Reserved), "u32"},
+	{"carom_joint_coupling.follower", unsafe.Offsetof(JointCoupling{}.Follower), unsafe.Sizeof(JointCoupling{}.Follower), "u64"},
+	{"carom_joint_coupling.leader", unsafe.Offsetof(JointCoupling{}.Leader), unsafe.Sizeof(JointCoupling{}.Leader), "u64"},
+	{"carom_joint_coupling.polynomial", unsafe.Offsetof(JointCoupling{}.Polynomial), unsafe.Sizeof(JointCoupling{}.Polynomial), "f64[5]"},
+	{"carom_joint_coupling.user", unsafe.Offsetof(JointCoupling{}.User), unsafe.Sizeof(JointCoupling{}.User), "u64"},
 	{"carom_joint_axis", 0, unsafe.Sizeof(JointAxis{}), "struct"},
 	{"carom_joint_axis.struct_size", unsafe.Offsetof(JointAxis{}.StructSize), unsafe.Sizeof(JointAxis{}.StructSize), "u32"},
 	{"carom_joint_axis.mode", unsafe.Offsetof(JointAxis{}.Mode), unsafe.Sizeof(JointAxis{}.Mode), "u32"},

@@ -511,7 +511,9 @@ public final class Raw {
     public static final int CAROM_JOINT_GEAR = 7;
     /** each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free */
     public static final int CAROM_JOINT_SIX_AXIS = 8;
-    public static final int CAROM_JOINT_COUNT = 9;
+    /** the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints */
+    public static final int CAROM_JOINT_COUPLING = 9;
+    public static final int CAROM_JOINT_COUNT = 10;
     /** rad, of B about the x axes, whole turns counted: ball, hinge */
     public static final int CAROM_COORDINATE_TWIST = 0;
     /** rad, [0, pi], between the x axes: ball, universal */
@@ -569,7 +571,7 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_COORDINATES = 0;
     /** 4: m/s or rad/s, their rates, from the present velocities; read only */
     public static final int CAROM_JOINT_BULK_SPEEDS = 1;
-    /** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
+    /** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis */
     public static final int CAROM_JOINT_BULK_AXES = 2;
     /** 6: m/s and rad/s, their rates; written likewise */
     public static final int CAROM_JOINT_BULK_AXIS_SPEEDS = 3;
@@ -641,7 +643,17 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_EFFORT_LIMIT = 36;
     /** 1: speed_limit, likewise */
     public static final int CAROM_JOINT_BULK_SPEED_LIMIT = 37;
-    public static final int CAROM_JOINT_BULK_COUNT = 38;
+    /** 1: target of the drive of a hinge's or slider's axis, likewise: a servo's */
+    public static final int CAROM_JOINT_BULK_DRIVE_TARGET = 38;
+    /** 1: speed, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_VELOCITY = 39;
+    /** 1: effort, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_EFFORT = 40;
+    /** 1: max_force, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41;
+    /** 2: drive_stiffness and drive_damping, in its units, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_GAINS = 42;
+    public static final int CAROM_JOINT_BULK_COUNT = 43;
     /** gyroscopic term of bodies with unlike moments of inertia */
     public static final int CAROM_EFFECT_GYROSCOPIC = 0;
     /** damping of velocity */
@@ -2048,6 +2060,29 @@ public final class Raw {
         /** m, [0, 1e9]: |a - anchor_a| + ratio |b - anchor_b| is kept at it, a and b the joint's points. A part of the rope without length pulls nowhere: keep points off anchors */
         public double length() { return segment.get(JAVA_DOUBLE, 64); }
         public JointTransmission length(double it) { segment.set(JAVA_DOUBLE, 64, it); return this; }
+    }
+
+    /** What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+     *  The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+     *  the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+     *  holds the follower, it holds the leader. Fill with carom_joint_coupling_init(). */
+    public static final class JointCoupling {
+        public static final int SIZE = 72;
+        public final MemorySegment segment;
+        public JointCoupling(Arena arena) { segment = arena.allocate(SIZE, 8); carom_joint_coupling_init(segment, SIZE); }
+        public JointCoupling(MemorySegment at) { segment = at; }
+        /** a hinge or slider */
+        public long follower() { return segment.get(JAVA_LONG, 8); }
+        public JointCoupling follower(long it) { segment.set(JAVA_LONG, 8, it); return this; }
+        /** another */
+        public long leader() { return segment.get(JAVA_LONG, 16); }
+        public JointCoupling leader(long it) { segment.set(JAVA_LONG, 16, it); return this; }
+        /** m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far */
+        public double[] polynomial() { return segment.asSlice(24, 40).toArray(JAVA_DOUBLE); }
+        public JointCoupling polynomial(double... it) { MemorySegment.copy(it, 0, segment, JAVA_DOUBLE, 24, count(it.length, 5)); return this; }
+        /** yours */
+        public long user() { return segment.get(JAVA_LONG, 64); }
+        public JointCoupling user(long it) { segment.set(JAVA_LONG, 64, it); return this; }
     }
 
     /** What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
@@ -4955,6 +4990,14 @@ public final class Raw {
         try { return (int) carom_joint_transmission_init_.CALL.invokeExact(transmission, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
+    private static final class carom_joint_coupling_init_ {
+        static final MethodHandle CALL = Library.call("carom_joint_coupling_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
+    }
+    /** The follower goes as far as the leader.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
+    public static int carom_joint_coupling_init(MemorySegment coupling, int structSize) {
+        try { return (int) carom_joint_coupling_init_.CALL.invokeExact(coupling, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
     private static final class carom_joint_axis_init_ {
         static final MethodHandle CALL = Library.call("carom_joint_axis_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
@@ -4975,8 +5018,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_joint_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-     *  NOT_UNIT;
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+     *          carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
      *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
      *          body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
      *          LIMIT; OUT_OF_MEMORY */
@@ -5089,6 +5132,44 @@ public final class Raw {
      *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
     public static int carom_joint_get_transmission(MemorySegment world, long joint, MemorySegment transmission, MemorySegment error) {
         try { return (int) carom_joint_get_transmission_.CALL.invokeExact(world, joint, transmission, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_joint_couple_ {
+        static final MethodHandle CALL = Library.call("carom_joint_couple", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
+    }
+    /** Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+     *  wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+     *  as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+     *  carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+     *  follower's coordinate that it pushes with, mean over the last step.
+     *  Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+     *  joint_order moves it. Oracle: tests/oracle/test_couplings.
+     *  param: joint out: the coupling
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+     *          reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+     *          REENTRANT; LIMIT; OUT_OF_MEMORY */
+    public static int carom_joint_couple(MemorySegment world, MemorySegment coupling, MemorySegment joint, MemorySegment error) {
+        try { return (int) carom_joint_couple_.CALL.invokeExact(world, coupling, joint, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_joint_set_coupling_ {
+        static final MethodHandle CALL = Library.call("carom_joint_set_coupling", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Give a coupling another polynomial; its bodies wake.
+     *  param: coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+     *          field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+    public static int carom_joint_set_coupling(MemorySegment world, long joint, MemorySegment coupling, MemorySegment error) {
+        try { return (int) carom_joint_set_coupling_.CALL.invokeExact(world, joint, coupling, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_joint_get_coupling_ {
+        static final MethodHandle CALL = Library.call("carom_joint_get_coupling", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** param: coupling out: as it was made
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
+    public static int carom_joint_get_coupling(MemorySegment world, long joint, MemorySegment coupling, MemorySegment error) {
+        try { return (int) carom_joint_get_coupling_.CALL.invokeExact(world, joint, coupling, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
     private static final class carom_joint_set_axis_ {
@@ -6528,6 +6609,13 @@ carom_joint_transmission.ratio 8 8 f64
 carom_joint_transmission.anchor_a 16 24 f64[3]
 carom_joint_transmission.anchor_b 40 24 f64[3]
 carom_joint_transmission.length 64 8 f64
+carom_joint_coupling 0 72 struct
+carom_joint_coupling.struct_size 0 4 u32
+carom_joint_coupling.reserved 4 4 u32
+carom_joint_coupling.follower 8 8 u64
+carom_joint_coupling.leader 16 8 u64
+carom_joint_coupling.polynomial 24 40 f64[5]
+carom_joint_coupling.user 64 8 u64
 carom_joint_axis 0 160 struct
 carom_joint_axis.struct_size 0 4 u32
 carom_joint_axis.mode 4 4 u32

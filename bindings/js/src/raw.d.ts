@@ -616,13 +616,15 @@ export interface Raw {
   carom_joint_spring_init(spring: number, struct_size: number): number;
   /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_transmission_init(transmission: number, struct_size: number): number;
+  /** The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_joint_coupling_init(coupling: number, struct_size: number): number;
   /** Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_axis_init(axis: number, struct_size: number): number;
   /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_orientation_drive_init(drive: number, struct_size: number): number;
   /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-   *  NOT_UNIT;
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+   *          carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
    *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
    *          body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
    *          LIMIT; OUT_OF_MEMORY */
@@ -668,6 +670,26 @@ export interface Raw {
   /** @param transmission out: as it was set, with its length; ratio 0: not yet
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_transmission(world: number, joint: bigint, transmission: number, error: number): number;
+  /** Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+   *  wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+   *  as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+   *  carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+   *  follower's coordinate that it pushes with, mean over the last step.
+   *  Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+   *  joint_order moves it. Oracle: tests/oracle/test_couplings.
+   *  @param joint out: the coupling
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+   *          reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+   *          REENTRANT; LIMIT; OUT_OF_MEMORY */
+  carom_joint_couple(world: number, coupling: number, joint: number, error: number): number;
+  /** Give a coupling another polynomial; its bodies wake.
+   *  @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+   *          field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+  carom_joint_set_coupling(world: number, joint: bigint, coupling: number, error: number): number;
+  /** @param coupling out: as it was made
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
+  carom_joint_get_coupling(world: number, joint: bigint, coupling: number, error: number): number;
   /** Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
    *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
    *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the

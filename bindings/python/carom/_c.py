@@ -257,7 +257,8 @@ CAROM_JOINT_UNIVERSAL = 5
 CAROM_JOINT_PULLEY = 6
 CAROM_JOINT_GEAR = 7
 CAROM_JOINT_SIX_AXIS = 8
-CAROM_JOINT_COUNT = 9
+CAROM_JOINT_COUPLING = 9
+CAROM_JOINT_COUNT = 10
 CAROM_COORDINATE_TWIST = 0
 CAROM_COORDINATE_SWING = 1
 CAROM_COORDINATE_SLIDE = 2
@@ -325,7 +326,12 @@ CAROM_JOINT_BULK_FRICTION = 34
 CAROM_JOINT_BULK_ARMATURE = 35
 CAROM_JOINT_BULK_EFFORT_LIMIT = 36
 CAROM_JOINT_BULK_SPEED_LIMIT = 37
-CAROM_JOINT_BULK_COUNT = 38
+CAROM_JOINT_BULK_DRIVE_TARGET = 38
+CAROM_JOINT_BULK_DRIVE_VELOCITY = 39
+CAROM_JOINT_BULK_DRIVE_EFFORT = 40
+CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41
+CAROM_JOINT_BULK_DRIVE_GAINS = 42
+CAROM_JOINT_BULK_COUNT = 43
 CAROM_EFFECT_GYROSCOPIC = 0
 CAROM_EFFECT_LINEAR_DAMPING = 1
 CAROM_EFFECT_ANGULAR_DAMPING = 2
@@ -508,6 +514,8 @@ class carom_joint_spring(Structure):
     _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("target", c_double), ("frequency", c_double), ("damping", c_double), ("max_force", c_double)]
 class carom_joint_transmission(Structure):
     _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("ratio", c_double), ("anchor_a", c_double * 3), ("anchor_b", c_double * 3), ("length", c_double)]
+class carom_joint_coupling(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("follower", carom_joint), ("leader", carom_joint), ("polynomial", c_double * 5), ("user", c_uint64)]
 class carom_joint_axis(Structure):
     _fields_ = [("struct_size", c_uint32), ("mode", c_uint32), ("lower", c_double), ("upper", c_double), ("stop_gains", c_uint32), ("drive_gains", c_uint32), ("spring_gains", c_uint32), ("drive", c_uint32), ("stop_stiffness", c_double), ("stop_damping", c_double), ("target", c_double), ("speed", c_double), ("effort", c_double), ("max_force", c_double), ("drive_stiffness", c_double), ("drive_damping", c_double), ("rest", c_double), ("spring_stiffness", c_double), ("spring_damping", c_double), ("friction", c_double), ("armature", c_double), ("effort_limit", c_double), ("speed_limit", c_double)]
 class carom_joint_orientation_drive(Structure):
@@ -620,6 +628,7 @@ STRUCTS = {
     "carom_joint_motor": carom_joint_motor,
     "carom_joint_spring": carom_joint_spring,
     "carom_joint_transmission": carom_joint_transmission,
+    "carom_joint_coupling": carom_joint_coupling,
     "carom_joint_axis": carom_joint_axis,
     "carom_joint_orientation_drive": carom_joint_orientation_drive,
     "carom_joint_state": carom_joint_state,
@@ -673,6 +682,7 @@ HANDLES = {
     "carom_fault_event": {'shape': 'carom_shape', 'body': 'carom_body', 'particles': 'carom_particles'},
     "carom_spring_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
     "carom_joint_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
+    "carom_joint_coupling": {'follower': 'carom_joint', 'leader': 'carom_joint'},
     "carom_shape_info": {'plugin': 'carom_plugin'},
     "carom_tree_coordinate": {'joint': 'carom_joint', 'body': 'carom_body'},
     "carom_vehicle_desc": {'chassis': 'carom_body'},
@@ -836,6 +846,7 @@ FUNCTIONS = {
     "carom_joint_motor_init": ("0.9", c_int32, (POINTER(carom_joint_motor), c_uint32,)),
     "carom_joint_spring_init": ("0.9", c_int32, (POINTER(carom_joint_spring), c_uint32,)),
     "carom_joint_transmission_init": ("0.9", c_int32, (POINTER(carom_joint_transmission), c_uint32,)),
+    "carom_joint_coupling_init": ("0.9", c_int32, (POINTER(carom_joint_coupling), c_uint32,)),
     "carom_joint_axis_init": ("0.9", c_int32, (POINTER(carom_joint_axis), c_uint32,)),
     "carom_joint_orientation_drive_init": ("0.9", c_int32, (POINTER(carom_joint_orientation_drive), c_uint32,)),
     "carom_joint_create": ("0.9", c_int32, (c_void_p, POINTER(carom_joint_desc), POINTER(carom_joint), POINTER(carom_error),)),
@@ -850,6 +861,9 @@ FUNCTIONS = {
     "carom_joint_get_spring": ("0.9", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_spring), POINTER(carom_error),)),
     "carom_joint_set_transmission": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_transmission), POINTER(carom_error),)),
     "carom_joint_get_transmission": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_transmission), POINTER(carom_error),)),
+    "carom_joint_couple": ("0.9", c_int32, (c_void_p, POINTER(carom_joint_coupling), POINTER(carom_joint), POINTER(carom_error),)),
+    "carom_joint_set_coupling": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_coupling), POINTER(carom_error),)),
+    "carom_joint_get_coupling": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_coupling), POINTER(carom_error),)),
     "carom_joint_set_axis": ("0.9", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_axis), POINTER(carom_error),)),
     "carom_joint_get_axis": ("0.9", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_axis), POINTER(carom_error),)),
     "carom_joint_set_orientation_drive": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),

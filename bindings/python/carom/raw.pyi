@@ -263,6 +263,7 @@ CAROM_JOINT_UNIVERSAL: int
 CAROM_JOINT_PULLEY: int
 CAROM_JOINT_GEAR: int
 CAROM_JOINT_SIX_AXIS: int
+CAROM_JOINT_COUPLING: int
 CAROM_JOINT_COUNT: int
 CAROM_COORDINATE_TWIST: int
 CAROM_COORDINATE_SWING: int
@@ -331,6 +332,11 @@ CAROM_JOINT_BULK_FRICTION: int
 CAROM_JOINT_BULK_ARMATURE: int
 CAROM_JOINT_BULK_EFFORT_LIMIT: int
 CAROM_JOINT_BULK_SPEED_LIMIT: int
+CAROM_JOINT_BULK_DRIVE_TARGET: int
+CAROM_JOINT_BULK_DRIVE_VELOCITY: int
+CAROM_JOINT_BULK_DRIVE_EFFORT: int
+CAROM_JOINT_BULK_DRIVE_MAX_FORCE: int
+CAROM_JOINT_BULK_DRIVE_GAINS: int
 CAROM_JOINT_BULK_COUNT: int
 CAROM_EFFECT_GYROSCOPIC: int
 CAROM_EFFECT_LINEAR_DAMPING: int
@@ -880,6 +886,17 @@ class carom_joint_transmission(ctypes.Structure):
     anchor_a: Any
     anchor_b: Any
     length: float
+class carom_joint_coupling(ctypes.Structure):
+    """What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+    The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+    the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+    holds the follower, it holds the leader. Fill with carom_joint_coupling_init()."""
+    struct_size: int
+    reserved: int
+    follower: int
+    leader: int
+    polynomial: Any
+    user: int
 class carom_joint_axis(ctypes.Structure):
     """What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
     has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
@@ -2146,6 +2163,9 @@ def carom_joint_spring_init(spring: Any, struct_size: Any) -> int:
 def carom_joint_transmission_init(transmission: Any, struct_size: Any) -> int:
     """Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
+def carom_joint_coupling_init(coupling: Any, struct_size: Any) -> int:
+    """The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    ...
 def carom_joint_axis_init(axis: Any, struct_size: Any) -> int:
     """Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
@@ -2154,8 +2174,8 @@ def carom_joint_orientation_drive_init(drive: Any, struct_size: Any) -> int:
     ...
 def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
     """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-    NOT_UNIT;
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+            carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
             NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
             body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
             LIMIT; OUT_OF_MEMORY"""
@@ -2210,6 +2230,29 @@ def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, erro
     ...
 def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
     """@param transmission out: as it was set, with its length; ratio 0: not yet
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
+    ...
+def carom_joint_couple(world: Any, coupling: Any, joint: Any, error: Any) -> int:
+    """Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+    wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+    as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+    carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+    follower's coordinate that it pushes with, mean over the last step.
+    Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+    joint_order moves it. Oracle: tests/oracle/test_couplings.
+    @param joint out: the coupling
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+            reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+            REENTRANT; LIMIT; OUT_OF_MEMORY"""
+    ...
+def carom_joint_set_coupling(world: Any, joint: Any, coupling: Any, error: Any) -> int:
+    """Give a coupling another polynomial; its bodies wake.
+    @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+            field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    ...
+def carom_joint_get_coupling(world: Any, joint: Any, coupling: Any, error: Any) -> int:
+    """@param coupling out: as it was made
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:

@@ -5,7 +5,10 @@
 // sweeps them.
 #pragma once
 
+#include <algorithm>
+
 #include "dynamics/effects.h"
+#include "dynamics/joint/coupled_rows.h"
 #include "dynamics/joint/joint.h"
 #include "dynamics/joint/joint_kernels.h"
 #include "dynamics/solver/wide_contacts.h"
@@ -25,6 +28,7 @@ struct WideJoints {
         pulls(m),
         gears(m),
         axes(m),
+        coupled(m),
         colours(m),
         kicked(m),
         gyro(m),
@@ -51,6 +55,7 @@ struct WideJoints {
   Array<PullLanes> pulls;        // of joints that pull A another way than B
   Array<GearLanes> gears;        // of gears
   Array<AxesLanes> axes;         // of joints whose axes, or turns as one, are told by themselves
+  Array<CoupledRow> coupled;     // couplings that are active, ascending
   Array<std::uint32_t> colours;  // in use, from the lowest: where in joints each ends; those up to `swept` stand alone
   std::uint32_t swept = 0;       // joints up to here are swept
   bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
@@ -123,6 +128,11 @@ inline JointRun every_joint(const World& world) {
           w.pulls.data(),
           w.gears.data(),
           w.axes.data()};
+}
+
+/// The row of a coupling.   @param link  index in active
+inline CoupledRow& coupled_at(WideJoints& w, std::uint32_t link) {
+  return *std::ranges::lower_bound(w.coupled, link, {}, &CoupledRow::link);
 }
 
 /// Of a loop that threads share.

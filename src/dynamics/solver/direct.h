@@ -107,6 +107,7 @@ struct DirectGroups {
       : contacts(m),
         links(m),
         link_row(m),
+        more(m),
         row(m),
         begin(m),
         bodies(m),
@@ -129,11 +130,13 @@ struct DirectGroups {
     std::uint32_t row, lane;  // in rows, or in drives
     std::uint32_t joint;      // in joints
     bool is_drive;
-    DriveKind kind;  // of a drive
+    DriveKind kind;            // of a drive
+    bool is_coupling = false;  // then `row` is in coupled
   };
   Array<ConeContact> contacts;  // by group, ascending rows
   Array<ConeLink> links;        // by group: rows of joints, those of its forest last
   Array<LinkRow> link_row;      // by link
+  Array<LinkMore> more;         // by coupling, as WideJoints::coupled
   Array<std::uint32_t> row;     // by contact
   Array<Begin> begin;           // [groups + 1]
   Array<ConeBody> bodies;       // by group

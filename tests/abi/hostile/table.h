@@ -150,6 +150,17 @@ inline Argument joint_motor(Context& c) {
       {HOSTILE_CHOICE(carom_joint_motor, enabled, 2u), HOSTILE_NUMBERS(carom_joint_motor, speed, 1, {-1e6, 1e6}),
        HOSTILE_NUMBERS(carom_joint_motor, max_force, 1, {0, 1e30})});
 }
+inline Argument joint_coupling(Context& c) {
+  auto d = fresh<carom_joint_coupling>(carom_joint_coupling_init);
+  bool none = false;
+  d.follower = pick(c, kJoint, none), d.leader = pick(c, kJoint, none);
+  for (double& x : d.polynomial) x = c.between(-2, 2);
+  return in_struct(
+      c, d,
+      {HOSTILE_RESERVED(carom_joint_coupling, reserved), HOSTILE_HANDLE(carom_joint_coupling, follower, kJoint, false),
+       HOSTILE_HANDLE(carom_joint_coupling, leader, kJoint, false),
+       HOSTILE_NUMBERS(carom_joint_coupling, polynomial, 5, {-1e9, 1e9})});
+}
 inline Argument joint_transmission(Context& c) {
   auto d = fresh<carom_joint_transmission>(carom_joint_transmission_init);
   d.ratio = c.between(0.1, 10), d.length = c.between(0, 10),
@@ -1333,6 +1344,7 @@ inline const Row kRows[] = {
     INIT(carom_joint_motor_init, carom_joint_motor),
     INIT(carom_joint_spring_init, carom_joint_spring),
     INIT(carom_joint_transmission_init, carom_joint_transmission),
+    INIT(carom_joint_coupling_init, carom_joint_coupling),
     INIT(carom_joint_axis_init, carom_joint_axis),
     INIT(carom_joint_orientation_drive_init, carom_joint_orientation_drive),
     ROW_THAT(carom_joint_create, makes(kJoint, 2).may(kRange | kUnsupported), world(c), joint_desc(c), out(c, 8), error(c)),
@@ -1347,6 +1359,9 @@ inline const Row kRows[] = {
     ROW_THAT(carom_joint_get_spring, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 4), out_struct<carom_joint_spring>(c), error(c)),
     ROW_THAT(carom_joint_set_transmission, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_transmission(c), error(c)),
     ROW_THAT(carom_joint_get_transmission, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_transmission>(c), error(c)),
+    ROW_THAT(carom_joint_couple, makes(kJoint, 2).may(kRange | kUnsupported), world(c), joint_coupling(c), out(c, 8), error(c)),
+    ROW_THAT(carom_joint_set_coupling, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_coupling(c), error(c)),
+    ROW_THAT(carom_joint_get_coupling, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_coupling>(c), error(c)),
     ROW_THAT(carom_joint_set_axis, may(kUnsupported | kRange), world(c), handle(c, kJoint), choice(c, 6), joint_axis(c), error(c)),
     ROW_THAT(carom_joint_get_axis, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 6), out_struct<carom_joint_axis>(c), error(c)),
     ROW_THAT(carom_joint_set_orientation_drive, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_orientation_drive(c), error(c)),

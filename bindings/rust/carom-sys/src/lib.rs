@@ -505,7 +505,9 @@ pub const CAROM_JOINT_PULLEY: u32 = 6;
 pub const CAROM_JOINT_GEAR: u32 = 7;
 /// each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free
 pub const CAROM_JOINT_SIX_AXIS: u32 = 8;
-pub const CAROM_JOINT_COUNT: u32 = 9;
+/// the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints
+pub const CAROM_JOINT_COUPLING: u32 = 9;
+pub const CAROM_JOINT_COUNT: u32 = 10;
 /// rad, of B about the x axes, whole turns counted: ball, hinge
 pub const CAROM_COORDINATE_TWIST: u32 = 0;
 /// rad, [0, pi], between the x axes: ball, universal
@@ -563,7 +565,7 @@ pub const CAROM_JOINT_ACCELERATIONS: u32 = 8;
 pub const CAROM_JOINT_BULK_COORDINATES: u32 = 0;
 /// 4: m/s or rad/s, their rates, from the present velocities; read only
 pub const CAROM_JOINT_BULK_SPEEDS: u32 = 1;
-/// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
+/// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis
 pub const CAROM_JOINT_BULK_AXES: u32 = 2;
 /// 6: m/s and rad/s, their rates; written likewise
 pub const CAROM_JOINT_BULK_AXIS_SPEEDS: u32 = 3;
@@ -635,7 +637,17 @@ pub const CAROM_JOINT_BULK_ARMATURE: u32 = 35;
 pub const CAROM_JOINT_BULK_EFFORT_LIMIT: u32 = 36;
 /// 1: speed_limit, likewise
 pub const CAROM_JOINT_BULK_SPEED_LIMIT: u32 = 37;
-pub const CAROM_JOINT_BULK_COUNT: u32 = 38;
+/// 1: target of the drive of a hinge's or slider's axis, likewise: a servo's
+pub const CAROM_JOINT_BULK_DRIVE_TARGET: u32 = 38;
+/// 1: speed, likewise
+pub const CAROM_JOINT_BULK_DRIVE_VELOCITY: u32 = 39;
+/// 1: effort, likewise
+pub const CAROM_JOINT_BULK_DRIVE_EFFORT: u32 = 40;
+/// 1: max_force, likewise
+pub const CAROM_JOINT_BULK_DRIVE_MAX_FORCE: u32 = 41;
+/// 2: drive_stiffness and drive_damping, in its units, likewise
+pub const CAROM_JOINT_BULK_DRIVE_GAINS: u32 = 42;
+pub const CAROM_JOINT_BULK_COUNT: u32 = 43;
 /// gyroscopic term of bodies with unlike moments of inertia
 pub const CAROM_EFFECT_GYROSCOPIC: u32 = 0;
 /// damping of velocity
@@ -2075,6 +2087,34 @@ impl Default for carom_joint_transmission {
         unsafe {
             let mut it: Self = zeroed();
             carom_joint_transmission_init(&mut it, size_of::<carom_joint_transmission>() as u32);
+            it
+        }
+    }
+}
+/// What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+/// The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+/// the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+/// holds the follower, it holds the leader. Fill with carom_joint_coupling_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct carom_joint_coupling {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// a hinge or slider
+    pub follower: carom_joint,
+    /// another
+    pub leader: carom_joint,
+    /// m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far
+    pub polynomial: [f64; 5],
+    /// yours
+    pub user: u64,
+}
+impl Default for carom_joint_coupling {
+    fn default() -> Self {
+        unsafe {
+            let mut it: Self = zeroed();
+            carom_joint_coupling_init(&mut it, size_of::<carom_joint_coupling>() as u32);
             it
         }
     }
@@ -3984,13 +4024,15 @@ extern "C" {
     pub fn carom_joint_spring_init(spring: *mut carom_joint_spring, struct_size: u32) -> i32;
     /// Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_transmission_init(transmission: *mut carom_joint_transmission, struct_size: u32) -> i32;
+    /// The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
+    pub fn carom_joint_coupling_init(coupling: *mut carom_joint_coupling, struct_size: u32) -> i32;
     /// Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_axis_init(axis: *mut carom_joint_axis, struct_size: u32) -> i32;
     /// No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_orientation_drive_init(drive: *mut carom_joint_orientation_drive, struct_size: u32) -> i32;
     /// Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-    /// NOT_UNIT;
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+    ///         carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
     ///         NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
     ///         body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
     ///         LIMIT; OUT_OF_MEMORY
@@ -4036,6 +4078,26 @@ extern "C" {
     /// @param transmission out: as it was set, with its length; ratio 0: not yet
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
     pub fn carom_joint_get_transmission(world: *mut carom_world, joint: carom_joint, transmission: *mut carom_joint_transmission, error: *mut carom_error) -> i32;
+    /// Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+    /// wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+    /// as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+    /// carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+    /// follower's coordinate that it pushes with, mean over the last step.
+    /// Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+    /// joint_order moves it. Oracle: tests/oracle/test_couplings.
+    /// @param joint out: the coupling
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+    ///         reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+    ///         REENTRANT; LIMIT; OUT_OF_MEMORY
+    pub fn carom_joint_couple(world: *mut carom_world, coupling: *const carom_joint_coupling, joint: *mut carom_joint, error: *mut carom_error) -> i32;
+    /// Give a coupling another polynomial; its bodies wake.
+    /// @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+    ///         field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT
+    pub fn carom_joint_set_coupling(world: *mut carom_world, joint: carom_joint, coupling: *const carom_joint_coupling, error: *mut carom_error) -> i32;
+    /// @param coupling out: as it was made
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
+    pub fn carom_joint_get_coupling(world: *mut carom_world, joint: carom_joint, coupling: *mut carom_joint_coupling, error: *mut carom_error) -> i32;
     /// Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
     /// drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
     /// Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
@@ -4904,6 +4966,13 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_joint_transmission.anchor_a", offset_of!(carom_joint_transmission, anchor_a), size_of::<f64>() * 3, "f64[3]"),
     ("carom_joint_transmission.anchor_b", offset_of!(carom_joint_transmission, anchor_b), size_of::<f64>() * 3, "f64[3]"),
     ("carom_joint_transmission.length", offset_of!(carom_joint_transmission, length), size_of::<f64>(), "f64"),
+    ("carom_joint_coupling", 0, size_of::<carom_joint_coupling>(), "struct"),
+    ("carom_joint_coupling.struct_size", offset_of!(carom_joint_coupling, struct_size), size_of::<u32>(), "u32"),
+    ("carom_joint_coupling.reserved", offset_of!(carom_joint_coupling, reserved), size_of::<u32>(), "u32"),
+    ("carom_joint_coupling.follower", offset_of!(carom_joint_coupling, follower), size_of::<carom_joint>(), "u64"),
+    ("carom_joint_coupling.leader", offset_of!(carom_joint_coupling, leader), size_of::<carom_joint>(), "u64"),
+    ("carom_joint_coupling.polynomial", offset_of!(carom_joint_coupling, polynomial), size_of::<f64>() * 5, "f64[5]"),
+    ("carom_joint_coupling.user", offset_of!(carom_joint_coupling, user), size_of::<u64>(), "u64"),
     ("carom_joint_axis", 0, size_of::<carom_joint_axis>(), "struct"),
     ("carom_joint_axis.struct_size", offset_of!(carom_joint_axis, struct_size), size_of::<u32>(), "u32"),
     ("carom_joint_axis.mode", offset_of!(carom_joint_axis, mode), size_of::<u32>(), "u32"),

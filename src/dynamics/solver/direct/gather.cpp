@@ -131,7 +131,7 @@ void place_contacts(DirectGroups& d) {
 void DirectGroups::forget() {
   for (const ConeBody& b : bodies)
     if (b.slot < body.size()) body[b.slot] = kInvalid;
-  links.clear(), link_row.clear();
+  links.clear(), link_row.clear(), more.clear();
   rest.clear(), row.clear(), begin.clear();
   bodies.clear(), edges.clear();
   if (has_forest()) forest().joints.clear(), forest().nodes.clear();
