@@ -846,5 +846,5 @@ return {
   CAROM_WANT_FIRST = 0,
   CAROM_WANT_ANY = 1,
   VERSION = "0.9.0",
-  ROWS = 830, -- of the layout manifest
+  ROWS = 837, -- of the layout manifest
 }
