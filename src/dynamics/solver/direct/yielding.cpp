@@ -84,8 +84,8 @@ ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, std::
 bool throws(const ConeProblem& problem) {
   if (problem.contacts.empty()) return false;
   Real surface2 = 0;
-  for (const ConeContact& c : problem.contacts) surface2 = std::max(surface2, (c.surface - c.curve).squared_norm());
-  for (const ConeLink& c : problem.joint_rows()) surface2 = std::max(surface2, c.surface * c.surface);
+  for (const ConeContact& c : problem.contacts) surface2 = std::max(surface2, c.surface.squared_norm());
+  for (const ConeLink& c : problem.links) surface2 = std::max(surface2, c.surface * c.surface);
   if (!(surface2 > 0)) return false;
   Real before = 0, after = 0, mass = 0;
   for (const ConeBody& b : bodies_of(problem)) {
