@@ -204,11 +204,11 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
   };
   // All bodies of a coupling are of the group: its joints are.
   const auto add_coupling = [&](std::uint32_t i) {
-    d.more.resize(w.coupled.size());
+    d.forest().more.resize(w.coupled.size());
     const auto at = static_cast<std::uint32_t>(&coupled_at(w, i) - w.coupled.data());
     d.link_row.push_back({at, w.place[i].lane, w.place[i].lanes, false, DriveKind::limit, true});
     ConeLink& to = d.links.emplace_back();
-    LinkMore& more = d.more[at];
+    LinkMore& more = d.forest().more[at];
     more = {};
     std::array<std::uint32_t, CoupledRow::kMostBodies> nodes;
     std::uint32_t count = 0;
@@ -217,7 +217,7 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
     to.a = count > 0 ? nodes[0] : kInvalid, to.b = count > 1 ? nodes[1] : kInvalid;
     for (std::uint32_t k = 2; k < count; ++k) more.body[k - 2] = nodes[k];
     for (std::uint32_t k = 0; k < count; ++k)
-      for (std::uint32_t l = 0; l < k; ++l) d.edges.push_back({nodes[l], nodes[k]});
+      for (std::uint32_t l = 0; l < k; ++l) d.elimination.scratch().edges.push_back({nodes[l], nodes[k]});
   };
   for (const std::uint32_t i : joints)
     d.node(c.links[i].moves_a, c.links[i].a), d.node(c.links[i].moves_b, c.links[i].b);
@@ -245,7 +245,7 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
     if (!is_of_forest) {
       add_rows(i, joint.first, joint.layout.equalities, false);
       const std::uint32_t a = d.node(link.moves_a, link.a), b = d.node(link.moves_b, link.b);
-      if (a != kInvalid && b != kInvalid) d.edges.push_back({a, b});
+      if (a != kInvalid && b != kInvalid) d.elimination.scratch().edges.push_back({a, b});
     } else {
       d.forest().joints.push_back({.a = d.node(link.moves_a, link.a),
                                    .b = d.node(link.moves_b, link.b),
@@ -279,7 +279,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     const DirectGroups::LinkRow& at_row = rows[i];
     if (at_row.is_coupling) {
       const CoupledRow& from = w.coupled[at_row.row];
-      load_coupling(world, problem, from, world.direct->more[at_row.row], c);
+      load_coupling(world, problem, from, world.direct->forest().more[at_row.row], c);
       if (phase == LinkPhase::part) c.surface = 0;
       c.p = c.start_p = phase == LinkPhase::move ? from.p : 0;
       lock(c, phase == LinkPhase::part ? std::clamp(-from.error, -most, most) : bends ? -from.curve : 0);
