@@ -7,7 +7,7 @@
 #include "dynamics/body_state.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/turns.h"
-#include "dynamics/joint/wide_joints.h"
+#include "dynamics/joint/wide_joint_data.h"
 #include "dynamics/solver/fill_lanes.h"
 #include "dynamics/warm_scale.h"
 
@@ -262,47 +262,17 @@ void sweep(const World& world, WideJoints& w, CoupledRow& row) {
 template <class F>
 void each_swept(const World& world, F&& f) {
   WideJoints& w = *world.wide_joints;
-  for (CoupledRow& row : w.coupled)
+  for (CoupledRow& row : w.coupled())
     if (w.is_swept(row.link)) f(w, row);
 }
 
 }  // namespace
 
-PolynomialAt polynomial_at(const Coupling& coupling, Real leader) {
-  PolynomialAt f = {0, 0, 0};
-  for (std::size_t k = Coupling::kTerms; k-- > 0;) {
-    f.bend = f.bend * leader + 2 * f.slope;
-    f.slope = f.slope * leader + f.value;
-    f.value = f.value * leader + coupling.polynomial[k];
-  }
-  return f;
-}
-
-bool is_slide(const World& world, std::uint32_t joint) {
-  return world.joints.joint[joint].def.kind == JointKind::slider;
-}
-
-Real coupled_coordinate(const World& world, std::uint32_t slot) {
-  const Joint& joint = world.joints.joint[slot];
-  const JointEnds ends = ends_of(world, joint.def);
-  return is_slide(world, slot) ? coordinates_of(ends)[static_cast<std::size_t>(Coordinate::slide)]
-                               : counted_angles(world, joint, ends).x();
-}
-
-Real coupling_error(const World& world, const Coupling& coupling) {
-  return coupled_coordinate(world, coupling.follower) -
-         polynomial_at(coupling, coupled_coordinate(world, coupling.leader)).value;
-}
-
-bool couples(const World& world, const Joint& joint) {
-  const Coupling& coupling = world.joints.coupling_of(joint);
-  return !world.joints.joint[coupling.follower].broken && !world.joints.joint[coupling.leader].broken;
-}
-
 void begin_couplings(const World& world, Real h) {
   WideJoints& w = *world.wide_joints;
-  w.coupled.clear();
+  if (w.couplings) w.couplings->clear();
   if (world.joints.couplings.empty()) return;
+  if (!w.couplings) w.couplings = make_owned<Array<CoupledRow>>(world.memory);
   const auto link_of = [&](std::uint32_t joint) {
     const auto at = std::ranges::lower_bound(w.active, joint);
     return static_cast<std::uint32_t>(at - w.active.begin());
@@ -311,7 +281,7 @@ void begin_couplings(const World& world, Real h) {
     const Joint& joint = world.joints.joint[w.active[i]];
     if (!joint.coupling) continue;
     const Coupling& coupling = world.joints.coupling_of(joint);
-    CoupledRow& row = w.coupled.emplace_back();
+    CoupledRow& row = w.couplings->emplace_back();
     row.joint = w.active[i], row.link = i;
     const auto side = [&](std::uint32_t of, Side& to) {
       const JointDef& def = world.joints.joint[of].def;
@@ -336,11 +306,11 @@ void begin_couplings(const World& world, Real h) {
 
 void place_couplings(const World& world) {
   WideJoints& w = *world.wide_joints;
-  for (CoupledRow& row : w.coupled) place(world, w, row);
+  for (CoupledRow& row : w.coupled()) place(world, w, row);
 }
 
 void bend_couplings(const World& world, Real h) {
-  for (CoupledRow& row : world.wide_joints->coupled) {
+  for (CoupledRow& row : world.wide_joints->coupled()) {
     const Bodies bodies(world, row);
     const Joint& leader = world.joints.joint[row.leader.joint];
     const Real u = rate_of(bodies, row.leader, row_at(ends_of(world, leader.def), is_slide(world, row.leader.joint)));
@@ -350,7 +320,7 @@ void bend_couplings(const World& world, Real h) {
 }
 
 void aim_couplings(const World& world, Real h) {
-  for (CoupledRow& row : world.wide_joints->coupled)
+  for (CoupledRow& row : world.wide_joints->coupled())
     for (Side* const side : {&row.follower, &row.leader})
       if (!is_slide(world, side->joint))
         side->ahead = turns_ahead(world, world.joints.joint[side->joint], Vec3(side->at, 0, 0), h).x();
@@ -373,7 +343,7 @@ void act_again_by_couplings(const World& world) {
 }
 
 void end_couplings(const World& world, Joints& joints, Real dt) {
-  for (const CoupledRow& row : world.wide_joints->coupled) {
+  for (const CoupledRow& row : world.wide_joints->coupled()) {
     Joint& joint = joints.joint[row.joint];
     joint.p[0] = finite(row.p) ? row.p : 0;
     joint.force = Vec3::zero(), joint.torque = Vec3(finite(row.effort) ? row.effort / dt : 0, 0, 0);

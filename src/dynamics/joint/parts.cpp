@@ -6,7 +6,7 @@
 
 #include "core/wide_angle.h"
 #include "dynamics/joint/axis_parts.h"
-#include "dynamics/joint/coupled_rows.h"
+#include "dynamics/joint/coupling.h"
 #include "dynamics/joint/turns.h"
 
 namespace carom::dynamics {
@@ -24,7 +24,7 @@ constexpr std::array<KindRow, static_cast<std::size_t>(JointKind::count)> kKinds
     {"pulley", 1, {JointPart::ropes, {}}, bit(Coordinate::distance)},
     {"gear", 1, {JointPart::gears, {}}, 0},
     {"six_axis", 0, {}, 0},  // @see axis_parts.h
-    {"coupling", 0, {}, 0},  // @see coupled_rows.h
+    {"coupling", 0, {}, 0},  // @see coupling.h
 }};
 
 constexpr std::uint32_t rows_of(JointPart part) {
@@ -162,6 +162,13 @@ std::array<Real, kCoordinates> coordinates_of(const JointEnds& ends) {
   return {2 * angle_of<double>(sign * t.x(), sign * t.w()), swing, a.dot(ends.apart), ends.apart.norm()};
 }
 
+Real coupled_coordinate(const World& world, std::uint32_t slot) {
+  const Joint& joint = world.joints.joint[slot];
+  const JointEnds ends = ends_of(world, joint.def);
+  return is_slide(world, slot) ? coordinates_of(ends)[static_cast<std::size_t>(Coordinate::slide)]
+                               : counted_angles(world, joint, ends).x();
+}
+
 JointPlace place_of(const World& world, const Joint& joint) {
   JointPlace place{ends_of(world, joint.def), {}};
   const Quat t = place.a.q.conjugate() * place.b.q;
@@ -175,7 +182,8 @@ JointPlace place_of(const World& world, const Joint& joint) {
   }
   if (joint.coupling) {
     const Coupling& coupling = world.joints.coupling_of(joint);
-    const Real off = std::fabs(coupling_error(world, coupling));
+    const Real asked = polynomial_at(coupling, coupled_coordinate(world, coupling.leader)).value;
+    const Real off = std::fabs(coupled_coordinate(world, coupling.follower) - asked);
     (is_slide(world, coupling.follower) ? place.gap : place.angle) = off;
   }
   if (joint.axes) place = judge_axes(world.joints.axes_of(joint), place);

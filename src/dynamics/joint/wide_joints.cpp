@@ -8,6 +8,7 @@
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/axis_parts.h"
+#include "dynamics/joint/coupled_rows.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/turns.h"
 #include "dynamics/solver/fill_lanes.h"
@@ -346,7 +347,7 @@ void drop_impulses(WideJoints& w, std::uint32_t link) {
   const auto drop = [&](JointRowLanes& row) { set(row.p, static_cast<int>(at.lane), 0); };
   for (std::uint32_t r = 0; r < joint.layout.equalities; ++r) drop(w.rows[joint.first + r]);
   for (std::uint32_t r = 0; r < joint.layout.drives; ++r) drop(w.drives[joint.first_drive + r].row);
-  for (CoupledRow& row : w.coupled)
+  for (CoupledRow& row : w.coupled())
     if (row.link == link) row.p = 0;
 }
 

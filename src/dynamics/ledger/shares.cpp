@@ -195,7 +195,7 @@ void share_joint_lanes(Shares& shares, bool old) {
 
 void share_couplings(Shares& shares, bool old) {
   const World& world = shares.world();
-  for (const CoupledRow& row : world.wide_joints->coupled) {
+  for (const CoupledRow& row : world.wide_joints->coupled()) {
     if (!world.wide_joints->is_swept(row.link)) continue;
     const Real p = old ? row.again * row.old_p + (row.p - row.old_p) : row.p;
     if (p == 0) continue;
@@ -260,7 +260,7 @@ void save_impulses(const World& world) {
   }
   for (std::size_t i = 0; i < w.rows.size(); ++i) note(&l.old_rows[i * kLanes], 1, w.rows[i].p);
   for (std::size_t i = 0; i < w.drives.size(); ++i) note(&l.old_drives[i * kLanes], 1, w.drives[i].row.p);
-  for (CoupledRow& row : world.wide_joints->coupled) row.old_p = row.p;
+  for (CoupledRow& row : world.wide_joints->coupled()) row.old_p = row.p;
 }
 
 void clear_friction(const World& world, std::uint32_t pair, std::uint32_t lane) {

@@ -1,6 +1,7 @@
 // Stage functions of the sequential solver.
 #include "dynamics/solver/sequential.h"
 
+#include "dynamics/joint/coupled_rows.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/soft_step.h"

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "dynamics/contact/depth.h"
+#include "dynamics/joint/coupled_rows.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/fill_lanes.h"

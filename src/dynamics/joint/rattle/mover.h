@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "dynamics/joint/coupled_rows.h"
+#include "dynamics/joint/coupling.h"
 #include "dynamics/joint/rattle/blocks.h"
 #include "dynamics/joint/rattle/driving.h"
 

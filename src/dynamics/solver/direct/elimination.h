@@ -64,6 +64,9 @@ struct Elimination {
     return *scratch_;
   }
 
+  void forget_edges() {
+    if (scratch_) scratch_->edges.clear();
+  }
   const Scratch& scratch() const { return *scratch_; }  // of one that has ordered a system
 
   /// Whether nothing is below the diagonal of a place: of a joint's child that none but its parent takes along.

@@ -134,7 +134,7 @@ void DirectGroups::forget() {
     if (b.slot < body.size()) body[b.slot] = kInvalid;
   links.clear(), link_row.clear();
   rest.clear(), row.clear(), begin.clear();
-  bodies.clear(), elimination.scratch().edges.clear();
+  bodies.clear(), elimination.forget_edges();
   if (has_forest()) forest().joints.clear(), forest().nodes.clear(), forest().more.clear();
 }
 

@@ -204,15 +204,15 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
   };
   // All bodies of a coupling are of the group: its joints are.
   const auto add_coupling = [&](std::uint32_t i) {
-    d.forest().more.resize(w.coupled.size());
-    const auto at = static_cast<std::uint32_t>(&coupled_at(w, i) - w.coupled.data());
+    d.forest().more.resize(w.coupled().size());
+    const auto at = static_cast<std::uint32_t>(&coupled_at(w, i) - w.coupled().data());
     d.link_row.push_back({at, w.place[i].lane, w.place[i].lanes, false, DriveKind::limit, true});
     ConeLink& to = d.links.emplace_back();
     LinkMore& more = d.forest().more[at];
     more = {};
     std::array<std::uint32_t, CoupledRow::kMostBodies> nodes;
     std::uint32_t count = 0;
-    for (const CoupledBody& b : w.coupled[at].ends())
+    for (const CoupledBody& b : w.coupled()[at].ends())
       if (b.moves) nodes[count++] = d.node(true, b.body);
     to.a = count > 0 ? nodes[0] : kInvalid, to.b = count > 1 ? nodes[1] : kInvalid;
     for (std::uint32_t k = 2; k < count; ++k) more.body[k - 2] = nodes[k];
@@ -278,7 +278,7 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     ConeLink& c = problem.joint_rows()[i];
     const DirectGroups::LinkRow& at_row = rows[i];
     if (at_row.is_coupling) {
-      const CoupledRow& from = w.coupled[at_row.row];
+      const CoupledRow& from = w.coupled()[at_row.row];
       load_coupling(world, problem, from, world.direct->forest().more[at_row.row], c);
       if (phase == LinkPhase::part) c.surface = 0;
       c.p = c.start_p = phase == LinkPhase::move ? from.p : 0;
@@ -413,7 +413,7 @@ void accumulate_links(const World& world, const ConeProblem& problem, const Dire
     if (is_rotor(rows[i])) continue;  // what turns with an axis is on neither side of the joint
     const ConeLink& c = problem.joint_rows()[i];
     if (rows[i].is_coupling) {
-      w.coupled[rows[i].row].effort += c.p;
+      w.coupled()[rows[i].row].effort += c.p;
       continue;
     }
     JointLanes& joint = w.joints[rows[i].joint];
@@ -427,7 +427,7 @@ void accumulate_links(const World& world, const ConeProblem& problem, const Dire
 void keep_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i)
-    (rows[i].is_coupling ? w.coupled[rows[i].row].p : at(row_at(w, rows[i]).p, rows[i].lane)) =
+    (rows[i].is_coupling ? w.coupled()[rows[i].row].p : at(row_at(w, rows[i]).p, rows[i].lane)) =
         problem.joint_rows()[i].next_p;
 }
 
@@ -447,7 +447,7 @@ Real worst_error(const World& world, const ConeProblem& problem, const DirectGro
   Real worst = 0;
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
     if (rows[i].is_coupling) {
-      worst = std::max(worst, std::fabs(w.coupled[rows[i].row].error));
+      worst = std::max(worst, std::fabs(w.coupled()[rows[i].row].error));
       continue;
     }
     const Real x = get(row_at(w, rows[i]).error, rows[i].lane);
