@@ -159,15 +159,11 @@ bool read_transmission(Call& call, const World& world, Joint joint, const carom_
                    to.length, kLongestJoint);
 }
 
-/// What is coupled: a joint of one motion.
-bool read_coupled(Call& call, const World& world, int argument, const char* name, carom_joint handle,
-                  std::uint32_t& slot) {
-  if (!resolve(call, argument, name, world.joints.slots, handle)) return false;
-  slot = handle_slot(handle);
+/// What is coupled is a joint of one motion.
+bool can_be_coupled(Call& call, const World& world, const char* name, std::uint32_t slot) {
   const JointKind kind = world.joints.joint[slot].def.kind;
   return kind == JointKind::hinge || kind == JointKind::slider ||
-         call.fail(CAROM_E_UNSUPPORTED, argument, "%s is a %s joint; a hinge or a slider is coupled", name,
-                   row_of(kind).name);
+         call.fail(CAROM_E_UNSUPPORTED, 2, "%s is a %s joint; a hinge or a slider is coupled", name, row_of(kind).name);
 }
 
 /// @param argument  of the call
@@ -188,10 +184,17 @@ bool read_coupling(Call& call, const World& world, const carom_joint_coupling* g
   carom_joint_coupling d;
   carom_joint_coupling_init(&d, sizeof d);
   if (!read_struct(call, 2, "coupling", given, d) || !read_polynomial(call, 2, d, to) ||
-      !read_coupled(call, world, 2, "coupling->follower", d.follower, to.follower) ||
-      !read_coupled(call, world, 2, "coupling->leader", d.leader, to.leader))
+      !resolve(call, 2, "coupling->follower", world.joints.slots, d.follower) ||
+      !resolve(call, 2, "coupling->leader", world.joints.slots, d.leader))
     return false;
-  user = d.user;
+  to.follower = handle_slot(d.follower), to.leader = handle_slot(d.leader), user = d.user;
+  return true;
+}
+
+bool can_couple(Call& call, const World& world, const Coupling& to) {
+  if (!can_be_coupled(call, world, "coupling->follower", to.follower) ||
+      !can_be_coupled(call, world, "coupling->leader", to.leader))
+    return false;
   if (to.follower == to.leader)
     return call.fail(CAROM_E_OUT_OF_RANGE, 2, "coupling->follower and coupling->leader are one joint") ||
            call.advise("couple two joints; one that is to stay where it is has a limit with lower = upper");
@@ -201,27 +204,30 @@ bool read_coupling(Call& call, const World& world, const carom_joint_coupling* g
          call.advise("make one of their bodies dynamic");
 }
 
+bool has_coupling(Call& call, const Joint& joint, int argument) {
+  return joint.coupling ||
+         call.fail(CAROM_E_UNSUPPORTED, argument, "a %s joint is no coupling", row_of(joint.def.kind).name) ||
+         call.advise("name a joint that carom_joint_couple() made");
+}
+
 /// Another polynomial for one that there is.
 bool read_coupling(Call& call, const World& world, const Joint& joint, const carom_joint_coupling* given,
                    Coupling& to) {
   carom_joint_coupling d;
   carom_joint_coupling_init(&d, sizeof d);
-  if (!read_struct(call, 3, "coupling", given, d) || !read_polynomial(call, 3, d, to)) return false;
+  const auto lives = [&](const char* name, carom_joint handle) {
+    return handle == CAROM_NULL_HANDLE || resolve(call, 3, name, world.joints.slots, handle);
+  };
+  if (!read_struct(call, 3, "coupling", given, d) || !read_polynomial(call, 3, d, to) ||
+      !lives("coupling->follower", d.follower) || !lives("coupling->leader", d.leader) || !has_coupling(call, joint, 2))
+    return false;
   const Coupling& now = world.joints.coupling_of(joint);
   const auto is_own = [&](const char* name, carom_joint handle, std::uint32_t own) {
-    std::uint32_t slot = own;
-    if (handle == CAROM_NULL_HANDLE) return true;
-    if (!read_coupled(call, world, 3, name, handle, slot)) return false;
-    return slot == own || call.fail(CAROM_E_UNSUPPORTED, 3, "%s is not that of the coupling", name) ||
+    return handle == CAROM_NULL_HANDLE || handle_slot(handle) == own ||
+           call.fail(CAROM_E_UNSUPPORTED, 3, "%s is not that of the coupling", name) ||
            call.advise("destroy the coupling and couple the other joints");
   };
   return is_own("coupling->follower", d.follower, now.follower) && is_own("coupling->leader", d.leader, now.leader);
-}
-
-bool has_coupling(Call& call, const Joint& joint, int argument) {
-  return joint.coupling ||
-         call.fail(CAROM_E_UNSUPPORTED, argument, "a %s joint is no coupling", row_of(joint.def.kind).name) ||
-         call.advise("name a joint that carom_joint_couple() made");
 }
 
 /// Names of the coordinates that a kind leaves free, of CAROM_COORDINATE_*: "TWIST, SWING"; or "none".
@@ -475,7 +481,7 @@ int32_t carom_joint_couple(carom_world* world, const carom_joint_coupling* coupl
     Coupling to;
     std::uint64_t user = 0;
     if (!has_joints_solver(call, *changing) || !read_coupling(call, *changing, coupling, to, user) ||
-        !present(call, 3, "joint", joint))
+        !present(call, 3, "joint", joint) || !can_couple(call, *changing, to))
       return;
     const Handle handle = changing->add_coupling(to, user);
     if (handle)
@@ -493,8 +499,7 @@ int32_t carom_joint_set_coupling(carom_world* world, carom_joint joint, const ca
     const FloatScope scope;
     const std::uint32_t slot = handle_slot(joint);
     Coupling to;
-    if (has_coupling(call, changing->joints.joint[slot], 2) &&
-        read_coupling(call, *changing, changing->joints.joint[slot], coupling, to))
+    if (read_coupling(call, *changing, changing->joints.joint[slot], coupling, to))
       changing->set_polynomial(slot, to.polynomial);
   });
 }

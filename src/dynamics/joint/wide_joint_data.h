@@ -56,7 +56,9 @@ struct WideJoints {
   bool is_packed = false;        // place, occupant and colours are those of active, all of it swept
 
   Owned<Array<CoupledRow>> couplings;  // that are active, ascending; null until there is one
-  std::span<CoupledRow> coupled() const { return couplings ? std::span<CoupledRow>(*couplings) : std::span<CoupledRow>(); }
+  std::span<CoupledRow> coupled() const {
+    return couplings ? std::span<CoupledRow>(*couplings) : std::span<CoupledRow>();
+  }
 
   /// Bodies of groups that have joints and no contacts: they move by the velocity of the middle of a substep. Half of
   /// what forces do to it in a substep is taken off before the solver and given back after the move. What turns about

@@ -150,16 +150,17 @@ inline Argument joint_motor(Context& c) {
       {HOSTILE_CHOICE(carom_joint_motor, enabled, 2u), HOSTILE_NUMBERS(carom_joint_motor, speed, 1, {-1e6, 1e6}),
        HOSTILE_NUMBERS(carom_joint_motor, max_force, 1, {0, 1e30})});
 }
-inline Argument joint_coupling(Context& c) {
+/// @param may_be_null  its joints: of one that there is
+inline Argument joint_coupling(Context& c, bool may_be_null = false) {
   auto d = fresh<carom_joint_coupling>(carom_joint_coupling_init);
   bool none = false;
-  d.follower = pick(c, kJoint, none), d.leader = pick(c, kJoint, none);
+  d.follower = pick(c, kJoint, none), d.leader = another(c, kJoint, d.follower);
   for (double& x : d.polynomial) x = c.between(-2, 2);
-  return in_struct(
-      c, d,
-      {HOSTILE_RESERVED(carom_joint_coupling, reserved), HOSTILE_HANDLE(carom_joint_coupling, follower, kJoint, false),
-       HOSTILE_HANDLE(carom_joint_coupling, leader, kJoint, false),
-       HOSTILE_NUMBERS(carom_joint_coupling, polynomial, 5, {-1e9, 1e9})});
+  return in_struct(c, d,
+                   {HOSTILE_RESERVED(carom_joint_coupling, reserved),
+                    HOSTILE_HANDLE(carom_joint_coupling, follower, kJoint, may_be_null),
+                    HOSTILE_HANDLE(carom_joint_coupling, leader, kJoint, may_be_null),
+                    HOSTILE_NUMBERS(carom_joint_coupling, polynomial, 5, {-1e9, 1e9})});
 }
 inline Argument joint_transmission(Context& c) {
   auto d = fresh<carom_joint_transmission>(carom_joint_transmission_init);
@@ -1360,7 +1361,7 @@ inline const Row kRows[] = {
     ROW_THAT(carom_joint_set_transmission, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_transmission(c), error(c)),
     ROW_THAT(carom_joint_get_transmission, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_transmission>(c), error(c)),
     ROW_THAT(carom_joint_couple, makes(kJoint, 2).may(kRange | kUnsupported), world(c), joint_coupling(c), out(c, 8), error(c)),
-    ROW_THAT(carom_joint_set_coupling, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_coupling(c), error(c)),
+    ROW_THAT(carom_joint_set_coupling, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_coupling(c, true), error(c)),
     ROW_THAT(carom_joint_get_coupling, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_coupling>(c), error(c)),
     ROW_THAT(carom_joint_set_axis, may(kUnsupported | kRange), world(c), handle(c, kJoint), choice(c, 6), joint_axis(c), error(c)),
     ROW_THAT(carom_joint_get_axis, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 6), out_struct<carom_joint_axis>(c), error(c)),
