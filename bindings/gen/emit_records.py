@@ -15,6 +15,7 @@ RECORDS = {
     "carom_joint_desc": {"kind": "str"},
     "carom_joint_state": {"broken": "bool", "coordinate": "dict[str, float]", "axis": "dict[str, float]"},
     "carom_joint_transmission": {},
+    "carom_joint_coupling": {},
     "carom_joint_axis": {
         "mode": "str",
         "drive": "str",

@@ -25,6 +25,8 @@ LENGTHS = {
     ("carom_particles_write", "indices"): "n",
     ("carom_particles_write", "src"): "n * width of field",
     ("carom_particles_get_quarantined", "indices"): "capacity",
+    ("carom_pairs_distance", "dst"): "pairs->count",
+    ("carom_device_pairs_distance", "dst"): "pairs->count",
     ("carom_rays_cast", "positions"): "3 * shape_count",
     ("carom_rays_cast", "orientations"): "4 * shape_count",
     ("carom_rays_cast", "shapes"): "shape_count",

@@ -2,6 +2,7 @@
 require("ffi").cdef [[
 typedef struct carom_batch carom_batch;
 typedef struct carom_engine carom_engine;
+typedef struct carom_device carom_device;
 typedef struct carom_world carom_world;
 typedef struct carom_error carom_error;
 typedef struct carom_accuracy carom_accuracy;
@@ -41,11 +42,14 @@ typedef struct carom_joint_limit carom_joint_limit;
 typedef struct carom_joint_motor carom_joint_motor;
 typedef struct carom_joint_spring carom_joint_spring;
 typedef struct carom_joint_transmission carom_joint_transmission;
+typedef struct carom_joint_coupling carom_joint_coupling;
 typedef struct carom_joint_axis carom_joint_axis;
 typedef struct carom_joint_orientation_drive carom_joint_orientation_drive;
 typedef struct carom_joint_state carom_joint_state;
 typedef struct carom_ledger_entry carom_ledger_entry;
 typedef struct carom_ledger_state carom_ledger_state;
+typedef struct carom_pairs carom_pairs;
+typedef struct carom_device_info carom_device_info;
 typedef struct carom_particles_desc carom_particles_desc;
 typedef struct carom_plan_line carom_plan_line;
 typedef struct carom_param carom_param;
@@ -125,17 +129,20 @@ struct carom_joint_limit { uint32_t struct_size; uint32_t enabled; double lower;
 struct carom_joint_motor { uint32_t struct_size; uint32_t enabled; double speed; double max_force; };
 struct carom_joint_spring { uint32_t struct_size; uint32_t enabled; double target; double frequency; double damping; double max_force; };
 struct carom_joint_transmission { uint32_t struct_size; uint32_t fields; double ratio; double anchor_a[3]; double anchor_b[3]; double length; };
+struct carom_joint_coupling { uint32_t struct_size; uint32_t reserved; carom_joint follower; carom_joint leader; double polynomial[5]; uint64_t user; };
 struct carom_joint_axis { uint32_t struct_size; uint32_t mode; double lower; double upper; uint32_t stop_gains; uint32_t drive_gains; uint32_t spring_gains; uint32_t drive; double stop_stiffness; double stop_damping; double target; double speed; double effort; double max_force; double drive_stiffness; double drive_damping; double rest; double spring_stiffness; double spring_damping; double friction; double armature; double effort_limit; double speed_limit; };
 struct carom_joint_orientation_drive { uint32_t struct_size; uint32_t drive; uint32_t gains; uint32_t reserved; double target[4]; double velocity[3]; double effort[3]; double max_force[3]; double stiffness; double damping; };
 struct carom_joint_state { uint32_t struct_size; uint32_t broken; double force[3]; double torque[3]; double gap; double angle; double coordinate[4]; double axis[6]; };
 struct carom_ledger_entry { const char *name; double kinetic; double potential; double linear[3]; double angular[3]; double total_kinetic; double total_potential; double total_linear[3]; double total_angular[3]; };
 struct carom_ledger_state { uint32_t struct_size; uint32_t is_kept; uint64_t steps; double start_kinetic; double start_potential; double start_linear[3]; double start_angular[3]; double before_kinetic; double before_potential; double before_linear[3]; double before_angular[3]; double now_kinetic; double now_potential; double now_linear[3]; double now_angular[3]; double rounding_energy; double rounding_linear; double rounding_angular; double total_rounding_energy; double total_rounding_linear; double total_rounding_angular; };
+struct carom_pairs { uint32_t struct_size; uint32_t reserved; uint64_t count; const carom_shape *shapes_a; const carom_shape *shapes_b; const double *positions_a; const double *orientations_a; const double *positions_b; const double *orientations_b; uint64_t shape_a_stride; uint64_t shape_b_stride; uint64_t position_a_stride; uint64_t orientation_a_stride; uint64_t position_b_stride; uint64_t orientation_b_stride; };
+struct carom_device_info { uint32_t struct_size; uint32_t reserved; char name[128]; char version[128]; uint64_t pairs; uint64_t host_pairs; };
 struct carom_particles_desc { uint32_t struct_size; uint32_t reserved; double gravity_factor; double linear_damping; double mass; uint64_t capacity; };
 struct carom_plan_line { uint32_t effect; uint32_t stage; uint32_t mode; uint32_t runs; uint64_t participants; uint64_t wanted; uint64_t evaluations; uint64_t bytes; double seconds; uint32_t timing; uint32_t reserved; char name[32]; char unit[24]; char reason[128]; };
 struct carom_param { const char *name; const char *unit; double min; double max; };
 struct carom_param_rule { const char *text; uint32_t term_count; uint32_t param[4]; double weight[4]; double most; };
 struct carom_geometry { uint32_t struct_size; uint32_t form; uint32_t form_arg[4]; uint32_t core_radius_param; uint32_t mass_form; uint32_t mass_arg[4]; };
-struct carom_shape_plugin { uint32_t struct_size; uint32_t abi_major; uint32_t abi_minor; uint32_t flags; const char *id; uint32_t version; uint32_t param_count; const carom_param *params; const carom_geometry *geometry; carom_support_fn support; uint32_t param_tail_group; uint32_t param_tail_min; const carom_param_rule *rules; uint32_t rule_count; uint32_t reserved; void *user; };
+struct carom_shape_plugin { uint32_t struct_size; uint32_t abi_major; uint32_t abi_minor; uint32_t flags; const char *id; uint32_t version; uint32_t param_count; const carom_param *params; const carom_geometry *geometry; carom_support_fn support; uint32_t param_tail_group; uint32_t param_tail_min; const carom_param_rule *rules; uint32_t rule_count; uint32_t reserved; void *user; const char *text; };
 struct carom_distance_desc { uint32_t struct_size; uint32_t simplex; uint32_t narrow_phase; uint32_t pair_routines; double tolerance; double hybrid_margin; uint32_t gjk_iterations; uint32_t epa_iterations; };
 struct carom_distance { uint32_t struct_size; uint32_t status; double separation; double lower; double upper; double normal[3]; double point_a[3]; double point_b[3]; uint32_t gjk_iterations; uint32_t epa_iterations; uint32_t support_calls; uint32_t reserved; };
 struct carom_difference { uint32_t struct_size; uint32_t differs; uint64_t first; uint64_t second; char sections[240]; };
@@ -308,6 +315,7 @@ int32_t carom_joint_limit_init(carom_joint_limit *limit, uint32_t struct_size);
 int32_t carom_joint_motor_init(carom_joint_motor *motor, uint32_t struct_size);
 int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t struct_size);
 int32_t carom_joint_transmission_init(carom_joint_transmission *transmission, uint32_t struct_size);
+int32_t carom_joint_coupling_init(carom_joint_coupling *coupling, uint32_t struct_size);
 int32_t carom_joint_axis_init(carom_joint_axis *axis, uint32_t struct_size);
 int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive, uint32_t struct_size);
 int32_t carom_joint_create(carom_world *world, const carom_joint_desc *desc, carom_joint *joint, carom_error *error);
@@ -322,6 +330,9 @@ int32_t carom_joint_get_motor(carom_world *world, carom_joint joint, uint32_t co
 int32_t carom_joint_get_spring(carom_world *world, carom_joint joint, uint32_t coordinate, carom_joint_spring *spring, carom_error *error);
 int32_t carom_joint_set_transmission(carom_world *world, carom_joint joint, const carom_joint_transmission *transmission, carom_error *error);
 int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint, carom_joint_transmission *transmission, carom_error *error);
+int32_t carom_joint_couple(carom_world *world, const carom_joint_coupling *coupling, carom_joint *joint, carom_error *error);
+int32_t carom_joint_set_coupling(carom_world *world, carom_joint joint, const carom_joint_coupling *coupling, carom_error *error);
+int32_t carom_joint_get_coupling(carom_world *world, carom_joint joint, carom_joint_coupling *coupling, carom_error *error);
 int32_t carom_joint_set_axis(carom_world *world, carom_joint joint, uint32_t axis, const carom_joint_axis *desc, carom_error *error);
 int32_t carom_joint_get_axis(carom_world *world, carom_joint joint, uint32_t axis, carom_joint_axis *desc, carom_error *error);
 int32_t carom_joint_set_orientation_drive(carom_world *world, carom_joint joint, const carom_joint_orientation_drive *drive, carom_error *error);
@@ -333,6 +344,11 @@ int32_t carom_world_get_joints(carom_world *world, carom_joint *joints, uint64_t
 int32_t carom_world_enable_ledger(carom_world *world, uint32_t on, carom_error *error);
 int32_t carom_world_get_ledger(carom_world *world, carom_ledger_entry *dst, uint64_t stride, uint64_t capacity, uint64_t *count, carom_error *error);
 int32_t carom_world_get_ledger_state(carom_world *world, carom_ledger_state *state, carom_error *error);
+int32_t carom_pairs_distance(carom_engine *engine, const carom_pairs *pairs, const carom_distance_desc *desc, carom_distance *dst, uint64_t stride, carom_error *error);
+int32_t carom_device_create(carom_engine *engine, uint32_t index, carom_device **device, carom_error *error);
+int32_t carom_device_destroy(carom_device *device, carom_error *error);
+int32_t carom_device_get_info(carom_device *device, carom_device_info *info, carom_error *error);
+int32_t carom_device_pairs_distance(carom_device *device, const carom_pairs *pairs, const carom_distance_desc *desc, carom_distance *dst, uint64_t stride, carom_error *error);
 int32_t carom_particles_desc_init(carom_particles_desc *desc, uint32_t struct_size);
 int32_t carom_particles_create(carom_world *world, const carom_particles_desc *desc, carom_particles *set, carom_error *error);
 int32_t carom_particles_destroy(carom_world *world, carom_particles set, carom_error *error);
@@ -581,7 +597,8 @@ return {
   CAROM_DIAL_ACCURACY_TURN = 42,
   CAROM_DIAL_ACCURACY_SUBSTEPS = 43,
   CAROM_DIAL_ACCURACY_WORK = 44,
-  CAROM_DIAL_COUNT = 45,
+  CAROM_DIAL_KEEP_DISTANCE = 45,
+  CAROM_DIAL_COUNT = 46,
   CAROM_INTEGRATOR_EXPLICIT_EULER = 0,
   CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER = 1,
   CAROM_INTEGRATOR_RK4 = 2,
@@ -665,7 +682,8 @@ return {
   CAROM_JOINT_PULLEY = 6,
   CAROM_JOINT_GEAR = 7,
   CAROM_JOINT_SIX_AXIS = 8,
-  CAROM_JOINT_COUNT = 9,
+  CAROM_JOINT_COUPLING = 9,
+  CAROM_JOINT_COUNT = 10,
   CAROM_COORDINATE_TWIST = 0,
   CAROM_COORDINATE_SWING = 1,
   CAROM_COORDINATE_SLIDE = 2,
@@ -733,7 +751,12 @@ return {
   CAROM_JOINT_BULK_ARMATURE = 35,
   CAROM_JOINT_BULK_EFFORT_LIMIT = 36,
   CAROM_JOINT_BULK_SPEED_LIMIT = 37,
-  CAROM_JOINT_BULK_COUNT = 38,
+  CAROM_JOINT_BULK_DRIVE_TARGET = 38,
+  CAROM_JOINT_BULK_DRIVE_VELOCITY = 39,
+  CAROM_JOINT_BULK_DRIVE_EFFORT = 40,
+  CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41,
+  CAROM_JOINT_BULK_DRIVE_GAINS = 42,
+  CAROM_JOINT_BULK_COUNT = 43,
   CAROM_EFFECT_GYROSCOPIC = 0,
   CAROM_EFFECT_LINEAR_DAMPING = 1,
   CAROM_EFFECT_ANGULAR_DAMPING = 2,
@@ -823,5 +846,5 @@ return {
   CAROM_WANT_FIRST = 0,
   CAROM_WANT_ANY = 1,
   VERSION = "0.9.0",
-  ROWS = 806, -- of the layout manifest
+  ROWS = 837, -- of the layout manifest
 }

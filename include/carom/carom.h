@@ -19,6 +19,7 @@
 #include <carom/force.h>
 #include <carom/joint.h>
 #include <carom/ledger.h>
+#include <carom/pairs.h>
 #include <carom/particles.h>
 #include <carom/plan.h>
 #include <carom/plugin.h>

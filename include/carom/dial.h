@@ -74,7 +74,11 @@ extern "C" {
 #define CAROM_DIAL_ACCURACY_TURN 42u      /* rad per second, likewise */
 #define CAROM_DIAL_ACCURACY_SUBSTEPS 43u  /* bound of work: substeps of an island in a step */
 #define CAROM_DIAL_ACCURACY_WORK 44u      /* likewise of islands in contact: contact points times substeps */
-#define CAROM_DIAL_COUNT 45u
+#define CAROM_DIAL_KEEP_DISTANCE 45u      /* m: how far two bodies may move before contact points of theirs that lie
+                                             in flat faces and edges are looked for anew; meanwhile they stay with the
+                                             bodies, and separations are off by its square over the smaller
+                                             radius at most; 0: looked for in each step */
+#define CAROM_DIAL_COUNT 46u
 /* clang-format on */
 
 #define CAROM_INTEGRATOR_EXPLICIT_EULER 0u      /* first order */

@@ -41,7 +41,7 @@ CAROM_API int32_t carom_engine_desc_init(carom_engine_desc *desc, uint32_t struc
  *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY */
 CAROM_API int32_t carom_engine_create(const carom_engine_desc *desc, carom_engine **engine, carom_error *error);
 
-/** Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+/** Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
  *  REENTRANT   @thread writer: no other call may use the engine */
 CAROM_API int32_t carom_engine_destroy(carom_engine *engine, carom_error *error);
 
@@ -73,8 +73,8 @@ CAROM_API int32_t carom_jobs_desc_init(carom_jobs_desc *desc, uint32_t struct_si
  *  functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
  *  on the stepping one.
  *  @param desc may be NULL: the stepping thread alone
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
- *  no more threads); OUT_OF_MEMORY; REENTRANT */
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+ *  alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT */
 CAROM_API int32_t carom_engine_set_jobs(carom_engine *engine, const carom_jobs_desc *desc, carom_error *error);
 
 /** Load a shape plugin from a shared object. @param path absolute.

@@ -34,10 +34,13 @@ inline void fill(carom_joint_limit &it) noexcept { carom_joint_limit_init(&it, s
 inline void fill(carom_joint_motor &it) noexcept { carom_joint_motor_init(&it, sizeof it); }
 inline void fill(carom_joint_spring &it) noexcept { carom_joint_spring_init(&it, sizeof it); }
 inline void fill(carom_joint_transmission &it) noexcept { carom_joint_transmission_init(&it, sizeof it); }
+inline void fill(carom_joint_coupling &it) noexcept { carom_joint_coupling_init(&it, sizeof it); }
 inline void fill(carom_joint_axis &it) noexcept { carom_joint_axis_init(&it, sizeof it); }
 inline void fill(carom_joint_orientation_drive &it) noexcept { carom_joint_orientation_drive_init(&it, sizeof it); }
 inline void fill(carom_joint_state &it) noexcept { it = {}, it.struct_size = sizeof it; }
 inline void fill(carom_ledger_state &it) noexcept { it = {}, it.struct_size = sizeof it; }
+inline void fill(carom_pairs &it) noexcept { it = {}, it.struct_size = sizeof it; }
+inline void fill(carom_device_info &it) noexcept { it = {}, it.struct_size = sizeof it; }
 inline void fill(carom_particles_desc &it) noexcept { carom_particles_desc_init(&it, sizeof it); }
 inline void fill(carom_geometry &it) noexcept { it = {}, it.struct_size = sizeof it; }
 inline void fill(carom_shape_plugin &it) noexcept { it = {}, it.struct_size = sizeof it; }

@@ -36,7 +36,9 @@ extern "C" {
                                     against each other */
 #define CAROM_JOINT_SIX_AXIS 8u  /* each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says;
                                     until then all are free */
-#define CAROM_JOINT_COUNT 9u
+#define CAROM_JOINT_COUPLING 9u  /* the coordinate of one joint follows a polynomial of another's, as
+                                    carom_joint_couple() says, which makes such joints */
+#define CAROM_JOINT_COUNT 10u
 /* clang-format on */
 
 /** Static name of a kind of joint ("hinge", "six_axis"), or "?". Scene files and bindings have these names.
@@ -171,6 +173,19 @@ typedef struct carom_joint_transmission {
                            A part of the rope without length pulls nowhere: keep points off anchors */
 } carom_joint_transmission;
 
+/** What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+ *  The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+ *  the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+ *  holds the follower, it holds the leader. Fill with carom_joint_coupling_init(). */
+typedef struct carom_joint_coupling {
+  uint32_t struct_size;
+  uint32_t reserved;    /**< 0 */
+  carom_joint follower; /**< a hinge or slider */
+  carom_joint leader;   /**< another */
+  double polynomial[5]; /**< m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far */
+  uint64_t user;        /**< yours */
+} carom_joint_coupling;
+
 /** What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
  *  has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
  *  each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it. */
@@ -254,14 +269,17 @@ CAROM_API int32_t carom_joint_spring_init(carom_joint_spring *spring, uint32_t s
 /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_transmission_init(carom_joint_transmission *transmission, uint32_t struct_size);
 
+/** The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+CAROM_API int32_t carom_joint_coupling_init(carom_joint_coupling *coupling, uint32_t struct_size);
+
 /** Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_axis_init(carom_joint_axis *axis, uint32_t struct_size);
 /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
 CAROM_API int32_t carom_joint_orientation_drive_init(carom_joint_orientation_drive *drive, uint32_t struct_size);
 
 /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
- *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
- *  NOT_UNIT;
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+ *          carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
  *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
  *          body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
  *          LIMIT; OUT_OF_MEMORY */
@@ -310,6 +328,30 @@ CAROM_API int32_t carom_joint_set_transmission(carom_world *world, carom_joint j
 CAROM_API int32_t carom_joint_get_transmission(carom_world *world, carom_joint joint,
                                                carom_joint_transmission *transmission, carom_error *error);
 
+/** Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+ *  wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+ *  as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+ *  carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+ *  follower's coordinate that it pushes with, mean over the last step.
+ *  Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+ *  joint_order moves it. Oracle: tests/oracle/test_couplings.
+ *  @param joint out: the coupling
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+ *          reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+ *          REENTRANT; LIMIT; OUT_OF_MEMORY */
+CAROM_API int32_t carom_joint_couple(carom_world *world, const carom_joint_coupling *coupling, carom_joint *joint,
+                                     carom_error *error);
+/** Give a coupling another polynomial; its bodies wake.
+ *  @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+ *          field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+CAROM_API int32_t carom_joint_set_coupling(carom_world *world, carom_joint joint, const carom_joint_coupling *coupling,
+                                           carom_error *error);
+/** @param coupling out: as it was made
+ *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
+CAROM_API int32_t carom_joint_get_coupling(carom_world *world, carom_joint joint, carom_joint_coupling *coupling,
+                                           carom_error *error);
+
 /** Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
  *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
  *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
@@ -353,7 +395,7 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
  *  leave places. Numbers are within 1e9. Those of AXES and AXIS_SPEEDS along what is locked are not used: there the joint
  *  is without a gap afterwards. Whole turns count. Places beyond limits are taken: what is beyond is led back. A joint
  *  that has what is written already stays as it is, to the bit. So what was read may be written back, of loops, too; else
- *  a joint of a loop is UNSUPPORTED. Of what is not a joint's only gears go on from where they are: distance joints
+ *  a joint of a loop is UNSUPPORTED. Of a universal joint TURN_Y and TURN_Z are used, its twist follows. Of what is not a joint's only gears go on from where they are: distance joints
  *  and pulleys hold, springs and contacts do not.
  *
  *  ACCELERATION is (rate as the last step ended - rate as it began) / step, finite, and 0 before the first step.
@@ -364,7 +406,8 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
 /* clang-format off */
 #define CAROM_JOINT_BULK_COORDINATES 0u /* 4: m or rad, by CAROM_COORDINATE_*, as the bodies stand now; read only */
 #define CAROM_JOINT_BULK_SPEEDS 1u      /* 4: m/s or rad/s, their rates, from the present velocities; read only */
-#define CAROM_JOINT_BULK_AXES 2u        /* 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
+#define CAROM_JOINT_BULK_AXES 2u        /* 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal,
+                                           six-axis */
 #define CAROM_JOINT_BULK_AXIS_SPEEDS 3u /* 6: m/s and rad/s, their rates; written likewise */
 #define CAROM_JOINT_BULK_FORCE 4u       /* 3: N, world, as carom_joint_state.force; read only */
 #define CAROM_JOINT_BULK_TORQUE 5u      /* 3: N m, world, as carom_joint_state.torque; read only */
@@ -401,7 +444,12 @@ CAROM_API int32_t carom_joint_get_orientation_drive(carom_world *world, carom_jo
 #define CAROM_JOINT_BULK_ARMATURE 35u           /* 1: armature, likewise */
 #define CAROM_JOINT_BULK_EFFORT_LIMIT 36u       /* 1: effort_limit, likewise */
 #define CAROM_JOINT_BULK_SPEED_LIMIT 37u        /* 1: speed_limit, likewise */
-#define CAROM_JOINT_BULK_COUNT 38u
+#define CAROM_JOINT_BULK_DRIVE_TARGET 38u       /* 1: target of the drive of a hinge's or slider's axis, likewise: a servo's */
+#define CAROM_JOINT_BULK_DRIVE_VELOCITY 39u     /* 1: speed, likewise */
+#define CAROM_JOINT_BULK_DRIVE_EFFORT 40u       /* 1: effort, likewise */
+#define CAROM_JOINT_BULK_DRIVE_MAX_FORCE 41u    /* 1: max_force, likewise */
+#define CAROM_JOINT_BULK_DRIVE_GAINS 42u        /* 2: drive_stiffness and drive_damping, in its units, likewise */
+#define CAROM_JOINT_BULK_COUNT 43u
 /* clang-format on */
 /** @} */
 

@@ -28,6 +28,23 @@ extern "C" {
 typedef int32_t (*carom_support_fn)(void *user, const double *params, uint64_t param_len, const double dir[3],
                                     double out[3]);
 
+#if defined(__cplusplus) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 199901L) /* C90 has no macros of this kind */
+/** The parameters as a support function sees them. On a device (pairs.h) they lie in another memory than the stack, so
+ *  a text says carom_params where it could say const double *. */
+typedef const double *carom_params;
+
+/** The support function as code and, word by word, as text, so that a device can be given it:
+ *      CAROM_SUPPORT_TEXT(
+ *      static int32_t support(void *user, carom_params params, uint64_t n, const double dir[3], double out[3]) { ... }
+ *      )
+ *  defines the function and `static const char support_text[]`, for carom_shape_plugin.text. Within it stands all that
+ *  the function uses: functions beside it, enumerations, constants. It is C99 without lines that begin with #, macros,
+ *  strings, float and long. Of the C library it calls sqrt() and fabs() alone, which round alike everywhere. It does
+ *  not read `user`. A text is believed where it gives the bits of the function that was loaded, in 256 directions of
+ *  each shape. */
+#define CAROM_SUPPORT_TEXT(...) __VA_ARGS__ static const char support_text[] = #__VA_ARGS__;
+#endif
+
 /** Documentation and bounds of one parameter; a value outside [min, max] is refused when a shape is made. */
 typedef struct carom_param {
   const char *name; /**< "radius" */
@@ -105,6 +122,7 @@ typedef struct carom_shape_plugin {
   /** handed to support: what a closure of the host holds, or NULL. The function must stay pure: same point for
    *  the same user, params and dir, as long as the plugin is there */
   void *user;
+  const char *text; /**< `support_text` of CAROM_SUPPORT_TEXT(), zero-terminated; NULL: devices cannot ask the shape */
 } carom_shape_plugin;
 
 /** The symbol looked up in a shared object. */

@@ -1,13 +1,17 @@
 /* Box: centred at the origin, edges along the axes. */
 #include <carom/plugin.h>
 
+/* clang-format off */
+CAROM_SUPPORT_TEXT(
 /* The corner on dir's side; a zero component (of either sign) counts as positive, so that ties are repeatable. */
-static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, carom_params params, uint64_t param_len, const double dir[3], double out[3]) {
   int i;
   (void)user, (void)param_len;
   for (i = 0; i < 3; ++i) out[i] = dir[i] >= 0.0 ? params[i] : -params[i];
   return 0;
 }
+)
+/* clang-format on */
 
 static const carom_param parameters[] = {
     {"half_extent_x", "m", 1e-9, 1e8}, {"half_extent_y", "m", 1e-9, 1e8}, {"half_extent_z", "m", 1e-9, 1e8}};
@@ -27,4 +31,5 @@ CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .params = parameters,
     .geometry = &geometry,
     .support = support,
+    .text = support_text,
 };

@@ -2,6 +2,8 @@
 #include <carom/plugin.h>
 #include <math.h>
 
+/* clang-format off */
+CAROM_SUPPORT_TEXT(
 static double larger(double a, double b) { return a > b ? a : b; }
 
 enum { RADIUS, HALF_HEIGHT };
@@ -9,7 +11,7 @@ enum { RADIUS, HALF_HEIGHT };
 /* Either the apex or a point of the base's rim, whichever lies farther along dir:
  *   dir . apex = h dy   against   dir . rim = -h dy + r |(dx, dz)|
  * All components are divided by the largest first, so that no length of dir overflows or vanishes. */
-static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, carom_params params, uint64_t param_len, const double dir[3], double out[3]) {
   const double r = params[RADIUS], h = params[HALF_HEIGHT];
   const double side = larger(fabs(dir[0]), fabs(dir[2]));
   const double largest = larger(side, fabs(dir[1]));
@@ -32,6 +34,8 @@ static int32_t support(void* user, const double* params, uint64_t param_len, con
   }
   return 0;
 }
+)
+/* clang-format on */
 
 static const carom_param parameters[] = {{"radius", "m", 1e-9, 1e8}, {"half_height", "m", 1e-9, 1e8}};
 
@@ -50,4 +54,5 @@ CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .params = parameters,
     .geometry = &geometry,
     .support = support,
+    .text = support_text,
 };

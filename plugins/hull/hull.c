@@ -3,14 +3,16 @@
 #include <carom/plugin.h>
 #include <math.h>
 
+/* clang-format off */
+CAROM_SUPPORT_TEXT(
 static double larger(double a, double b) { return a > b ? a : b; }
 
 /* The point farthest along dir; the first of equals. A scan: the engine knows the vertices from the declaration below
  * and has better ways where it matters. dir is divided by its largest component, so that no product overflows. */
-static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, carom_params params, uint64_t param_len, const double dir[3], double out[3]) {
   const double d = larger(fabs(dir[0]), larger(fabs(dir[1]), fabs(dir[2])));
   const double x = dir[0] / d, y = dir[1] / d, z = dir[2] / d;
-  const double* best = params;
+  carom_params best = params;
   double farthest = -INFINITY;
   uint64_t i;
   (void)user;
@@ -26,6 +28,8 @@ static int32_t support(void* user, const double* params, uint64_t param_len, con
   out[2] = best[2];
   return 0;
 }
+)
+/* clang-format on */
 
 static const carom_param parameters[] = {{"x", "m", -1e8, 1e8}, {"y", "m", -1e8, 1e8}, {"z", "m", -1e8, 1e8}};
 
@@ -46,4 +50,5 @@ CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .support = support,
     .param_tail_group = 3,
     .param_tail_min = 1,
+    .text = support_text,
 };

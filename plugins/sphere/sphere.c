@@ -1,13 +1,17 @@
 /* Sphere: a point with a radius. The core is the origin, so the engine swells it exactly and contacts stay cheap. */
 #include <carom/plugin.h>
 
-static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+/* clang-format off */
+CAROM_SUPPORT_TEXT(
+static int32_t support(void* user, carom_params params, uint64_t param_len, const double dir[3], double out[3]) {
   (void)params;
   (void)user, (void)param_len;
   (void)dir;
   out[0] = out[1] = out[2] = 0.0;
   return 0;
 }
+)
+/* clang-format on */
 
 static const carom_param parameters[] = {{"radius", "m", 1e-9, 1e8}};
 
@@ -30,4 +34,5 @@ CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .params = parameters,
     .geometry = &geometry,
     .support = support,
+    .text = support_text,
 };

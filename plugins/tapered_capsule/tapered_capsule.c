@@ -2,13 +2,15 @@
 #include <carom/plugin.h>
 #include <math.h>
 
+/* clang-format off */
+CAROM_SUPPORT_TEXT(
 static double larger(double a, double b) { return a > b ? a : b; }
 
 enum { RADIUS_BOTTOM, RADIUS_TOP, HALF_HEIGHT };
 
 /* Of two spheres the one that reaches farther:  dir . point = h dy + r_top |dir|  against  -h dy + r_bottom |dir|.
  * dir is divided by its largest component first, so that no length of it overflows or vanishes. */
-static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, carom_params params, uint64_t param_len, const double dir[3], double out[3]) {
   const double largest = larger(fabs(dir[0]), larger(fabs(dir[1]), fabs(dir[2])));
   const double x = dir[0] / largest, y = dir[1] / largest, z = dir[2] / largest;
   const double length = sqrt(x * x + y * y + z * z), h = params[HALF_HEIGHT];
@@ -20,6 +22,8 @@ static int32_t support(void* user, const double* params, uint64_t param_len, con
   out[2] = r * z;
   return 0;
 }
+)
+/* clang-format on */
 
 /* One radius may be 0, a tip, not both. half_height is from the middle to the centre of a sphere: the caps come on top. */
 static const carom_param parameters[] = {
@@ -38,4 +42,5 @@ CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .support = support,
     .rules = rules,
     .rule_count = 1,
+    .text = support_text,
 };

@@ -6,6 +6,10 @@
 #include <carom/plugin.h>
 #include <math.h>
 
+/* What stands in these parentheses is compiled here, and is text as well, for devices: no macros in it, no lines that begin
+ * with #, and of the C library sqrt() and fabs() alone. */
+/* clang-format off */
+CAROM_SUPPORT_TEXT(
 static double larger(double a, double b) { return a > b ? a : b; }
 
 /* CHANGE: what params[0], params[1] ... mean, in the order of `parameters` below. */
@@ -20,7 +24,7 @@ enum { RADIUS, HALF_HEIGHT };
  *   - components may be zero, of either sign: every branch below has an answer for them;
  *   - equal candidates: pick either, but always the same;
  *   - no global, no static variable, no allocation: it runs on several threads at once. */
-static int32_t support(void* user, const double* params, uint64_t param_len, const double dir[3], double out[3]) {
+static int32_t support(void* user, carom_params params, uint64_t param_len, const double dir[3], double out[3]) {
   const double r = params[RADIUS], h = params[HALF_HEIGHT];
   const double side = larger(fabs(dir[0]), fabs(dir[2]));
   const double largest = larger(side, fabs(dir[1])); /* > 0: dir is never zero */
@@ -44,6 +48,8 @@ static int32_t support(void* user, const double* params, uint64_t param_len, con
   }
   return 0; /* anything else reports a fault and puts the shape in quarantine */
 }
+)
+/* clang-format on */
 
 /* CHANGE: name, unit, smallest and largest legal value of each parameter. The engine refuses values outside, so the
  * support function needs no check of its own. */
@@ -74,4 +80,5 @@ CAROM_PLUGIN_EXPORT const carom_shape_plugin carom_shape_plugin_v1 = {
     .param_count = 2,
     .params = parameters,
     .support = support,
+    .text = support_text,
 };

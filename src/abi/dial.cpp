@@ -41,7 +41,8 @@ static_assert(
     same(Dial::joint_order, CAROM_DIAL_JOINT_ORDER) && same(Dial::accuracy_place, CAROM_DIAL_ACCURACY_PLACE) &&
     same(Dial::accuracy_turn, CAROM_DIAL_ACCURACY_TURN) &&
     same(Dial::accuracy_substeps, CAROM_DIAL_ACCURACY_SUBSTEPS) &&
-    same(Dial::accuracy_work, CAROM_DIAL_ACCURACY_WORK) && same(Dial::count, CAROM_DIAL_COUNT));
+    same(Dial::accuracy_work, CAROM_DIAL_ACCURACY_WORK) && same(Dial::keep_distance, CAROM_DIAL_KEEP_DISTANCE) &&
+    same(Dial::count, CAROM_DIAL_COUNT));
 static_assert(kSweepNone == CAROM_SWEEP_NONE && kSweepFlagged == CAROM_SWEEP_FLAGGED && kSweepFast == CAROM_SWEEP_FAST);
 static_assert(static_cast<std::uint32_t>(Precision::in_float) == CAROM_PRECISION_FLOAT &&
               static_cast<std::uint32_t>(Precision::by_size) == CAROM_PRECISION_AUTO &&

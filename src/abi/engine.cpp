@@ -101,8 +101,13 @@ void set_jobs(Call& call, carom_engine* engine, const carom_jobs_desc* given) {
   Owned<Jobs> old;  // its threads end after the lock is given back
   const std::lock_guard lock(engine->mutex);
   if (const std::uint32_t worlds = engine->worlds.load(std::memory_order_relaxed)) {
-    call.fail(CAROM_E_IN_USE, 1, "%u worlds of this engine are alive", worlds);
+    call.fail(CAROM_E_IN_USE, 1, "%u worlds, batches or devices of this engine are alive", worlds);
     call.advise("set jobs before the first world is made, or destroy the worlds first");
+    return;
+  }
+  if (engine->loops > 0) {
+    call.fail(CAROM_E_IN_USE, 1, "%u calls of carom_pairs_distance() are under way", engine->loops);
+    call.advise("set jobs when they have returned");
     return;
   }
   Owned<Jobs> jobs;
@@ -135,8 +140,8 @@ int32_t carom_engine_destroy(carom_engine* engine, carom_error* error) {
   return guarded(error, [&](Call& call) {
     if (!present(call, 1, "engine", engine)) return;
     if (const std::uint32_t worlds = engine->worlds.load(std::memory_order_acquire)) {
-      call.fail(CAROM_E_IN_USE, 1, "%u worlds of this engine are alive", worlds);
-      call.advise("destroy its worlds first");
+      call.fail(CAROM_E_IN_USE, 1, "%u worlds, batches or devices of this engine are alive", worlds);
+      call.advise("destroy its worlds, batches and devices first");
       return;
     }
     const std::uint32_t tag = engine->tag;

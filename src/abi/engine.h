@@ -14,13 +14,14 @@ namespace carom::abi {
 
 /// A plugin as the engine took it in: a copy of all that its author's struct says, so that nothing is read there again.
 struct PluginRecord {
-  explicit PluginRecord(Memory* memory) : id(memory), file(memory), bounds(memory), rules(memory) {}
+  explicit PluginRecord(Memory* memory) : id(memory), file(memory), text(memory), bounds(memory), rules(memory) {}
 
   const carom_shape_plugin* given = nullptr;  // the author's own, for carom_plugin_describe()
   carom_shape_plugin description{};           // brought to this library's size
   carom_geometry geometry{};                  // likewise; form and mass_form NONE where nothing is declared
   std::pmr::string id;
   std::pmr::string file;          // "box" of .../box.so; empty if it was registered by pointer
+  std::pmr::string text;          // of its support function; empty: it has none
   Array<carom_param> bounds;      // [param_count]
   Array<carom_param_rule> rules;  // [rule_count]
   std::uint64_t uses = 0;         // shapes made, or being made, of it
@@ -57,6 +58,7 @@ struct carom_engine {
   carom::SlotPool plugin_slots, shape_slots;
   carom::Array<carom::abi::PluginRecord*> plugins;  // by slot; null: free
   carom::Array<carom::abi::ShapeRecord> shapes;     // by slot; shape null: free
+  std::uint32_t loops = 0;                          // calls under way that use jobs, and no world or batch
   carom::Owned<carom::Jobs> jobs;  // null: steps share their loops with no threads; stays while there are worlds
 };
 

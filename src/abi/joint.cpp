@@ -25,7 +25,8 @@ static_assert(static_cast<std::uint32_t>(JointKind::count) == CAROM_JOINT_COUNT 
               static_cast<std::uint32_t>(JointKind::universal) == CAROM_JOINT_UNIVERSAL &&
               static_cast<std::uint32_t>(JointKind::pulley) == CAROM_JOINT_PULLEY &&
               static_cast<std::uint32_t>(JointKind::gear) == CAROM_JOINT_GEAR &&
-              static_cast<std::uint32_t>(JointKind::six_axis) == CAROM_JOINT_SIX_AXIS);
+              static_cast<std::uint32_t>(JointKind::six_axis) == CAROM_JOINT_SIX_AXIS &&
+              static_cast<std::uint32_t>(JointKind::coupling) == CAROM_JOINT_COUPLING);
 static_assert(kCoordinates == CAROM_COORDINATE_COUNT &&
               static_cast<std::uint32_t>(Coordinate::twist) == CAROM_COORDINATE_TWIST &&
               static_cast<std::uint32_t>(Coordinate::swing) == CAROM_COORDINATE_SWING &&
@@ -70,6 +71,12 @@ bool read_frames(Call& call, const World& world, const carom_joint_desc& d, Join
   return true;
 }
 
+bool is_made_of_bodies(Call& call, std::uint32_t kind) {
+  return kind != CAROM_JOINT_COUPLING ||
+         call.fail(CAROM_E_UNSUPPORTED, 2, "desc->kind is CAROM_JOINT_COUPLING, which joins no bodies") ||
+         call.advise("couple two joints by carom_joint_couple()");
+}
+
 Real or_never(double most) { return most > 0 ? most : kInfinity; }
 
 bool read_joint(Call& call, const World& world, const carom_joint_desc* given, JointDef& def) {
@@ -77,8 +84,9 @@ bool read_joint(Call& call, const World& world, const carom_joint_desc* given, J
   carom_joint_desc_init(&d, sizeof d);
   if (!read_struct(call, 2, "desc", given, d) || !only_bits(call, 2, "desc->reserved", d.reserved, 0) ||
       !only_bits(call, 2, "desc->fields", d.fields, kJointFields) ||
-      !known(call, 2, "desc->kind", d.kind, CAROM_JOINT_COUNT) || !read_ends(call, world, d, "joins", def) ||
-      !read_frames(call, world, d, def) || !in_range(call, 2, "desc->length", d.length, 0, kLongestJoint) ||
+      !known(call, 2, "desc->kind", d.kind, CAROM_JOINT_COUNT) || !is_made_of_bodies(call, d.kind) ||
+      !read_ends(call, world, d, "joins", def) || !read_frames(call, world, d, def) ||
+      !in_range(call, 2, "desc->length", d.length, 0, kLongestJoint) ||
       !in_range(call, 2, "desc->break_force", d.break_force, 0, kStrongestMotor) ||
       !in_range(call, 2, "desc->break_torque", d.break_torque, 0, kStrongestMotor))
     return false;
@@ -149,6 +157,77 @@ bool read_transmission(Call& call, const World& world, Joint joint, const carom_
   return to.length <= kLongestJoint ||
          call.fail(CAROM_E_OUT_OF_RANGE, 3, "the rope would be %g m long, at most %g: give anchors that are nearer",
                    to.length, kLongestJoint);
+}
+
+/// What is coupled is a joint of one motion.
+bool can_be_coupled(Call& call, const World& world, const char* name, std::uint32_t slot) {
+  const JointKind kind = world.joints.joint[slot].def.kind;
+  return kind == JointKind::hinge || kind == JointKind::slider ||
+         call.fail(CAROM_E_UNSUPPORTED, 2, "%s is a %s joint; a hinge or a slider is coupled", name, row_of(kind).name);
+}
+
+/// @param argument  of the call
+bool read_polynomial(Call& call, int argument, const carom_joint_coupling& d, Coupling& to) {
+  if (!only_bits(call, argument, "coupling->reserved", d.reserved, 0) ||
+      !finite(call, argument, "coupling->polynomial", d.polynomial, Coupling::kTerms))
+    return false;
+  for (std::size_t k = 0; k < Coupling::kTerms; ++k) {
+    if (!in_range(call, argument, "a number of coupling->polynomial", d.polynomial[k], -kLongestJoint, kLongestJoint))
+      return false;
+    to.polynomial[k] = d.polynomial[k];
+  }
+  return true;
+}
+
+bool read_coupling(Call& call, const World& world, const carom_joint_coupling* given, Coupling& to,
+                   std::uint64_t& user) {
+  carom_joint_coupling d;
+  carom_joint_coupling_init(&d, sizeof d);
+  if (!read_struct(call, 2, "coupling", given, d) || !read_polynomial(call, 2, d, to) ||
+      !resolve(call, 2, "coupling->follower", world.joints.slots, d.follower) ||
+      !resolve(call, 2, "coupling->leader", world.joints.slots, d.leader))
+    return false;
+  to.follower = handle_slot(d.follower), to.leader = handle_slot(d.leader), user = d.user;
+  return true;
+}
+
+bool can_couple(Call& call, const World& world, const Coupling& to) {
+  if (!can_be_coupled(call, world, "coupling->follower", to.follower) ||
+      !can_be_coupled(call, world, "coupling->leader", to.leader))
+    return false;
+  if (to.follower == to.leader)
+    return call.fail(CAROM_E_OUT_OF_RANGE, 2, "coupling->follower and coupling->leader are one joint") ||
+           call.advise("couple two joints; one that is to stay where it is has a limit with lower = upper");
+  const JointDef def = world.coupling_def(to);
+  return def.body_a != kInvalid || def.body_b != kInvalid ||
+         call.fail(CAROM_E_OUT_OF_RANGE, 2, "neither of the two joints has a body that is dynamic; one must have") ||
+         call.advise("make one of their bodies dynamic");
+}
+
+bool has_coupling(Call& call, const Joint& joint, int argument) {
+  return joint.coupling ||
+         call.fail(CAROM_E_UNSUPPORTED, argument, "a %s joint is no coupling", row_of(joint.def.kind).name) ||
+         call.advise("name a joint that carom_joint_couple() made");
+}
+
+/// Another polynomial for one that there is.
+bool read_coupling(Call& call, const World& world, const Joint& joint, const carom_joint_coupling* given,
+                   Coupling& to) {
+  carom_joint_coupling d;
+  carom_joint_coupling_init(&d, sizeof d);
+  const auto lives = [&](const char* name, carom_joint handle) {
+    return handle == CAROM_NULL_HANDLE || resolve(call, 3, name, world.joints.slots, handle);
+  };
+  if (!read_struct(call, 3, "coupling", given, d) || !read_polynomial(call, 3, d, to) ||
+      !lives("coupling->follower", d.follower) || !lives("coupling->leader", d.leader) || !has_coupling(call, joint, 3))
+    return false;
+  const Coupling& now = world.joints.coupling_of(joint);
+  const auto is_own = [&](const char* name, carom_joint handle, std::uint32_t own) {
+    return handle == CAROM_NULL_HANDLE || handle_slot(handle) == own ||
+           call.fail(CAROM_E_UNSUPPORTED, 3, "%s is not that of the coupling", name) ||
+           call.advise("destroy the coupling and couple the other joints");
+  };
+  return is_own("coupling->follower", d.follower, now.follower) && is_own("coupling->leader", d.leader, now.leader);
 }
 
 /// Names of the coordinates that a kind leaves free, of CAROM_COORDINATE_*: "TWIST, SWING"; or "none".
@@ -386,6 +465,58 @@ int32_t carom_joint_get_transmission(carom_world* world, carom_joint handle, car
     carom_joint_transmission full{0, CAROM_JOINT_FIELD_LENGTH, t.ratio, {}, {}, t.length};
     from_vec3(t.anchor_a, full.anchor_a), from_vec3(t.anchor_b, full.anchor_b);
     write_struct(full, transmission);
+  });
+}
+
+int32_t carom_joint_coupling_init(carom_joint_coupling* coupling, uint32_t struct_size) {
+  return init_struct(coupling, struct_size, [](carom_joint_coupling& d) { d.polynomial[1] = 1; });
+}
+
+int32_t carom_joint_couple(carom_world* world, const carom_joint_coupling* coupling, carom_joint* joint,
+                           carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::joint_couple(coupling));
+    if (!changing) return;
+    const FloatScope scope;
+    Coupling to;
+    std::uint64_t user = 0;
+    if (!has_joints_solver(call, *changing) || !read_coupling(call, *changing, coupling, to, user) ||
+        !present(call, 3, "joint", joint) || !can_couple(call, *changing, to))
+      return;
+    const Handle handle = changing->add_coupling(to, user);
+    if (handle)
+      *joint = handle;
+    else
+      call.fail(CAROM_E_LIMIT, 0, "this world has issued all %u joints", kMaxSlots);
+  });
+}
+
+int32_t carom_joint_set_coupling(carom_world* world, carom_joint joint, const carom_joint_coupling* coupling,
+                                 carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::joint_set_coupling(joint, coupling));
+    if (!changing || !resolve_joint(call, *changing, joint)) return;
+    const FloatScope scope;
+    const std::uint32_t slot = handle_slot(joint);
+    Coupling to;
+    if (read_coupling(call, *changing, changing->joints.joint[slot], coupling, to))
+      changing->set_polynomial(slot, to.polynomial);
+  });
+}
+
+int32_t carom_joint_get_coupling(carom_world* world, carom_joint handle, carom_joint_coupling* coupling,
+                                 carom_error* error) {
+  return glanced(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve_joint(call, *reading, handle)) return;
+    const Joint& joint = reading->joints.joint[handle_slot(handle)];
+    if (!fillable(call, 3, "coupling", coupling) || !has_coupling(call, joint, 2)) return;
+    const Coupling& c = reading->joints.coupling_of(joint);
+    carom_joint_coupling full{};
+    full.follower = reading->joints.slots.handle(c.follower), full.leader = reading->joints.slots.handle(c.leader);
+    std::copy(c.polynomial.begin(), c.polynomial.end(), full.polynomial);
+    full.user = joint.def.user;
+    write_struct(full, coupling);
   });
 }
 

@@ -52,7 +52,7 @@ bool is_among(Kinds kinds, JointKind kind) {
 }
 constexpr const char* kNamesOfKinds[] = {"any joint",         "a hinge, slider, distance joint or pulley",
                                          "a six-axis joint",  "a ball or a six-axis joint",
-                                         "a hinge or slider", "a hinge, slider, ball or six-axis joint"};
+                                         "a hinge or slider", "a hinge, slider, ball, universal or six-axis joint"};
 constexpr const char* kRemediesOfKinds[] = {
     "",
     "list such joints alone; axes of a six-axis joint have fields AXIS_*, a ball has ORIENTATION_*",
@@ -260,6 +260,33 @@ void write_own(World& world, std::uint32_t slot, const Joint& joint, const doubl
   axis.*number = counts || *record < kStrongestMotor ? *record : kInfinity;
   if (!(axis == world.joints.axes_of(joint).axis[k])) world.set_joint_axis(slot, k, axis);
 }
+/// The drive of that axis.
+const JointAxis& own_of(const World& world, const Joint& joint) {
+  return world.joints.axes_of(joint).axis[dynamics::own_axis(joint.def.kind)];
+}
+bool check_own_target(const World&, const Joint& joint, const Given& given) {
+  const double far = farthest(dynamics::own_axis(joint.def.kind));
+  return given.within(0, -far, far);
+}
+template <Real JointAxis::*number>
+void write_own_any(World& world, std::uint32_t slot, const Joint& joint, const double* record) {
+  JointAxis axis = own_of(world, joint);
+  axis.*number = *record;
+  if (!(axis == own_of(world, joint))) world.set_joint_axis(slot, dynamics::own_axis(joint.def.kind), axis);
+}
+bool check_own_gains(const World& world, const Joint& joint, const Given& given) {
+  const bool rates = own_of(world, joint).gains.gains == Gains::frequency;
+  return given.within(0, 0, rates ? kStiffest : kStrongestMotor) &&
+         given.within(1, 0, rates ? kMostDamping : kStrongestMotor);
+}
+void read_own_gains(const World& world, const Joint& joint, double* record) {
+  record[0] = own_of(world, joint).gains.stiffness, record[1] = own_of(world, joint).gains.damping;
+}
+void write_own_gains(World& world, std::uint32_t slot, const Joint& joint, const double* record) {
+  JointAxis axis = own_of(world, joint);
+  axis.gains.stiffness = record[0], axis.gains.damping = record[1];
+  if (!(axis == own_of(world, joint))) world.set_joint_axis(slot, dynamics::own_axis(joint.def.kind), axis);
+}
 bool check_axis_targets(const World&, const Joint&, const Given& given) {
   return given.all_within(0, 3, -farthest(0), farthest(0)) && given.all_within(3, 6, -farthest(3), farthest(3));
 }
@@ -397,6 +424,13 @@ constexpr JointField kBulkJointFields[CAROM_JOINT_BULK_COUNT] = {
     {"armature", 1, Kinds::hinge_or_slider, read_own<&JointAxis::armature>, check_strengths, write_own<&JointAxis::armature>},
     {"effort_limit", 1, Kinds::hinge_or_slider, read_own<&JointAxis::effort_limit>, check_strengths, write_own<&JointAxis::effort_limit>},
     {"speed_limit", 1, Kinds::hinge_or_slider, read_own<&JointAxis::speed_limit>, check_strengths, write_own<&JointAxis::speed_limit>},
+    {"drive_target", 1, Kinds::hinge_or_slider, read_own<&JointAxis::target>, check_own_target, write_own_any<&JointAxis::target>},
+    {"drive_velocity", 1, Kinds::hinge_or_slider, read_own<&JointAxis::speed>,
+     [](W, J, const Given& given) { return given.within(0, -kFastestMotor, kFastestMotor); }, write_own_any<&JointAxis::speed>},
+    {"drive_effort", 1, Kinds::hinge_or_slider, read_own<&JointAxis::effort>,
+     [](W, J, const Given& given) { return given.within(0, -kStrongestMotor, kStrongestMotor); }, write_own_any<&JointAxis::effort>},
+    {"drive_max_force", 1, Kinds::hinge_or_slider, read_own<&JointAxis::max_force>, check_strengths, write_own<&JointAxis::max_force>},
+    {"drive_gains", 2, Kinds::hinge_or_slider, read_own_gains, check_own_gains, write_own_gains},
 };
 // clang-format on
 

@@ -91,6 +91,16 @@ bool is_of_this_system(Call& call, const char* path) {
          call.advise("build the plugin again with the compiler of this system and processor");
 }
 
+/// What to do about the loader's words, which glibc, musl and dyld write in their own ways; others keep the code's remedy.
+void advise_on_load(Call& call, const char* why) {
+  if (std::strstr(why, "GLIBC_"))
+    call.advise(
+        "build the plugin on this system, or on the oldest that it has to run on: its own has a newer C library");
+  else if (std::strstr(why, "cannot open shared object file") || std::strstr(why, "Error loading shared library") ||
+           std::strstr(why, "Library not loaded"))
+    call.advise("install the library that is named, or link it into the plugin: cc -shared ... libNAME.a");
+}
+
 }  // namespace
 
 void find_plugin_file(std::string_view name, PluginFile& file) {
@@ -122,6 +132,7 @@ EntrySymbol load_entry_symbol(Call& call, const char* path, std::size_t smallest
     const bool named = std::strstr(why, path);
     call.fail(CAROM_E_PLUGIN_LOAD, 2, "%.100s%s%.140s", named ? "" : path, named ? "" : ": ",
               why[0] ? why : "the entry symbol is NULL");
+    advise_on_load(call, why);
     return {};
   }
   if (!symbol.is_data || (symbol.bytes && symbol.bytes < smallest)) {

@@ -41,6 +41,7 @@ namespace system {
 extern const char* const kEnding;  // ".so"; null: nothing is loaded here
 extern const char kBetween;        // two folders of a list
 extern const char* const kSlashes;
+extern const char* const kOpenCl;  // the loader of OpenCL, as the system finds it; null: nothing is loaded here
 
 bool is_absolute(std::string_view path);
 bool is_file(const char* path);

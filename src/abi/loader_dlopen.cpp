@@ -83,6 +83,11 @@ void measure(Symbol& symbol) {
 const char* const kEnding = ".so";
 const char kBetween = ':';
 const char* const kSlashes = "/";
+#if defined(__APPLE__)
+const char* const kOpenCl = "/System/Library/Frameworks/OpenCL.framework/OpenCL";
+#else
+const char* const kOpenCl = "libOpenCL.so.1";
+#endif
 
 bool is_absolute(std::string_view path) { return path.starts_with('/'); }
 

@@ -7,6 +7,7 @@ namespace carom::abi::system {
 const char* const kEnding = nullptr;
 const char kBetween = ':';
 const char* const kSlashes = "/";
+const char* const kOpenCl = nullptr;
 
 bool is_absolute(std::string_view) { return false; }
 bool is_file(const char*) { return false; }

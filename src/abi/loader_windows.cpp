@@ -38,6 +38,7 @@ void say_last_error(char* why, std::size_t size) {
 }  // namespace
 
 const char* const kEnding = ".dll";
+const char* const kOpenCl = "OpenCL.dll";
 const char kBetween = ';';
 const char* const kSlashes = "/\\";
 

@@ -13,6 +13,7 @@ namespace carom::abi {
 namespace {
 
 constexpr std::size_t kLongestId = 200;          // fits a message
+constexpr std::size_t kLongestText = 1u << 16;   // of a support function
 constexpr std::uint32_t kMostParams = 1u << 20;  // named parameters; a tail group repeats beyond
 constexpr std::size_t kSmallestPlugin = offsetof(carom_shape_plugin, param_tail_group);  // up to and with `support`
 constexpr std::size_t kSmallestGeometry = offsetof(carom_geometry, mass_form);           // form and core radius
@@ -94,11 +95,15 @@ bool check_description(Call& call, const carom_shape_plugin* given, std::size_t 
                      CAROM_PLUGIN_HOST_THREAD);
   if (!d.id || !d.id[0] || strnlen(d.id, kLongestId + 1) > kLongestId)
     return call.fail(CAROM_E_PLUGIN_ABI, 2, "id is %s", !d.id ? "NULL" : d.id[0] ? "longer than 200 bytes" : "empty");
+  if (d.text && strnlen(d.text, kLongestText + 1) > kLongestText)
+    return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: text is longer than %zu bytes", d.id, kLongestText);
   if (!d.support) return call.fail(CAROM_E_PLUGIN_ABI, 2, "%s: support is NULL", d.id);
   if (!check_params(call, d) || !check_rules(call, d) || !check_geometry(call, d, record.geometry)) return false;
   record.given = given;
   record.id = d.id;
   d.id = record.id.c_str();
+  if (d.text) record.text = d.text;
+  d.text = nullptr;
   record.bounds.assign(d.params, d.params + d.param_count);
   record.rules.assign(d.rules, d.rules + d.rule_count);
   return true;

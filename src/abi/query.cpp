@@ -4,10 +4,11 @@
 #include <carom/dial.h>
 #include <carom/query.h>
 
+#include "abi/distance.h"
 #include "abi/engine.h"
-#include "core/float_scope.h"
 #include "collision/narrow/rounding.h"
 #include "collision/scenery/ask.h"
+#include "core/float_scope.h"
 #include "dynamics/dials.h"
 
 namespace carom::abi {
@@ -26,30 +27,18 @@ static_assert(static_cast<std::uint32_t>(Method::hybrid) == CAROM_NARROW_HYBRID 
 const DialRow& row(Dial dial) { return dial_table()[static_cast<std::size_t>(dial)]; }
 
 /// Same bounds as the dial of the same name.
-bool like_dial(Call& call, const char* name, double value, Dial dial) {
-  return in_range(call, 8, name, value, row(dial).min, row(dial).max);
+bool like_dial(Call& call, int argument, const char* name, double value, Dial dial) {
+  return in_range(call, argument, name, value, row(dial).min, row(dial).max);
 }
 
-bool check_desc(Call& call, const carom_distance_desc& d) {
-  return known(call, 8, "desc->simplex", d.simplex, row(Dial::simplex).choice_count) &&
-         known(call, 8, "desc->narrow_phase", d.narrow_phase, row(Dial::narrow_phase).choice_count) &&
-         known(call, 8, "desc->pair_routines", d.pair_routines, 2) &&
-         like_dial(call, "desc->tolerance", d.tolerance, Dial::gjk_tolerance) &&
-         like_dial(call, "desc->hybrid_margin", d.hybrid_margin, Dial::hybrid_margin) &&
-         like_dial(call, "desc->gjk_iterations", d.gjk_iterations, Dial::gjk_iterations) &&
-         like_dial(call, "desc->epa_iterations", d.epa_iterations, Dial::epa_iterations);
-}
-
-QuerySettings settings(const carom_distance_desc& d) {
-  QuerySettings s;
-  s.simplex = static_cast<Simplex>(d.simplex);
-  s.method = static_cast<Method>(d.narrow_phase);
-  s.routines = d.pair_routines;
-  s.tolerance = d.tolerance;
-  s.margin = d.hybrid_margin;
-  s.gjk_cap = static_cast<int>(d.gjk_iterations);
-  s.epa_cap = static_cast<int>(d.epa_iterations);
-  return s;
+bool check_desc(Call& call, int at, const carom_distance_desc& d) {
+  return known(call, at, "desc->simplex", d.simplex, row(Dial::simplex).choice_count) &&
+         known(call, at, "desc->narrow_phase", d.narrow_phase, row(Dial::narrow_phase).choice_count) &&
+         known(call, at, "desc->pair_routines", d.pair_routines, 2) &&
+         like_dial(call, at, "desc->tolerance", d.tolerance, Dial::gjk_tolerance) &&
+         like_dial(call, at, "desc->hybrid_margin", d.hybrid_margin, Dial::hybrid_margin) &&
+         like_dial(call, at, "desc->gjk_iterations", d.gjk_iterations, Dial::gjk_iterations) &&
+         like_dial(call, at, "desc->epa_iterations", d.epa_iterations, Dial::epa_iterations);
 }
 
 /// The bracket is of the shapes at the relative pose as it was rounded: widened, it is of the poses that were given.
@@ -78,6 +67,42 @@ carom_distance distance_of(const QueryResult& r, const Frame& a, const Frame& b)
 }
 
 }  // namespace
+
+bool read_distance_desc(Call& call, int argument, const carom_distance_desc* given, carom_distance_desc& known) {
+  carom_distance_desc_init(&known, sizeof known);
+  return (!given || read_struct(call, argument, "desc", given, known)) && check_desc(call, argument, known);
+}
+
+QuerySettings query_settings(const carom_distance_desc& d) {
+  QuerySettings s;
+  s.simplex = static_cast<Simplex>(d.simplex);
+  s.method = static_cast<Method>(d.narrow_phase);
+  s.routines = d.pair_routines;
+  s.tolerance = d.tolerance;
+  s.margin = d.hybrid_margin;
+  s.gjk_cap = static_cast<int>(d.gjk_iterations);
+  s.epa_cap = static_cast<int>(d.epa_iterations);
+  return s;
+}
+
+bool has_distance(Call& call, int argument, const char* what, const Shape& a, const Shape& b) {
+  if (a.form == Form::half_space && b.form == Form::half_space)
+    return call.fail(CAROM_E_UNSUPPORTED, argument,
+                     "two half-spaces%s have no distance: unless parallel they overlap without end", what);
+  return !is_scenery(a) || !is_scenery(b) ||
+         call.fail(CAROM_E_UNSUPPORTED, argument, "both shapes%s are scenery: one of them has to be convex", what);
+}
+
+carom_distance measure_distance(const Shape& a, const Frame& frame_a, const Shape& b, const Frame& frame_b,
+                                const QuerySettings& settings) {
+  QueryResult found;
+  SupportFault fault;
+  const Frame b_in_a = relative(frame_a, frame_b);
+  any_shape::distance(a, b, b_in_a, settings, nullptr, found, fault);
+  widen_by_pose(a, b, b_in_a, settings.tolerance, found);
+  return distance_of(found, frame_a, frame_b);
+}
+
 }  // namespace carom::abi
 
 using namespace carom;
@@ -102,30 +127,18 @@ int32_t carom_shape_distance(carom_engine* engine, carom_shape shape_a, const do
                              carom_error* error) {
   return guarded(error, [&](Call& call) {
     carom_distance_desc known_desc;
-    carom_distance_desc_init(&known_desc, sizeof known_desc);
     if (!present(call, 1, "engine", engine)) return;
     ShapePin a(*engine), b(*engine);
     if (!a.take(call, 2, "shape_a", shape_a) || !carom::abi::finite(call, 3, "position_a", position_a, 3) ||
         !unit(call, 4, "orientation_a", orientation_a, 4) || !b.take(call, 5, "shape_b", shape_b) ||
         !carom::abi::finite(call, 6, "position_b", position_b, 3) ||
-        !unit(call, 7, "orientation_b", orientation_b, 4) ||
-        (desc && !read_struct(call, 8, "desc", desc, known_desc)) || !check_desc(call, known_desc) ||
-        !fillable(call, 9, "result", result))
+        !unit(call, 7, "orientation_b", orientation_b, 4) || !read_distance_desc(call, 8, desc, known_desc) ||
+        !fillable(call, 9, "result", result) || !has_distance(call, 5, "", *a, *b))
       return;
-    if (a->form == Form::half_space && b->form == Form::half_space) {
-      call.fail(CAROM_E_UNSUPPORTED, 5, "two half-spaces have no distance: unless parallel they overlap without end");
-      return;
-    }
-    if (!one_is_convex(call, 5, *a, *b)) return;
     const FloatScope scope;
     const Frame frame_a(Pose{to_quat(orientation_a), to_vec3(position_a)});
     const Frame frame_b(Pose{to_quat(orientation_b), to_vec3(position_b)});
-    QueryResult found;
-    SupportFault fault;
-    const Frame b_in_a = relative(frame_a, frame_b);
-    any_shape::distance(*a, *b, b_in_a, settings(known_desc), nullptr, found, fault);
-    widen_by_pose(*a, *b, b_in_a, known_desc.tolerance, found);
-    write_struct(distance_of(found, frame_a, frame_b), result);
+    write_struct(measure_distance(*a, frame_a, *b, frame_b, query_settings(known_desc)), result);
   });
 }
 

@@ -5,16 +5,12 @@
 
 namespace carom::collision {
 
-namespace {
-
 /// Bounding radii are derived from support calls, so a point just outside is no lie: 1e-6 of the radius is let pass.
 /// A point farther out would break the estimate of rounding, which is taken from the same radius.
-Real limit2(const Shape& s) {
+Real Core::limit2(const Shape& s) {
   const Real r = std::max(s.bounding_radius - s.core_radius, Real(0)) + 1e-6 * s.bounding_radius;
   return std::min(r * r, std::numeric_limits<Real>::max());
 }
-
-}  // namespace
 
 bool Core::ask(const Vec3& n, Vec3& out) {
   returned_ = shape_->support(shape_->user, shape_->params.data(), shape_->params.size(), n.data(), out.data());

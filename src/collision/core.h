@@ -27,7 +27,6 @@ class Core {
   bool blame(const Vec3& n, const Vec3& out, SupportFault& fault) const;
   const Shape& shape() const { return *shape_; }
 
- private:
   /// The form to speak for, none where the plugin must: a declared form is that of the whole shape, and the core is
   /// smaller by the core radius.
   static Form own_form(const Shape& s) {
@@ -35,6 +34,10 @@ class Core {
     const bool known = s.core_radius == (round ? s.radius : 0) && (s.form != Form::polytope || !s.farthest.empty());
     return known ? s.form : Form::none;
   }
+  /// m^2: a plugin's support point that is farther from the origin is none.
+  static Real limit2(const Shape& s);
+
+ private:
   bool ask(const Vec3& n, Vec3& out);
 
   const Shape* shape_;

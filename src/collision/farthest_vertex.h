@@ -42,12 +42,21 @@ class FarthestVertex {
   /// @oracle     tests/unit/collision/test_farthest_vertex
   std::uint32_t operator()(const Vec3& n) const { return climbs() ? climb(n) : scan(n); }
 
- private:
   struct Corner {
     std::int64_t x, y, z;  // grid steps, below 2^52
     std::uint32_t first;   // of its neighbours; they end where those of the next corner begin
     std::uint32_t point;   // in the build
   };
+  /// What it was arranged as, for device/pairs.c: names as below.
+  struct Parts {
+    std::uint32_t count, cells;
+    std::span<const double> coordinates;
+    std::span<const Corner> corners;
+    std::span<const std::uint32_t> neighbours, guesses;
+  };
+  Parts parts() const { return {count_, cells_, coordinates_, corners_, neighbours_, guesses_}; }
+
+ private:
   static constexpr std::uint32_t kLanes = 4;
 
   void prepare_scan(std::span<const double> xyz);

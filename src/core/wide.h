@@ -43,12 +43,13 @@ using LaneMask =
 
 /// A part of a kernel of which one copy would do. Natively each kernel has its own, in registers. A module that is
 /// downloaded (bindings/js/wasm/flags.cmake) has one, and its kernels find out in a loop what natively the compiler knows.
+/// So have the kernels of x86-64 for machines without AVX2 (src/CMakeLists.txt).
 #if defined(CAROM_FEW_COPIES)
 #define CAROM_SHARED_PART [[gnu::noinline]]
-inline constexpr bool kFewCopies = true;
+constexpr bool kFewCopies = true;  // of this file: others may be compiled otherwise
 #else
 #define CAROM_SHARED_PART CAROM_LANES_INLINE
-inline constexpr bool kFewCopies = false;
+constexpr bool kFewCopies = false;
 #endif
 
 /// A number that a compiler must have at hand before it spreads it over lanes. clang 14 for WebAssembly would load

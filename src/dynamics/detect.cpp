@@ -58,6 +58,7 @@ NarrowSettings narrow_settings(const Dials& dials) {
   s.query.epa_cap = dials.whole(Dial::epa_iterations);
   s.manifold.kind = static_cast<ManifoldKind>(dials.choice(Dial::manifold));
   s.manifold.cache_distance = dials[Dial::cache_distance];
+  s.manifold.keep_distance = dials[Dial::keep_distance];
   s.manifold.contact_distance = dials[Dial::contact_distance];
   s.warm_separation = dials.choice(Dial::warm_separation) != 0;
   s.carry_over = dials[Dial::carry_over];

@@ -144,6 +144,11 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            "likewise of islands in contact: contact points times substeps, but no fewer substeps than without an "
            "accuracy",
            1, 1e12, 30000),
+    number(
+        Dial::keep_distance, "keep_distance", "m",
+        "how far two bodies may move before contact points of flat faces and edges are looked for anew: off by less than "
+        "its square over the smaller radius; 0: in each step",
+        0, 1, 1e-3),
 }};
 
 constexpr bool in_order() {

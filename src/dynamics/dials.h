@@ -55,6 +55,7 @@ enum class Dial : std::uint32_t {
   accuracy_turn,
   accuracy_substeps,
   accuracy_work,
+  keep_distance,
   count
 };
 inline constexpr std::size_t kDialCount = static_cast<std::size_t>(Dial::count);

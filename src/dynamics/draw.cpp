@@ -167,6 +167,7 @@ class Drawing {
     for (std::uint32_t j = 0; j < world_.joints.slots.slots(); ++j) {
       if (!world_.joints.alive(j) || world_.joints.joint[j].broken) continue;
       const JointDef& def = world_.joints.joint[j].def;
+      if (is_coupling(def.kind)) continue;  // the joints that it couples are drawn
       const JointEnds ends = ends_of(world_, def);
       const auto whose = [](std::uint32_t body) { return body == kInvalid ? kInvalid : body; };
       axes(ends.a.p, ends.a.q.matrix(), whose(def.body_a));

@@ -47,9 +47,9 @@ std::uint64_t own_bytes(const World& world, std::size_t row) {
       return sum;
     }
     case +EffectId::joints:
-      return bytes_of(world.joints.joint, world.joints.axes, world.joints.first, world.wide_joints->joints,
-                      world.wide_joints->pulls, world.wide_joints->gears, world.wide_joints->axes,
-                      world.wide_joints->active, world.wide_joints->linked);
+      return bytes_of(world.joints.joint, world.joints.axes, world.joints.couplings, world.joints.first,
+                      world.wide_joints->joints, world.wide_joints->pulls, world.wide_joints->gears,
+                      world.wide_joints->axes, world.wide_joints->active, world.wide_joints->linked);
     case +EffectId::continuous:
       return bytes_of(world.continuous->bodies, world.continuous->index, world.continuous->hits);
     case +EffectId::axis_locks:

@@ -24,6 +24,7 @@ constexpr PresetRow kPresetRows[] = {
     {Dial::restitution_speed, 0.25, 0.05, 0.01},
     {Dial::contact_frequency, 30, 120, 480},
     {Dial::direct_sink, 1e-3, 6.25e-5, 3.9e-6},
+    {Dial::keep_distance, 3e-3, 2e-4, 0},
     {Dial::gjk_tolerance, 1e-4, 1e-8, 1e-12},
 };
 

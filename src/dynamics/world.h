@@ -122,6 +122,12 @@ class World {
   void restore_collision(std::uint32_t body_a, std::uint32_t body_b);
   void set_transmission(std::uint32_t slot, const Transmission& transmission);
   Handle add_joint(const JointDef& def);  // its bodies are two, or one and the world
+  /// The coordinate of one joint follows that of another. Both are alive, each a hinge or a slider, and not the same.
+  Handle add_coupling(const Coupling& coupling, std::uint64_t user);
+  void set_polynomial(std::uint32_t joint, const std::array<Real, Coupling::kTerms>& polynomial);
+  /// Between which bodies a coupling is listed; and its data into a joint that is new, within capacity.
+  JointDef coupling_def(const Coupling& coupling) const;
+  void fill_coupling(std::uint32_t joint, const Coupling& coupling);
   void remove_joint(std::uint32_t joint);
   void set_joint_drive(std::uint32_t joint, Coordinate coordinate, const JointDrive& drive);
   void set_joint_axis(std::uint32_t joint, std::uint32_t axis, const JointAxis& to);  // of a six-axis joint

@@ -226,6 +226,8 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   carom_joint_spring_init(&spring, sizeof spring);
   carom_joint_transmission transmission;
   carom_joint_transmission_init(&transmission, sizeof transmission);
+  carom_joint_coupling coupling;
+  carom_joint_coupling_init(&coupling, sizeof coupling);
   carom_joint_axis axis;
   carom_joint_axis_init(&axis, sizeof axis);
   carom_joint_orientation_drive turn;
@@ -245,6 +247,9 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("joint_get_spring", carom_joint_get_spring(b.world, none, CAROM_COORDINATE_TWIST, &spring, nullptr));
   add("joint_set_transmission", carom_joint_set_transmission(b.world, none, &transmission, nullptr));
   add("joint_get_transmission", carom_joint_get_transmission(b.world, none, &transmission, nullptr));
+  add("joint_couple", carom_joint_couple(b.world, &coupling, &handle, nullptr));
+  add("joint_set_coupling", carom_joint_set_coupling(b.world, none, &coupling, nullptr));
+  add("joint_get_coupling", carom_joint_get_coupling(b.world, none, &coupling, nullptr));
   add("joint_set_axis", carom_joint_set_axis(b.world, none, CAROM_AXIS_X, &axis, nullptr));
   add("joint_get_axis", carom_joint_get_axis(b.world, none, CAROM_AXIS_X, &axis, nullptr));
   add("joint_set_orientation_drive", carom_joint_set_orientation_drive(b.world, none, &turn, nullptr));
@@ -299,6 +304,12 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   add("shape_support", carom_shape_support(b.engine, b.ball, kUp, 1, v, nullptr));
   add("shape_distance",
       carom_shape_distance(b.engine, b.ball, kUp, kUpright, b.crate, kUp, kUpright, nullptr, &distance, nullptr));
+  carom_pairs pairs = {};
+  pairs.struct_size = sizeof pairs;
+  pairs.count = 1;
+  pairs.shapes_a = &b.ball, pairs.shapes_b = &b.crate;
+  pairs.positions_a = pairs.positions_b = kUp, pairs.orientations_a = pairs.orientations_b = kUpright;
+  add("pairs_distance", carom_pairs_distance(b.engine, &pairs, nullptr, &distance, sizeof distance, nullptr));
   carom_cast cast = {};
   cast.struct_size = sizeof cast;
   carom_overlap overlap = {};

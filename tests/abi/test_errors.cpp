@@ -71,6 +71,19 @@ int32_t measure(Bench& b, const double* pa, const double* qa, const double* pb, 
   result.struct_size = sizeof result;
   return carom_shape_distance(b.engine, b.ball, pa, qa, b.crate, pb, qb, d, &result, e);
 }
+/// One pair, changed by `f`.
+int32_t measure_pairs(Bench& b, void (*spoil)(Bench& b, carom_pairs&), carom_error* e,
+                      const carom_distance_desc* d = nullptr, uint64_t stride = sizeof(carom_distance)) {
+  carom_distance result = {};
+  carom_pairs p = {};
+  p.struct_size = sizeof p;
+  p.count = 1;
+  p.shapes_a = &b.ball, p.shapes_b = &b.crate;
+  p.positions_a = p.positions_b = kZero, p.orientations_a = p.orientations_b = kUpright;
+  spoil(b, p);
+  return carom_pairs_distance(b.engine, &p, d, &result, stride, e);
+}
+void as_it_is(Bench&, carom_pairs&) {}
 carom_distance_desc distance_desc() {
   carom_distance_desc d;
   carom_distance_desc_init(&d, sizeof d);
@@ -509,6 +522,29 @@ const Row kQuery[] = {
     {"distance: result", CAROM_E_NULL_ARGUMENT, 9, [](Bench& b, carom_error* e) { return carom_shape_distance(b.engine, b.ball, kZero, kUpright, b.ball, kZero, kUpright, nullptr, nullptr, e); }},
     {"distance: result size", CAROM_E_STRUCT_SIZE, 9, [](Bench& b, carom_error* e) { carom_distance r = {}; return carom_shape_distance(b.engine, b.ball, kZero, kUpright, b.ball, kZero, kUpright, nullptr, &r, e); }},
     {"distance: half-spaces", CAROM_E_UNSUPPORTED, 5, [](Bench& b, carom_error* e) { carom_distance r = {}; r.struct_size = sizeof r; return carom_shape_distance(b.engine, b.floor, kZero, kUpright, b.floor, kZero, kUpright, nullptr, &r, e); }},
+    {"device: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_device* d = nullptr; return carom_device_create(nullptr, 0, &d, e); }},
+    {"device: device", CAROM_E_NULL_ARGUMENT, 3, [](Bench& b, carom_error* e) { return carom_device_create(b.engine, 0, nullptr, e); }},
+    {"device: close", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_device_destroy(nullptr, e); }},
+    {"device: info", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { carom_device_info i = {}; i.struct_size = sizeof i; return carom_device_get_info(nullptr, &i, e); }},
+    {"device: pairs", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_device_pairs_distance(nullptr, nullptr, nullptr, nullptr, 0, e); }},
+    {"pairs: engine", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_pairs_distance(nullptr, nullptr, nullptr, nullptr, 0, e); }},
+    {"pairs: pairs", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return carom_pairs_distance(b.engine, nullptr, nullptr, nullptr, 0, e); }},
+    {"pairs: size", CAROM_E_STRUCT_SIZE, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.struct_size = 3; }, e); }},
+    {"pairs: reserved", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.reserved = 1; }, e); }},
+    {"pairs: count", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.count = (1 << 24) + 1; }, e); }},
+    {"pairs: shapes_a", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.shapes_a = nullptr; }, e); }},
+    {"pairs: positions_b", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.positions_b = nullptr; }, e); }},
+    {"pairs: orientations_a", CAROM_E_NULL_ARGUMENT, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.orientations_a = nullptr; }, e); }},
+    {"pairs: short stride", CAROM_E_BUFFER_TOO_SMALL, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.position_a_stride = 23; }, e); }},
+    {"pairs: long stride", CAROM_E_OUT_OF_RANGE, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.shape_b_stride = ~uint64_t(0); }, e); }},
+    {"pairs: nan", CAROM_E_NOT_FINITE, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.positions_b = kNan3; }, e); }},
+    {"pairs: long turn", CAROM_E_NOT_UNIT, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench&, carom_pairs& p) { p.orientations_a = kLong; }, e); }},
+    {"pairs: a body for a shape", CAROM_E_WRONG_KIND, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench& of, carom_pairs& p) { p.shapes_a = &of.ground; }, e); }},
+    {"pairs: half-spaces", CAROM_E_UNSUPPORTED, 2, [](Bench& b, carom_error* e) { return measure_pairs(b, [](Bench& of, carom_pairs& p) { p.shapes_a = p.shapes_b = &of.floor; }, e); }},
+    {"pairs: tolerance", CAROM_E_OUT_OF_RANGE, 3, [](Bench& b, carom_error* e) { auto d = distance_desc(); d.tolerance = 0; return measure_pairs(b, as_it_is, e, &d); }},
+    {"pairs: dst", CAROM_E_NULL_ARGUMENT, 4, [](Bench& b, carom_error* e) { carom_pairs p = {}; p.struct_size = sizeof p; p.count = 1; p.shapes_a = p.shapes_b = &b.ball; p.positions_a = p.positions_b = kZero; p.orientations_a = p.orientations_b = kUpright; return carom_pairs_distance(b.engine, &p, nullptr, nullptr, sizeof(carom_distance), e); }},
+    {"pairs: stride", CAROM_E_BUFFER_TOO_SMALL, 5, [](Bench& b, carom_error* e) { return measure_pairs(b, as_it_is, e, nullptr, 4); }},
+    {"pairs: endless stride", CAROM_E_OUT_OF_RANGE, 5, [](Bench& b, carom_error* e) { return measure_pairs(b, as_it_is, e, nullptr, ~uint64_t(0)); }},
 };
 // clang-format on
 

@@ -26,6 +26,16 @@ int32_t measure(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
   return carom_shape_distance(b.engine, s, kZero, kUpright, t, kZero, kUpright, nullptr, &r, e);
 }
 
+int32_t measure_pair(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
+  carom_distance r = {};
+  carom_pairs p = {};
+  p.struct_size = sizeof p;
+  p.count = 1;
+  p.shapes_a = &s, p.shapes_b = &t;
+  p.positions_a = p.positions_b = kZero, p.orientations_a = p.orientations_b = kUpright;
+  return carom_pairs_distance(b.engine, &p, nullptr, &r, sizeof r, e);
+}
+
 int32_t cast(Bench& b, carom_shape s, carom_shape t, carom_error* e) {
   carom_cast r = {};
   r.struct_size = sizeof r;
@@ -124,6 +134,8 @@ const Place kPlaces[] = {
     {"shape_support", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { double p[3]; return carom_shape_support(b.engine, h, kUp, 1, p, e); }},
     {"shape_distance a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return measure(b, h, b.ball, e); }},
     {"shape_distance b", kShape, 5, [](Bench& b, uint64_t h, carom_error* e) { return measure(b, b.ball, h, e); }},
+    {"pairs_distance a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return measure_pair(b, h, b.ball, e); }},
+    {"pairs_distance b", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return measure_pair(b, b.ball, h, e); }},
     {"ray_cast", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_cast r = {}; r.struct_size = sizeof r; return carom_ray_cast(b.engine, h, kZero, kUpright, kUp, kUp, 1, nullptr, &r, e); }},
     {"shape_cast a", kShape, 2, [](Bench& b, uint64_t h, carom_error* e) { return cast(b, h, b.ball, e); }},
     {"shape_cast b", kShape, 6, [](Bench& b, uint64_t h, carom_error* e) { return cast(b, b.ball, h, e); }},
@@ -169,6 +181,8 @@ const Place kPlaces[] = {
     {"joint_get_spring", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_spring d; carom_joint_spring_init(&d, sizeof d); return carom_joint_get_spring(b.world, h, CAROM_COORDINATE_TWIST, &d, e); }},
     {"joint_set_transmission", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_transmission d; carom_joint_transmission_init(&d, sizeof d); return of_a_hinge(carom_joint_set_transmission(b.world, h, &d, e)); }},
     {"joint_get_transmission", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_transmission d; carom_joint_transmission_init(&d, sizeof d); return of_a_hinge(carom_joint_get_transmission(b.world, h, &d, e)); }},
+    {"joint_set_coupling", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_coupling d; carom_joint_coupling_init(&d, sizeof d); return of_a_hinge(carom_joint_set_coupling(b.world, h, &d, e)); }},
+    {"joint_get_coupling", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_coupling d; carom_joint_coupling_init(&d, sizeof d); return of_a_hinge(carom_joint_get_coupling(b.world, h, &d, e)); }},
     {"joint_set_axis", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_axis d; carom_joint_axis_init(&d, sizeof d); return of_a_hinge(carom_joint_set_axis(b.world, h, 0, &d, e)); }},
     {"joint_get_axis", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_axis d; carom_joint_axis_init(&d, sizeof d); return of_a_hinge(carom_joint_get_axis(b.world, h, 0, &d, e)); }},
     {"joint_set_orientation_drive", kJoint, 2, [](Bench& b, uint64_t h, carom_error* e) { carom_joint_orientation_drive d; carom_joint_orientation_drive_init(&d, sizeof d); return of_a_hinge(carom_joint_set_orientation_drive(b.world, h, &d, e)); }},

@@ -189,8 +189,8 @@ static void hinges_and_sliders_have_an_axis(void** state) {
   static unsigned char bytes[1 << 17], whole[1 << 18];
   uint64_t size, whole_size, hash;
   const uint32_t axis_of[2] = {CAROM_AXIS_TURN_X, CAROM_AXIS_X};
-  const double one[2] = {1.5, 0.25}, none[2] = {0, 0}, free[2] = {1e30, 1e30};
-  double back[2];
+  const double one[2] = {1.5, 0.25}, none[2] = {0, 0}, free[2] = {1e30, 1e30}, gains[4] = {20, 3, 10, 0.5};
+  double back[2], gains_back[4];
   carom_joint joint[2];
   carom_joint_axis d, set;
   int i;
@@ -256,9 +256,22 @@ static void hinges_and_sliders_have_an_axis(void** state) {
   BULK(CAROM_JOINT_BULK_ARMATURE, one);
   BULK(CAROM_JOINT_BULK_EFFORT_LIMIT, one);
   BULK(CAROM_JOINT_BULK_SPEED_LIMIT, one);
+  BULK(CAROM_JOINT_BULK_DRIVE_TARGET, one);
+  BULK(CAROM_JOINT_BULK_DRIVE_VELOCITY, one);
+  BULK(CAROM_JOINT_BULK_DRIVE_EFFORT, one);
+  BULK(CAROM_JOINT_BULK_DRIVE_MAX_FORCE, one);
+  assert_int_equal(
+      carom_world_write_joints(b->world, CAROM_JOINT_BULK_DRIVE_GAINS, CAROM_SCALAR_F64, joint, 2, gains, 0, NULL),
+      CAROM_OK);
   d = axis_desc();
   assert_int_equal(carom_joint_get_axis(b->world, joint[0], axis_of[0], &d, NULL), CAROM_OK);
   assert_true(d.friction == 1.5 && d.armature == 1.5 && d.effort_limit == 1.5 && d.speed_limit == 1.5);
+  assert_true(d.target == 1.5 && d.speed == 1.5 && d.effort == 1.5 && d.max_force == 1.5 && d.drive_stiffness == 20 &&
+              d.drive_damping == 3);
+  assert_int_equal(
+      carom_world_read_joints(b->world, CAROM_JOINT_BULK_DRIVE_GAINS, CAROM_SCALAR_F64, joint, 2, gains_back, 0, NULL),
+      CAROM_OK);
+  assert_memory_equal(gains_back, gains, sizeof gains);
   BULK(CAROM_JOINT_BULK_FRICTION, none);
   BULK(CAROM_JOINT_BULK_ARMATURE, none);
   BULK(CAROM_JOINT_BULK_EFFORT_LIMIT, free);

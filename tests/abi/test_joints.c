@@ -42,17 +42,18 @@ static uint64_t count_of(const Bench* b) {
 
 static void every_kind_holds(void** state) {
   Bench* b = *state;
-  carom_joint joints[CAROM_JOINT_COUNT];
+  carom_joint joints[CAROM_JOINT_COUPLING];
   uint32_t kind;
   int i;
-  for (kind = 0; kind < CAROM_JOINT_COUNT; ++kind) joints[kind] = join(b, kind, CAROM_NULL_HANDLE, b->bodies[kind % 4]);
-  assert_int_equal(count_of(b), CAROM_JOINT_COUNT);
+  for (kind = 0; kind < CAROM_JOINT_COUPLING; ++kind)
+    joints[kind] = join(b, kind, CAROM_NULL_HANDLE, b->bodies[kind % 4]);
+  assert_int_equal(count_of(b), CAROM_JOINT_COUPLING);
   assert_int_equal(bench_steps(b->world, 60, NULL), CAROM_OK);
   for (i = 0; i < 4; ++i) { /* some are held by two */
     const carom_joint_state s = state_of(b, joints[i]);
     assert_true(s.gap < 2e-2 && s.angle < 2e-2 && !s.broken);
   }
-  for (kind = 0; kind < CAROM_JOINT_COUNT; ++kind) {
+  for (kind = 0; kind < CAROM_JOINT_COUPLING; ++kind) {
     carom_joint_desc d;
     memset(&d, 0, sizeof d);
     d.struct_size = sizeof d;

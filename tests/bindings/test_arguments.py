@@ -74,7 +74,7 @@ class Arguments(unittest.TestCase):
             "Material": self.world.material(), "Joint": self.world.joint("hinge", ground, body), "ForceField": self.world.force_field(),
             "Spring": self.world.spring(ground, body, 1, 2), "Particles": particles,
         }
-        self.good = {"Shape": self.engine.sphere(1), "Body": body, "Material": self.objects["Material"]}
+        self.good = {"Shape": self.engine.sphere(1), "Body": body, "Material": self.objects["Material"], "Joint": self.objects["Joint"]}
 
     def good_of(self, name, annotation):
         if name in GOOD_OF:

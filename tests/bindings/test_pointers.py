@@ -18,7 +18,7 @@ API = json.loads((ROOT / "bindings/api.json").read_text())
 FUNCTIONS = {f["name"]: f for f in API["functions"]}
 STRUCTS = {s["name"]: s for s in API["structs"]}
 # What ends the engine or world that the others need.
-ENDS = {"carom_engine_destroy", "carom_world_destroy", "carom_batch_destroy"}
+ENDS = {"carom_engine_destroy", "carom_world_destroy", "carom_batch_destroy", "carom_device_destroy"}
 
 
 def pointers(owner, members="arguments"):
@@ -48,7 +48,7 @@ class Said(unittest.TestCase):
                 for pointer in pointers(owner, members):
                     text = pointer.get("length", "") + " " + pointer.get("stride", "")
                     text = re.sub("width of |(each )?zero-terminated", "", text)
-                    for name in re.findall(r"\b[a-z_]+\b", re.sub(r"\b(?:rays|shapes)->count", "", text)):
+                    for name in re.findall(r"\b[a-z_]+\b", re.sub(r"\b(?:rays|shapes|pairs)->count", "", text)):
                         self.assertIn(name, beside, (owner["name"], pointer["name"], text))
 
     def test_void_and_arrays_have_lengths(self):
@@ -65,9 +65,9 @@ class Said(unittest.TestCase):
 class Owners(unittest.TestCase):
     def test_of_every_handle(self):
         owners = {h["name"]: h["owner"] for h in API["handles"] + API["opaque"]}
-        self.assertEqual((owners["carom_engine"], owners["carom_world"], owners["carom_batch"]), ("caller",) * 3)
+        self.assertEqual(tuple(owners[f"carom_{kind}"] for kind in ("engine", "world", "batch", "device")), ("caller",) * 4)
         self.assertEqual((owners["carom_plugin"], owners["carom_shape"]), ("engine", "engine"))
-        roots = ("carom_engine", "carom_world", "carom_batch", "carom_plugin", "carom_shape")
+        roots = ("carom_engine", "carom_world", "carom_batch", "carom_device", "carom_plugin", "carom_shape")
         self.assertEqual({owners[name] for name in owners if name not in roots}, {"world"})
 
     def test_what_makes_and_ends_them_exists(self):
@@ -140,6 +140,8 @@ class Nullable(unittest.TestCase):
             "transmission": self.world.joint("gear", body, self.world.body(), position=(0, 0, 0), axis=(1, 0, 0)),
             "drive": six,
         }
+        self.leader = self.world.joint("slider", body, position=(0, 0, 0), axis=(1, 0, 0))
+        self.joints["coupling"] = self.world.couple(self.joints["limit"], self.leader)
         self.handles = {
             "carom_plugin": self.engine.plugin("carom.sphere"),
             "carom_shape": ball.handle,
@@ -195,8 +197,16 @@ class Nullable(unittest.TestCase):
                     setattr(made.contents, field["name"], self.handle(field["type"], function))
                 if field["name"] == "scalar":
                     made.contents.scalar = raw.CAROM_SCALAR_F64
+            if base == "carom_joint_coupling" and function == "carom_joint_couple":
+                made.contents.follower, made.contents.leader = self.joints["limit"].handle, self.leader.handle
             if base == "carom_batch_column":
                 made.contents.source, made.contents.n, made.contents.data = self.gravity.source, 1, self.gravity.data
+            if base == "carom_pairs":
+                one = ctypes.cast(block, ctypes.POINTER(raw.carom_pairs)).contents
+                one.count, self.pair = 1, ((ctypes.c_uint64 * 1)(self.handles["carom_shape"]), (ctypes.c_double * 4)(1, 0, 0, 0))
+                one.shapes_a = one.shapes_b = ctypes.cast(self.pair[0], ctypes.POINTER(ctypes.c_uint64))
+                one.positions_a = one.positions_b = ctypes.cast(self.pair[1], ctypes.POINTER(ctypes.c_double))
+                one.orientations_a = one.orientations_b = one.positions_a
             if base in ("carom_query_shapes", "carom_rays"):  # one question
                 made.contents.count = 1
                 for name in ("positions",) if base == "carom_query_shapes" else ("origins", "directions"):
@@ -217,6 +227,8 @@ class Nullable(unittest.TestCase):
             return self.handle(type, function)
         if name == "n" and function.startswith("carom_tree_"):
             return 6
+        if name == "stride" and function.endswith("pairs_distance"):
+            return ctypes.sizeof(raw.carom_distance)
         return self.WHOLE.get(
             name, 1 if name in ("n", "count", "steps", "shape_count", "dt", "frequency", "stiffness", "rest") else 0
         )
@@ -241,6 +253,8 @@ class Nullable(unittest.TestCase):
                 values.append(self.number(argument, function["name"]))
             elif at == null:
                 values.append(None)
+            elif argument["type"] == "carom_device *":
+                values.append(None)  # not every machine has one
             elif argument["type"] == "carom_batch *":
                 values.append(self.batch)
             elif argument["type"] in ("carom_engine *", "carom_world *"):

@@ -31,6 +31,38 @@ class Pairs(unittest.TestCase):
         self.assertAlmostEqual(hit.normal[0], 1, 9)
         self.assertAlmostEqual(hit.point_b[0], 4 - 7 / 3 - 0.5, 4)
 
+    def test_many_distances_are_those_one_by_one(self):
+        draw = np.random.default_rng(1)
+        n = 500
+        shapes = [self.ball, self.box, self.engine.cylinder(0.3, 0.5)]
+        a = [shapes[i] for i in draw.integers(0, 3, n)]
+        at, turned = draw.uniform(-1.5, 1.5, (n, 3)), draw.normal(size=(n, 4))
+        turned /= np.linalg.norm(turned, axis=1)[:, None]
+        found = self.engine.distances(a, self.box, position_b=at, orientation_b=turned, tolerance=1e-9)
+        self.assertEqual(found.shape, (n,))
+        for i in range(n):
+            one = self.engine.distance(a[i], self.box, position_b=at[i], orientation_b=turned[i], tolerance=1e-9)
+            self.assertEqual((one.separation, one.lower, one.upper), (found["separation"][i], found["lower"][i], found["upper"][i]))
+            self.assertEqual(list(one.point_b), list(found["point_b"][i]))
+        self.assertEqual(len(self.engine.distances(self.ball, self.box)), 1)
+        with self.assertRaisesRegex(carom.CaromError, r"position_b of pair 7\[1\] is nan"):
+            at[7, 1] = math.nan
+            self.engine.distances(a, self.box, position_b=at)
+        with self.assertRaisesRegex(ValueError, "500 shapes each"):
+            self.engine.distances(a[:3], self.box, position_b=at)
+
+    def test_a_device_gives_the_same_bits(self):
+        try:
+            device = carom.Device(self.engine)
+        except carom.CaromError as e:
+            self.skipTest(str(e))
+        with device:
+            at = np.random.default_rng(2).uniform(-2, 2, (1000, 3))
+            on_host, on_device = (of.distances(self.ball, self.box, position_b=at) for of in (self.engine, device))
+            self.assertEqual(on_host.tobytes(), on_device.tobytes())
+            self.assertEqual(device.pairs, 1000)
+            self.assertLess(device.host_pairs, 500)
+
     def test_a_turning_box_reaches_a_ball(self):
         """The box's face end, 1 m from the axis, comes round to where the ball's surface is, by pi / 2 less what it is thick."""
         at = (0, 1.3, 0)

@@ -53,6 +53,17 @@ class Readme(unittest.TestCase):
         [program] = programs("src/site/docs/topics/robots.md")
         self.assertRegex(output_of(program), r"39\.2 and 9\.8 N m hold it, M = 5\.34 1\.67 0\.67 kg m\^2, after 1 s it turns at 0\.000 rad/s")
 
+    def test_topic_of_measure(self):
+        """v^2 / (2 mu g) and its derivatives; the page shows what the first program prints, but for the seconds."""
+        page = "src/site/docs/topics/measure.md"
+        slides, lands, fits = map(output_of, programs(page))
+        shown = re.search(r"It prints .*?\n\n((?:    .*\n)+)", (ROOT / page).read_text(encoding="utf-8")).group(1)
+        without = re.compile(r", \S+ s; ")
+        self.assertEqual(without.sub("; ", slides), without.sub("; ", re.sub(r"^    ", "", shown, flags=re.M)))
+        self.assertAlmostEqual(float(slides.split()[0]), 3**2 / (2 * 0.4 * 9.81), delta=2.6e-7)
+        self.assertRegex(lands, r"after 0\.99\d+ s, 0\.1\d+ s later")
+        self.assertIn(f"{3**2 / (2 * 1.3 * 9.81):.5f}", fits)
+
     def test_that_is_all(self):
         self.assertEqual(len(PROGRAMS), 3)
 

@@ -251,6 +251,26 @@ class Face(unittest.TestCase):
         self.assertAlmostEqual(one.angular_velocity[2], 4, 9)  # of 5 (1 / (1 + 1 / 4))
         self.assertAlmostEqual(two.angular_velocity[2], 2, 9)
 
+    def test_couplings(self):
+        """A weight on a rack that a wheel turns: a = m g / (m + I / r^2)."""
+        inertia = (0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1)
+        wheel = self.world.body(position=(0, 0, 0), mass=1, inertia=inertia)
+        weight = self.world.body(position=(1, 0, 0), mass=2, inertia=inertia)
+        pin = self.world.joint("hinge", None, wheel, position=(0, 0, 0), axis=(0, 0, 1))
+        rack = self.world.joint("slider", None, weight, position=(1, 0, 0), axis=(0, 1, 0))
+        coupling = self.world.couple(rack, pin, (0, 0.25), user=3)
+        now = coupling.coupling()
+        self.assertEqual((coupling.desc.kind, now.follower, now.leader, list(now.polynomial), now.user), ("coupling", rack, pin, [0, 0.25, 0, 0, 0], 3))
+        carom.run(self.world, 0.5)
+        self.assertAlmostEqual(weight.linear_velocity[1], -2 * G / (2 + 0.1 / 0.25**2) * 0.5, 8)
+        self.assertEqual(list(coupling.coupling((0, 0, 1)).polynomial), [0, 0, 1, 0, 0])
+        with self.assertRaisesRegex(ValueError, "degree 4"):
+            self.world.couple(rack, pin, range(6))
+        with self.assertRaisesRegex(TypeError, "leader"):
+            self.world.couple(rack, "pin")
+        pin.destroy()
+        self.assertEqual(len(self.world.joints), 1)
+
     def test_axes(self):
         """A weight on a spring in N/m sags by m g / k; a ball turns to where it is told to."""
         inertia = (0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1)

@@ -267,7 +267,10 @@ class Sequence {
     for (const uint64_t s : own.stale[call.made])
       if (s == handle) wrong("gave the handle of what was destroyed");
     if (call.owner_at >= 0) a = values[static_cast<std::size_t>(call.owner_at)].u;
-    if (call.made == kJoint)
+    if (call.made == kJoint && std::strcmp(call.name, "carom_joint_couple") == 0)
+      a = static_cast<const carom_joint_coupling*>(values[1].p)->follower,
+      b = static_cast<const carom_joint_coupling*>(values[1].p)->leader;
+    else if (call.made == kJoint)
       a = static_cast<const carom_joint_desc*>(values[1].p)->body_a,
       b = static_cast<const carom_joint_desc*>(values[1].p)->body_b;
     if (call.made == kSpring)

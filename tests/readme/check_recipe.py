@@ -178,7 +178,8 @@ def build_library(root, build, tree):
         for source in sources_of(command):
             line = compiler_line(command, root, tree)
             alone = source.name if "_kernels" in source.name or source.name == "stages.cpp" else ""  # names that others have, too
-            to_compile.setdefault((line, alone), []).append(tree / source.relative_to(root))
+            copied = tree / source.relative_to(root)
+            to_compile.setdefault((line, alone), []).append(copied if copied.exists() else source)  # CMake wrote it: not copied
     line = next(line for line, alone in to_compile if any("dynamics" in file.parts for file in to_compile[line, alone]) and not alone)
     to_compile[line, ""] += [tree / file for file in different if file.suffix == ".cpp" and not (root / file).exists()]
     (tree / "objects").mkdir()

@@ -1,7 +1,10 @@
 // The `carom` command as a person meets it: exit codes, errors that say what to do, `carom check` on invalid plugins.
 #include <carom/carom.h>
 
+#include <unistd.h>
+
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -28,6 +31,42 @@ void invalid_plugin(const char* name, const char* must_say, int seconds = 60) {
 }
 
 }  // namespace
+
+/// Shards one after the other are the whole, to the byte, however many there are; one that was cut off goes on; what is
+/// no shard, no range and no file of the sweep is refused.
+static void shards_of_a_sweep_join_to_the_whole(void**) {
+  const std::string sweep = "sweep falling --over n=2..4 --over-dial substeps=1,3 --seconds 0.2 ";
+  const Outcome whole = carom(sweep, false);
+  assert_int_equal(whole.code, 0);
+  std::size_t lines = 0;
+  for (const char c : whole.text) lines += c == '\n';
+  assert_int_equal(lines, 6);
+  for (const int n : {1, 2, 4, 9}) {
+    std::string joined;
+    for (int i = 1; i <= n; ++i)
+      joined += carom(sweep + "--shard " + std::to_string(i) + "/" + std::to_string(n), false).text;
+    assert_true(joined == whole.text);
+  }
+  const nlohmann::json line = nlohmann::json::parse(whole.text.substr(0, whole.text.find('\n')));
+  const Outcome run = carom("run falling --n 2 --dial substeps=1 --seconds 0.2 --json", false);
+  assert_true(line["hash"] == nlohmann::json::parse(run.text)["hash"]);
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("carom_sweep_" + std::to_string(getpid()) + ".jsonl")).string();
+  for (const std::size_t kept : {std::size_t{0}, whole.text.find('\n') + 20, whole.text.size()}) {
+    std::ofstream(path, std::ios::binary) << whole.text.substr(0, kept);
+    assert_int_equal(carom(sweep + "--out " + path).code, 0);
+    std::ifstream file(path, std::ios::binary);
+    assert_true(std::string(std::istreambuf_iterator<char>(file), {}) == whole.text);
+  }
+  for (const char* const wrong :
+       {"--shard 0/2", "--shard 3/2", "--shard 1", "--over n", "--over n=5..2", "--over n=1,,2"}) {
+    const Outcome o = carom(sweep + wrong);
+    assert_true(o.code == 2 && says(o, "what to do"));
+  }
+  const Outcome other = carom("sweep falling --over n=2..3 --seconds 0.2 --out " + path);
+  assert_true(other.code == 2 && says(other, "something else"));
+  std::remove(path.c_str());
+}
 
 static void errors_exit_nonzero_and_say_what_to_do(void**) {
   const struct {
@@ -278,6 +317,7 @@ static void nan_dents_lengths_memory_and_false_declarations_are_caught(void**) {
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(errors_exit_nonzero_and_say_what_to_do),
+      cmocka_unit_test(shards_of_a_sweep_join_to_the_whole),
       cmocka_unit_test(help_is_a_command),
       cmocka_unit_test(lists_show_every_scene_shape_and_dial),
       cmocka_unit_test(a_run_reports_itself_as_json_and_csv),

@@ -44,8 +44,10 @@ constexpr std::uint64_t kSliceFirst = 1001, kSliceCount = 20;
 // 16, 9 and 5 before). What gains is pressed between a paddle and the ground, which a paddle may do as hard as it likes.
 // Since contacts with scenery are asked again too, one is thrown: chance (of 300 other scenes 3 are thrown, all plainly, 3 were; 42 fail, 51
 // did). It is a rod that spins at 1e4 rad/s about its axis as a sweep stops it, within a substep.
-constexpr std::size_t kCeiling[kKinds] = {0, 1, 1, 0, 2, 1, 0};
-constexpr std::size_t kPlainCeiling[kKinds] = {0, 0, 1, 0, 1, 0, 0};
+// Since points are kept while bodies move by a millimetre 3 sink, 2 of them plainly, not 2 and 1, and 3 pass, 1 plainly, not 1 and 0:
+// chance (of 500 other scenes 31 sink, 8 plainly, 29 and 9 did; 36 pass, 4 plainly, 41 and 5 did).
+constexpr std::size_t kCeiling[kKinds] = {0, 1, 1, 0, 3, 3, 0};
+constexpr std::size_t kPlainCeiling[kKinds] = {0, 0, 1, 0, 2, 1, 0};
 
 /// A ball on the ground and one beside it, both at rest.
 struct TwoBalls : Script {

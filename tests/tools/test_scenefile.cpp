@@ -207,6 +207,13 @@ static void pulleys_and_gears_travel_too(void**) {
     call.done(carom_joint_set_axis(world, axle, CAROM_AXIS_TURN_X, &axis, call), "an axis");
   }
   drive(join(CAROM_JOINT_GEAR, falls[4], falls[5], false), -3, Vec::Zero(), Vec::Zero());
+  carom_joint_coupling coupling;
+  carom_joint_coupling_init(&coupling, sizeof coupling);
+  coupling.follower = join(CAROM_JOINT_HINGE, CAROM_NULL_HANDLE, falls[6], true);
+  coupling.leader = join(CAROM_JOINT_SLIDER, CAROM_NULL_HANDLE, falls[7], true);
+  coupling.polynomial[0] = 0.1, coupling.polynomial[1] = -2, coupling.polynomial[4] = 1. / 3;
+  carom_joint coupled;
+  call.done(carom_joint_couple(world, &coupling, &coupled, call), "a coupling");
   const double spin[3] = {4, 0, 0}, still[3] = {0, 0, 0};
   call.done(carom_body_set_velocity(world, falls[4], still, spin, call), "a spin");
   for (Actor& actor : stage.actors)
@@ -216,6 +223,7 @@ static void pulleys_and_gears_travel_too(void**) {
   read_scene(file.path, again);
   assert_int_equal(joints_of(again, CAROM_JOINT_PULLEY), 2);
   assert_int_equal(joints_of(again, CAROM_JOINT_GEAR), 1);
+  assert_int_equal(joints_of(again, CAROM_JOINT_COUPLING), 1);
   assert_true(bits_after(stage, 1, 0.01) == bits_after(again, 1, 0.01));
 }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Runtime.InteropServices;
+using static Carom.Call;
 
 namespace Carom
 {
@@ -15,59 +16,49 @@ namespace Carom
         {
             Library.Check();
             IntPtr pointer;
-            Call.Check(Raw.carom_engine_create(null, &pointer, Call.Error));
+            Check(Raw.carom_engine_create(null, &pointer, Call.Error));
             SetHandle(pointer);
             if (threads <= 1) return;
             JobsDesc jobs = JobsDesc.New();
             jobs.Threads = (uint)threads;
             int result = Raw.carom_engine_set_jobs(this, &jobs, Call.Error);
             if (result != Raw.CAROM_OK) Dispose();
-            Call.Check(result);
+            Check(result);
         }
-
-        public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
 
         [DllImport(Raw.File, CallingConvention = CallingConvention.Cdecl)]
         private static extern int carom_engine_destroy(IntPtr engine, Error* error);
-
+        public override bool IsInvalid => handle == IntPtr.Zero;
         protected override bool ReleaseHandle()
         {
             bool done = carom_engine_destroy(handle, null) == Raw.CAROM_OK;
-            foreach (IntPtr at in memory) Marshal.FreeHGlobal(at);
+            memory.ForEach(Marshal.FreeHGlobal);
             return done;
         }
 
         /// <summary>An empty world, with gravity along -y.</summary>
-        public World World()
-        {
-            IntPtr pointer;
-            Call.Check(Raw.carom_world_create(this, null, &pointer, Call.Error));
-            return new World(this, pointer);
-        }
+        public World World() { IntPtr made; Check(Raw.carom_world_create(this, null, &made, Call.Error)); return new World(this, made); }
 
         /// <summary>By the name of its plugin: "sphere", "box", "half_space", or one on $CAROM_PLUGIN_PATH.</summary>
-        /// <returns>a handle</returns>
+        /// <returns>a handle, as of all that makes shapes and plugins</returns>
         public ulong Shape(string name, params double[] parameters)
         {
             ulong shape;
             double none;
             fixed (double* p = parameters)
-                Call.Check(Raw.carom_shape_create_named(this, name, p == null ? &none : p, (ulong)parameters.Length, &shape, Call.Error));
+                Check(Raw.carom_shape_create_named(this, name, p == null ? &none : p, (ulong)parameters.Length, &shape, Call.Error));
             return shape;
         }
 
         /// <summary>A shape of a plugin.</summary>
-        /// <returns>a handle</returns>
         public ulong Shape(ulong plugin, params double[] parameters)
         {
             ulong shape;
-            fixed (double* p = parameters)
-                Call.Check(Raw.carom_shape_create(this, plugin, p, (ulong)parameters.Length, &shape, Call.Error));
+            fixed (double* p = parameters) Check(Raw.carom_shape_create(this, plugin, p, (ulong)parameters.Length, &shape, Call.Error));
             return shape;
         }
 
         /// <summary>The convex hull of shapes at places, grown by a radius.</summary>
-        /// <returns>a handle</returns>
         public ulong HullOf(ReadOnlySpan<ulong> shapes, ReadOnlySpan<Vec3> positions, double radius = 0)
         {
             if (shapes.Length != positions.Length)
@@ -75,25 +66,17 @@ namespace Carom
             ulong shape;
             fixed (ulong* s = shapes)
             fixed (Vec3* p = positions)
-                Call.Check(Raw.carom_shape_create_hull_of(this, s, (ulong)shapes.Length, (double*)p, null, null, radius, &shape, Call.Error));
+                Check(Raw.carom_shape_create_hull_of(this, s, (ulong)shapes.Length, (double*)p, null, null, radius, &shape, Call.Error));
             return shape;
         }
 
         /// <summary>A kind of shape whose support function is C#, called on the thread that makes the call. It lives as long as the engine.</summary>
-        /// <returns>a plugin, for Shape()</returns>
         public ulong Plugin(string id, Support support, params ShapeParam[] parameters)
         {
             carom_support_fn ask = (user, p, n, direction, farthest) =>
             {
-                try  // nothing may be thrown through C
-                {
-                    *(Vec3*)farthest = support(new ReadOnlySpan<double>(p, (int)n), *(Vec3*)direction);
-                    return 0;
-                }
-                catch (Exception)
-                {
-                    return 1;
-                }
+                try { *(Vec3*)farthest = support(new ReadOnlySpan<double>(p, (int)n), *(Vec3*)direction); return 0; }
+                catch (Exception) { return 1; }  // nothing may be thrown through C
             };
             var table = (Param*)Room(sizeof(Param) * (parameters.Length + 1));
             for (int i = 0; i < parameters.Length; i++)
@@ -107,16 +90,11 @@ namespace Carom
             };
             lock (delegates) delegates.Add(ask);
             ulong plugin;
-            Call.Check(Raw.carom_plugin_register(this, description, &plugin, Call.Error));
+            Check(Raw.carom_plugin_register(this, description, &plugin, Call.Error));
             return plugin;
         }
 
-        private IntPtr Room(int bytes)
-        {
-            IntPtr at = Marshal.AllocHGlobal(bytes);
-            lock (memory) memory.Add(at);
-            return at;
-        }
+        private IntPtr Room(int bytes) { IntPtr at = Marshal.AllocHGlobal(bytes); lock (memory) memory.Add(at); return at; }
 
         private byte* Text(string text)
         {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Reflection;
 using System.Runtime.InteropServices;
 
@@ -12,7 +13,7 @@ namespace Carom
         private static bool fits;
 
         /// <summary>Before the first call of Raw.</summary>
-        internal static void Name() { NativeLibrary.SetDllImportResolver(typeof(Library).Assembly, Find); }
+        internal static void Name() => NativeLibrary.SetDllImportResolver(typeof(Library).Assembly, Find);
 
         private static IntPtr Find(string name, Assembly assembly, DllImportSearchPath? path)
         {
@@ -21,10 +22,7 @@ namespace Carom
             string usual = RuntimeInformation.IsOSPlatform(OSPlatform.Windows) ? "carom.dll"
                 : RuntimeInformation.IsOSPlatform(OSPlatform.OSX) ? "libcarom.0.9.dylib" : Raw.Soname;
             file = string.IsNullOrEmpty(given) ? usual : given;
-            try
-            {
-                return NativeLibrary.Load(file);
-            }
+            try { return NativeLibrary.Load(file); }
             catch (Exception problem) when (problem is DllNotFoundException || problem is BadImageFormatException)
             {
                 const string Before = "environment variable:";  // then come the loader's own words
@@ -34,23 +32,15 @@ namespace Carom
             }
         }
 
-        private static CaromException Unfit(string what)
-        {
-            return new CaromException(Raw.CAROM_E_UNSUPPORTED, file + " " + what, "install a libcarom and a package Carom of one version");
-        }
+        private static CaromException Unfit(string what) =>
+            new CaromException(Raw.CAROM_E_UNSUPPORTED, file + " " + what, "install a libcarom and a package Carom of one version");
 
         /// <summary>Is it one that Raw can call? Version, and the layout of every struct.</summary>
         internal static void Check()
         {
             if (fits) return;
-            try
-            {
-                Check(Raw.carom_abi_manifest(), file);
-            }
-            catch (EntryPointNotFoundException)
-            {
-                throw Unfit("is no libcarom, or an older one");
-            }
+            try { Check(Raw.carom_abi_manifest(), file); }
+            catch (EntryPointNotFoundException) { throw Unfit("is no libcarom, or an older one"); }
             fits = true;
         }
 
@@ -68,11 +58,9 @@ namespace Carom
             {
                 string[] ours = line.Trim().Split(' '), theirs;
                 if (!rows.TryGetValue(ours[0], out theirs)) throw Unfit("has no " + ours[0]);
-                // A struct of a newer library may be longer: the tail is not ours.
-                bool longer = ours[3] == "struct" && theirs[3] == "struct" && int.Parse(theirs[2]) > int.Parse(ours[2]);
-                if (string.Join(" ", ours) != string.Join(" ", theirs) && !longer)
-                    throw Unfit($"has {ours[0]} as {theirs[3]} of {theirs[2]} bytes at {theirs[1]}, " +
-                        $"this package as {ours[3]} of {ours[2]} bytes at {ours[1]}");
+                bool longer = ours[3] == "struct" && theirs[3] == "struct" && int.Parse(theirs[2]) > int.Parse(ours[2]);  // its tail is not ours
+                if (!ours.SequenceEqual(theirs) && !longer)
+                    throw Unfit($"has {ours[0]} as {theirs[3]} of {theirs[2]} bytes at {theirs[1]}, this package as {ours[3]} of {ours[2]} bytes at {ours[1]}");
             }
         }
     }

@@ -1097,6 +1097,34 @@ namespace Carom
         }
     }
 
+    /// <summary>What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+    /// The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+    /// the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+    /// holds the follower, it holds the leader. Fill with carom_joint_coupling_init().</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct JointCoupling
+    {
+        public uint StructSize;
+        /// <summary>0</summary>
+        public uint Reserved;
+        /// <summary>a hinge or slider</summary>
+        public ulong Follower;
+        /// <summary>another</summary>
+        public ulong Leader;
+        /// <summary>m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far</summary>
+        public fixed double Polynomial[5];
+        /// <summary>yours</summary>
+        public ulong User;
+
+        /// <summary>With the library's defaults.</summary>
+        public static JointCoupling New()
+        {
+            JointCoupling it;
+            Raw.carom_joint_coupling_init(&it, (uint)sizeof(JointCoupling));
+            return it;
+        }
+    }
+
     /// <summary>What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
     /// has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
     /// each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.</summary>
@@ -1293,6 +1321,64 @@ namespace Carom
         public static LedgerState New() { return new LedgerState { StructSize = (uint)sizeof(LedgerState) }; }
     }
 
+    /// <summary>Pairs in the caller's arrays, at any stride (0: tightly packed). struct_size set by the caller, what is not set
+    /// zero.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Pairs
+    {
+        public uint StructSize;
+        /// <summary>0</summary>
+        public uint Reserved;
+        /// <summary>pairs, at most 2^24</summary>
+        public ulong Count;
+        /// <summary>one each</summary>
+        public ulong* ShapesA;
+        /// <summary>likewise</summary>
+        public ulong* ShapesB;
+        /// <summary>3 each, m, world</summary>
+        public double* PositionsA;
+        /// <summary>4 each: x, y, z, w</summary>
+        public double* OrientationsA;
+        /// <summary>3 each, m, world</summary>
+        public double* PositionsB;
+        /// <summary>4 each: x, y, z, w</summary>
+        public double* OrientationsB;
+        /// <summary>bytes; 0: tightly packed</summary>
+        public ulong ShapeAStride;
+        /// <summary>likewise</summary>
+        public ulong ShapeBStride;
+        /// <summary>likewise</summary>
+        public ulong PositionAStride;
+        /// <summary>likewise</summary>
+        public ulong OrientationAStride;
+        /// <summary>likewise</summary>
+        public ulong PositionBStride;
+        /// <summary>likewise</summary>
+        public ulong OrientationBStride;
+
+        /// <summary>With its size set.</summary>
+        public static Pairs New() { return new Pairs { StructSize = (uint)sizeof(Pairs) }; }
+    }
+
+    /// <summary>A device, and what it has done since it was opened.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct DeviceInfo
+    {
+        public uint StructSize;
+        public uint Reserved;
+        /// <summary>as its driver says, zero-terminated</summary>
+        public fixed byte Name[128];
+        /// <summary>of OpenCL and the driver, zero-terminated</summary>
+        public fixed byte Version[128];
+        /// <summary>that it was asked for</summary>
+        public ulong Pairs;
+        /// <summary>of them, left to the host</summary>
+        public ulong HostPairs;
+
+        /// <summary>With its size set.</summary>
+        public static DeviceInfo New() { return new DeviceInfo { StructSize = (uint)sizeof(DeviceInfo) }; }
+    }
+
     /// <summary>What all particles of a set have in common. Fill with carom_particles_desc_init().</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct ParticlesDesc
@@ -1443,6 +1529,8 @@ namespace Carom
         public uint Reserved;
         /// <summary>handed to support: what a closure of the host holds, or NULL. The function must stay pure: same point for the same user, params and dir, as long as the plugin is there</summary>
         public void* User;
+        /// <summary>`support_text` of CAROM_SUPPORT_TEXT(), zero-terminated; NULL: devices cannot ask the shape</summary>
+        public byte* Text;
 
         /// <summary>With its size set.</summary>
         public static ShapePlugin New() { return new ShapePlugin { StructSize = (uint)sizeof(ShapePlugin) }; }
@@ -2568,7 +2656,9 @@ namespace Carom
         public const uint CAROM_DIAL_ACCURACY_SUBSTEPS = 43;
         /// <summary>likewise of islands in contact: contact points times substeps</summary>
         public const uint CAROM_DIAL_ACCURACY_WORK = 44;
-        public const uint CAROM_DIAL_COUNT = 45;
+        /// <summary>m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over the smaller radius at most; 0: looked for in each step</summary>
+        public const uint CAROM_DIAL_KEEP_DISTANCE = 45;
+        public const uint CAROM_DIAL_COUNT = 46;
         /// <summary>first order</summary>
         public const uint CAROM_INTEGRATOR_EXPLICIT_EULER = 0;
         /// <summary>first order, symplectic</summary>
@@ -2734,7 +2824,9 @@ namespace Carom
         public const uint CAROM_JOINT_GEAR = 7;
         /// <summary>each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free</summary>
         public const uint CAROM_JOINT_SIX_AXIS = 8;
-        public const uint CAROM_JOINT_COUNT = 9;
+        /// <summary>the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints</summary>
+        public const uint CAROM_JOINT_COUPLING = 9;
+        public const uint CAROM_JOINT_COUNT = 10;
         /// <summary>rad, of B about the x axes, whole turns counted: ball, hinge</summary>
         public const uint CAROM_COORDINATE_TWIST = 0;
         /// <summary>rad, [0, pi], between the x axes: ball, universal</summary>
@@ -2792,7 +2884,7 @@ namespace Carom
         public const uint CAROM_JOINT_BULK_COORDINATES = 0;
         /// <summary>4: m/s or rad/s, their rates, from the present velocities; read only</summary>
         public const uint CAROM_JOINT_BULK_SPEEDS = 1;
-        /// <summary>6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis</summary>
+        /// <summary>6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis</summary>
         public const uint CAROM_JOINT_BULK_AXES = 2;
         /// <summary>6: m/s and rad/s, their rates; written likewise</summary>
         public const uint CAROM_JOINT_BULK_AXIS_SPEEDS = 3;
@@ -2864,7 +2956,17 @@ namespace Carom
         public const uint CAROM_JOINT_BULK_EFFORT_LIMIT = 36;
         /// <summary>1: speed_limit, likewise</summary>
         public const uint CAROM_JOINT_BULK_SPEED_LIMIT = 37;
-        public const uint CAROM_JOINT_BULK_COUNT = 38;
+        /// <summary>1: target of the drive of a hinge's or slider's axis, likewise: a servo's</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_TARGET = 38;
+        /// <summary>1: speed, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_VELOCITY = 39;
+        /// <summary>1: effort, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_EFFORT = 40;
+        /// <summary>1: max_force, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41;
+        /// <summary>2: drive_stiffness and drive_damping, in its units, likewise</summary>
+        public const uint CAROM_JOINT_BULK_DRIVE_GAINS = 42;
+        public const uint CAROM_JOINT_BULK_COUNT = 43;
         /// <summary>gyroscopic term of bodies with unlike moments of inertia</summary>
         public const uint CAROM_EFFECT_GYROSCOPIC = 0;
         /// <summary>damping of velocity</summary>
@@ -3701,7 +3803,7 @@ namespace Carom
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_engine_create(EngineDesc* desc, IntPtr* engine, Error* error);
 
-        /// <summary>Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+        /// <summary>Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
         /// REENTRANT   @thread writer: no other call may use the engine</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_engine_destroy(Engine engine, Error* error);
@@ -3714,8 +3816,8 @@ namespace Carom
         /// functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
         /// on the stepping one.
         /// @param desc may be NULL: the stepping thread alone
-        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-        /// no more threads); OUT_OF_MEMORY; REENTRANT</summary>
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+        /// alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_engine_set_jobs(Engine engine, JobsDesc* desc, Error* error);
 
@@ -3958,6 +4060,10 @@ namespace Carom
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_joint_transmission_init(JointTransmission* transmission, uint struct_size);
 
+        /// <summary>The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_joint_coupling_init(JointCoupling* coupling, uint struct_size);
+
         /// <summary>Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_joint_axis_init(JointAxis* axis, uint struct_size);
@@ -3967,8 +4073,8 @@ namespace Carom
         public static extern int carom_joint_orientation_drive_init(JointOrientationDrive* drive, uint struct_size);
 
         /// <summary>Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-        /// NOT_UNIT;
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+        ///         carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
         ///         NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
         ///         body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
         ///         LIMIT; OUT_OF_MEMORY</summary>
@@ -4037,6 +4143,32 @@ namespace Carom
         /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_joint_get_transmission(World world, ulong joint, JointTransmission* transmission, Error* error);
+
+        /// <summary>Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+        /// wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+        /// as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+        /// carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+        /// follower's coordinate that it pushes with, mean over the last step.
+        /// Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+        /// joint_order moves it. Oracle: tests/oracle/test_couplings.
+        /// @param joint out: the coupling
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+        ///         reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+        ///         REENTRANT; LIMIT; OUT_OF_MEMORY</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_joint_couple(World world, JointCoupling* coupling, ulong* joint, Error* error);
+
+        /// <summary>Give a coupling another polynomial; its bodies wake.
+        /// @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+        ///         field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_joint_set_coupling(World world, ulong joint, JointCoupling* coupling, Error* error);
+
+        /// <summary>@param coupling out: as it was made
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_joint_get_coupling(World world, ulong joint, JointCoupling* coupling, Error* error);
 
         /// <summary>Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
         /// drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
@@ -4122,6 +4254,49 @@ namespace Carom
         /// <summary>@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_world_get_ledger_state(World world, LedgerState* state, Error* error);
+
+        /// <summary>Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+        /// carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+        /// is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+        /// status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+        /// @param desc   may be NULL: defaults
+        /// @param dst    out, [pairs-&gt;count]; no array of pairs
+        /// @param stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+        ///               written, too
+        /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+        ///         pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+        ///         thread: some results were written)
+        /// @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_pairs_distance(Engine engine, Pairs* pairs, DistanceDesc* desc, Distance* dst, ulong stride, Error* error);
+
+        /// <summary>Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+        /// @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+        /// @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
+        /// @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+        ///         (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+        /// @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_device_create(Engine engine, uint index, IntPtr* device, Error* error);
+
+        /// <summary>@param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_device_destroy(IntPtr device, Error* error);
+
+        /// <summary>@param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_device_get_info(IntPtr device, DeviceInfo* info, Error* error);
+
+        /// <summary>As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+        /// @param device from carom_device_create()
+        /// @param desc   may be NULL: defaults
+        /// @param dst    out, [pairs-&gt;count]; no array of pairs
+        /// @param stride as carom_pairs_distance()
+        /// @status as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+        ///         pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+        /// @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_device_pairs_distance(IntPtr device, Pairs* pairs, DistanceDesc* desc, Distance* dst, ulong stride, Error* error);
 
         /// <summary>@status OK; NULL_ARGUMENT; STRUCT_SIZE</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
@@ -5054,6 +5229,13 @@ carom_joint_transmission.ratio 8 8 f64
 carom_joint_transmission.anchor_a 16 24 f64[3]
 carom_joint_transmission.anchor_b 40 24 f64[3]
 carom_joint_transmission.length 64 8 f64
+carom_joint_coupling 0 72 struct
+carom_joint_coupling.struct_size 0 4 u32
+carom_joint_coupling.reserved 4 4 u32
+carom_joint_coupling.follower 8 8 u64
+carom_joint_coupling.leader 16 8 u64
+carom_joint_coupling.polynomial 24 40 f64[5]
+carom_joint_coupling.user 64 8 u64
 carom_joint_axis 0 160 struct
 carom_joint_axis.struct_size 0 4 u32
 carom_joint_axis.mode 4 4 u32
@@ -5130,6 +5312,29 @@ carom_ledger_state.rounding_angular 224 8 f64
 carom_ledger_state.total_rounding_energy 232 8 f64
 carom_ledger_state.total_rounding_linear 240 8 f64
 carom_ledger_state.total_rounding_angular 248 8 f64
+carom_pairs 0 112 struct
+carom_pairs.struct_size 0 4 u32
+carom_pairs.reserved 4 4 u32
+carom_pairs.count 8 8 u64
+carom_pairs.shapes_a 16 8 ptr
+carom_pairs.shapes_b 24 8 ptr
+carom_pairs.positions_a 32 8 ptr
+carom_pairs.orientations_a 40 8 ptr
+carom_pairs.positions_b 48 8 ptr
+carom_pairs.orientations_b 56 8 ptr
+carom_pairs.shape_a_stride 64 8 u64
+carom_pairs.shape_b_stride 72 8 u64
+carom_pairs.position_a_stride 80 8 u64
+carom_pairs.orientation_a_stride 88 8 u64
+carom_pairs.position_b_stride 96 8 u64
+carom_pairs.orientation_b_stride 104 8 u64
+carom_device_info 0 280 struct
+carom_device_info.struct_size 0 4 u32
+carom_device_info.reserved 4 4 u32
+carom_device_info.name 8 128 char[128]
+carom_device_info.version 136 128 char[128]
+carom_device_info.pairs 264 8 u64
+carom_device_info.host_pairs 272 8 u64
 carom_particles_desc 0 40 struct
 carom_particles_desc.struct_size 0 4 u32
 carom_particles_desc.reserved 4 4 u32
@@ -5170,7 +5375,7 @@ carom_geometry.form_arg 8 16 u32[4]
 carom_geometry.core_radius_param 24 4 u32
 carom_geometry.mass_form 28 4 u32
 carom_geometry.mass_arg 32 16 u32[4]
-carom_shape_plugin 0 88 struct
+carom_shape_plugin 0 96 struct
 carom_shape_plugin.struct_size 0 4 u32
 carom_shape_plugin.abi_major 4 4 u32
 carom_shape_plugin.abi_minor 8 4 u32
@@ -5187,6 +5392,7 @@ carom_shape_plugin.rules 64 8 ptr
 carom_shape_plugin.rule_count 72 4 u32
 carom_shape_plugin.reserved 76 4 u32
 carom_shape_plugin.user 80 8 ptr
+carom_shape_plugin.text 88 8 ptr
 carom_distance_desc 0 40 struct
 carom_distance_desc.struct_size 0 4 u32
 carom_distance_desc.simplex 4 4 u32

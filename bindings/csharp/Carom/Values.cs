@@ -6,10 +6,10 @@ namespace Carom
     {
         public double X, Y, Z;
         public Vec3(double x, double y, double z) { X = x; Y = y; Z = z; }
-        public bool Equals(Vec3 o) { return X == o.X && Y == o.Y && Z == o.Z; }
-        public override bool Equals(object o) { return o is Vec3 && Equals((Vec3)o); }
-        public override int GetHashCode() { return (X, Y, Z).GetHashCode(); }
-        public override string ToString() { return $"({X}, {Y}, {Z})"; }
+        public bool Equals(Vec3 o) => X == o.X && Y == o.Y && Z == o.Z;
+        public override bool Equals(object o) => o is Vec3 && Equals((Vec3)o);
+        public override int GetHashCode() => (X, Y, Z).GetHashCode();
+        public override string ToString() => $"({X}, {Y}, {Z})";
     }
 
     public struct Quat : IEquatable<Quat>
@@ -17,10 +17,10 @@ namespace Carom
         public double X, Y, Z, W;
         public static readonly Quat Identity = new Quat(0, 0, 0, 1);
         public Quat(double x, double y, double z, double w) { X = x; Y = y; Z = z; W = w; }
-        public bool Equals(Quat o) { return X == o.X && Y == o.Y && Z == o.Z && W == o.W; }
-        public override bool Equals(object o) { return o is Quat && Equals((Quat)o); }
-        public override int GetHashCode() { return (X, Y, Z, W).GetHashCode(); }
-        public override string ToString() { return $"({X}, {Y}, {Z}, {W})"; }
+        public bool Equals(Quat o) => X == o.X && Y == o.Y && Z == o.Z && W == o.W;
+        public override bool Equals(object o) => o is Quat && Equals((Quat)o);
+        public override int GetHashCode() => (X, Y, Z, W).GetHashCode();
+        public override string ToString() => $"({X}, {Y}, {Z}, {W})";
     }
 
     /// <summary>A record of Raw.CAROM_FIELD_POSE.</summary>

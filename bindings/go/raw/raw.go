@@ -544,7 +544,10 @@ const CAROM_DIAL_ACCURACY_SUBSTEPS = uint32(43)
 // likewise of islands in contact: contact points times substeps
 const CAROM_DIAL_ACCURACY_WORK = uint32(44)
 
-const CAROM_DIAL_COUNT = uint32(45)
+// m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over the smaller radius at most; 0: looked for in each step
+const CAROM_DIAL_KEEP_DISTANCE = uint32(45)
+
+const CAROM_DIAL_COUNT = uint32(46)
 
 // first order
 const CAROM_INTEGRATOR_EXPLICIT_EULER = uint32(0)
@@ -794,7 +797,10 @@ const CAROM_JOINT_GEAR = uint32(7)
 // each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free
 const CAROM_JOINT_SIX_AXIS = uint32(8)
 
-const CAROM_JOINT_COUNT = uint32(9)
+// the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints
+const CAROM_JOINT_COUPLING = uint32(9)
+
+const CAROM_JOINT_COUNT = uint32(10)
 
 // rad, of B about the x axes, whole turns counted: ball, hinge
 const CAROM_COORDINATE_TWIST = uint32(0)
@@ -884,7 +890,7 @@ const CAROM_JOINT_BULK_COORDINATES = uint32(0)
 // 4: m/s or rad/s, their rates, from the present velocities; read only
 const CAROM_JOINT_BULK_SPEEDS = uint32(1)
 
-// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
+// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis
 const CAROM_JOINT_BULK_AXES = uint32(2)
 
 // 6: m/s and rad/s, their rates; written likewise
@@ -992,7 +998,22 @@ const CAROM_JOINT_BULK_EFFORT_LIMIT = uint32(36)
 // 1: speed_limit, likewise
 const CAROM_JOINT_BULK_SPEED_LIMIT = uint32(37)
 
-const CAROM_JOINT_BULK_COUNT = uint32(38)
+// 1: target of the drive of a hinge's or slider's axis, likewise: a servo's
+const CAROM_JOINT_BULK_DRIVE_TARGET = uint32(38)
+
+// 1: speed, likewise
+const CAROM_JOINT_BULK_DRIVE_VELOCITY = uint32(39)
+
+// 1: effort, likewise
+const CAROM_JOINT_BULK_DRIVE_EFFORT = uint32(40)
+
+// 1: max_force, likewise
+const CAROM_JOINT_BULK_DRIVE_MAX_FORCE = uint32(41)
+
+// 2: drive_stiffness and drive_damping, in its units, likewise
+const CAROM_JOINT_BULK_DRIVE_GAINS = uint32(42)
+
+const CAROM_JOINT_BULK_COUNT = uint32(43)
 
 // gyroscopic term of bodies with unlike moments of inertia
 const CAROM_EFFECT_GYROSCOPIC = uint32(0)
@@ -1283,6 +1304,10 @@ type Spring uint64
 type Batch struct{ _ C.char }
 
 type Engine struct{ _ C.char }
+
+// What computes beside the host: a processor of OpenCL, which is loaded when the first is asked for. One call at a time
+// uses it: a call on a device that another call uses is BUSY.
+type Device struct{ _ C.char }
 
 type World struct{ _ C.char }
 
@@ -2669,6 +2694,37 @@ func NewJointTransmission() (it JointTransmission) {
 	return
 }
 
+// What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+// The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+// the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+// holds the follower, it holds the leader. Fill with carom_joint_coupling_init().
+type JointCoupling struct {
+	StructSize uint32
+
+	// 0
+	Reserved uint32
+
+	// a hinge or slider
+	Follower Joint
+
+	// another
+	Leader Joint
+
+	// m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far
+	Polynomial [5]float64
+
+	// yours
+	User uint64
+}
+
+var _ = [1]struct{}{}[unsafe.Sizeof(JointCoupling{})-C.sizeof_carom_joint_coupling] // as large as in C
+
+// NewJointCoupling has the library's defaults.
+func NewJointCoupling() (it JointCoupling) {
+	JointCouplingInit(&it, uint32(unsafe.Sizeof(JointCoupling{})))
+	return
+}
+
 // What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
 // has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
 // each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.
@@ -2931,6 +2987,87 @@ func NewLedgerState() LedgerState {
 	return LedgerState{StructSize: uint32(unsafe.Sizeof(LedgerState{}))}
 }
 
+// Pairs in the caller's arrays, at any stride (0: tightly packed). struct_size set by the caller, what is not set
+// zero.
+type Pairs struct {
+	StructSize uint32
+
+	// 0
+	Reserved uint32
+
+	// pairs, at most 2^24
+	Count uint64
+
+	// one each
+	ShapesA *Shape
+
+	// likewise
+	ShapesB *Shape
+
+	// 3 each, m, world
+	PositionsA *float64
+
+	// 4 each: x, y, z, w
+	OrientationsA *float64
+
+	// 3 each, m, world
+	PositionsB *float64
+
+	// 4 each: x, y, z, w
+	OrientationsB *float64
+
+	// bytes; 0: tightly packed
+	ShapeAStride uint64
+
+	// likewise
+	ShapeBStride uint64
+
+	// likewise
+	PositionAStride uint64
+
+	// likewise
+	OrientationAStride uint64
+
+	// likewise
+	PositionBStride uint64
+
+	// likewise
+	OrientationBStride uint64
+}
+
+var _ = [1]struct{}{}[unsafe.Sizeof(Pairs{})-C.sizeof_carom_pairs] // as large as in C
+
+// NewPairs has its size set.
+func NewPairs() Pairs {
+	return Pairs{StructSize: uint32(unsafe.Sizeof(Pairs{}))}
+}
+
+// A device, and what it has done since it was opened.
+type DeviceInfo struct {
+	StructSize uint32
+
+	Reserved uint32
+
+	// as its driver says, zero-terminated
+	Name [128]byte
+
+	// of OpenCL and the driver, zero-terminated
+	Version [128]byte
+
+	// that it was asked for
+	Pairs uint64
+
+	// of them, left to the host
+	HostPairs uint64
+}
+
+var _ = [1]struct{}{}[unsafe.Sizeof(DeviceInfo{})-C.sizeof_carom_device_info] // as large as in C
+
+// NewDeviceInfo has its size set.
+func NewDeviceInfo() DeviceInfo {
+	return DeviceInfo{StructSize: uint32(unsafe.Sizeof(DeviceInfo{}))}
+}
+
 // What all particles of a set have in common. Fill with carom_particles_desc_init().
 type ParticlesDesc struct {
 	StructSize uint32
@@ -3126,6 +3263,9 @@ type ShapePlugin struct {
 
 	// handed to support: what a closure of the host holds, or NULL. The function must stay pure: same point for the same user, params and dir, as long as the plugin is there
 	User unsafe.Pointer
+
+	// `support_text` of CAROM_SUPPORT_TEXT(), zero-terminated; NULL: devices cannot ask the shape
+	Text *byte
 }
 
 var _ = [1]struct{}{}[unsafe.Sizeof(ShapePlugin{})-C.sizeof_carom_shape_plugin] // as large as in C
@@ -4887,7 +5027,7 @@ func EngineCreate(desc *EngineDesc, engine **Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_create((*C.carom_engine_desc)(unsafe.Pointer(desc)), (**C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+// Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
 // REENTRANT   @thread writer: no other call may use the engine
 func EngineDestroy(engine *Engine, error_ *Error) int32 {
 	return int32(C.carom_engine_destroy((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_error)(unsafe.Pointer(error_))))
@@ -4902,8 +5042,8 @@ func JobsDescInit(desc *JobsDesc, struct_size uint32) int32 {
 // functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
 // on the stepping one.
 // @param desc may be NULL: the stepping thread alone
-// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-// no more threads); OUT_OF_MEMORY; REENTRANT
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+// alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT
 func EngineSetJobs(engine *Engine, desc *JobsDesc, error_ *Error) int32 {
 	return int32(C.carom_engine_set_jobs((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_jobs_desc)(unsafe.Pointer(desc)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
@@ -5191,6 +5331,11 @@ func JointTransmissionInit(transmission *JointTransmission, struct_size uint32) 
 	return int32(C.carom_joint_transmission_init((*C.carom_joint_transmission)(unsafe.Pointer(transmission)), C.uint32_t(struct_size)))
 }
 
+// The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
+func JointCouplingInit(coupling *JointCoupling, struct_size uint32) int32 {
+	return int32(C.carom_joint_coupling_init((*C.carom_joint_coupling)(unsafe.Pointer(coupling)), C.uint32_t(struct_size)))
+}
+
 // Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
 func JointAxisInit(axis *JointAxis, struct_size uint32) int32 {
 	return int32(C.carom_joint_axis_init((*C.carom_joint_axis)(unsafe.Pointer(axis)), C.uint32_t(struct_size)))
@@ -5202,8 +5347,8 @@ func JointOrientationDriveInit(drive *JointOrientationDrive, struct_size uint32)
 }
 
 // Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-// NOT_UNIT;
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+// carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
 // NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
 // body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
 // LIMIT; OUT_OF_MEMORY
@@ -5283,6 +5428,35 @@ func JointSetTransmission(world *World, joint Joint, transmission *JointTransmis
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
 func JointGetTransmission(world *World, joint Joint, transmission *JointTransmission, error_ *Error) int32 {
 	return int32(C.carom_joint_get_transmission((*C.carom_world)(unsafe.Pointer(world)), C.carom_joint(joint), (*C.carom_joint_transmission)(unsafe.Pointer(transmission)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+// wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+// as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+// carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+// follower's coordinate that it pushes with, mean over the last step.
+// Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+// joint_order moves it. Oracle: tests/oracle/test_couplings.
+// @param joint out: the coupling
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+// reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+// REENTRANT; LIMIT; OUT_OF_MEMORY
+func JointCouple(world *World, coupling *JointCoupling, joint *Joint, error_ *Error) int32 {
+	return int32(C.carom_joint_couple((*C.carom_world)(unsafe.Pointer(world)), (*C.carom_joint_coupling)(unsafe.Pointer(coupling)), (*C.carom_joint)(unsafe.Pointer(joint)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Give a coupling another polynomial; its bodies wake.
+// @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+// field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT
+func JointSetCoupling(world *World, joint Joint, coupling *JointCoupling, error_ *Error) int32 {
+	return int32(C.carom_joint_set_coupling((*C.carom_world)(unsafe.Pointer(world)), C.carom_joint(joint), (*C.carom_joint_coupling)(unsafe.Pointer(coupling)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @param coupling out: as it was made
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
+func JointGetCoupling(world *World, joint Joint, coupling *JointCoupling, error_ *Error) int32 {
+	return int32(C.carom_joint_get_coupling((*C.carom_world)(unsafe.Pointer(world)), C.carom_joint(joint), (*C.carom_joint_coupling)(unsafe.Pointer(coupling)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
 // Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
@@ -5379,6 +5553,54 @@ func WorldGetLedger(world *World, dst *LedgerEntry, stride uint64, capacity uint
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
 func WorldGetLedgerState(world *World, state *LedgerState, error_ *Error) int32 {
 	return int32(C.carom_world_get_ledger_state((*C.carom_world)(unsafe.Pointer(world)), (*C.carom_ledger_state)(unsafe.Pointer(state)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+// carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+// is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+// status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+// @param desc   may be NULL: defaults
+// @param dst    out, [pairs->count]; no array of pairs
+// @param stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+// written, too
+// @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+// pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+// thread: some results were written)
+// @since 0.9
+func PairsDistance(engine *Engine, pairs *Pairs, desc *DistanceDesc, dst *Distance, stride uint64, error_ *Error) int32 {
+	return int32(C.carom_pairs_distance((*C.carom_engine)(unsafe.Pointer(engine)), (*C.carom_pairs)(unsafe.Pointer(pairs)), (*C.carom_distance_desc)(unsafe.Pointer(desc)), (*C.carom_distance)(unsafe.Pointer(dst)), C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+// @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+// @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
+// @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+// (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+// @since 0.9
+func DeviceCreate(engine *Engine, index uint32, device **Device, error_ *Error) int32 {
+	return int32(C.carom_device_create((*C.carom_engine)(unsafe.Pointer(engine)), C.uint32_t(index), (**C.carom_device)(unsafe.Pointer(device)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9
+func DeviceDestroy(device *Device, error_ *Error) int32 {
+	return int32(C.carom_device_destroy((*C.carom_device)(unsafe.Pointer(device)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9
+func DeviceGetInfo(device *Device, info *DeviceInfo, error_ *Error) int32 {
+	return int32(C.carom_device_get_info((*C.carom_device)(unsafe.Pointer(device)), (*C.carom_device_info)(unsafe.Pointer(info)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+// @param device from carom_device_create()
+// @param desc   may be NULL: defaults
+// @param dst    out, [pairs->count]; no array of pairs
+// @param stride as carom_pairs_distance()
+// @status as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+// pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+// @since 0.9
+func DevicePairsDistance(device *Device, pairs *Pairs, desc *DistanceDesc, dst *Distance, stride uint64, error_ *Error) int32 {
+	return int32(C.carom_device_pairs_distance((*C.carom_device)(unsafe.Pointer(device)), (*C.carom_pairs)(unsafe.Pointer(pairs)), (*C.carom_distance_desc)(unsafe.Pointer(desc)), (*C.carom_distance)(unsafe.Pointer(dst)), C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE
@@ -6402,6 +6624,13 @@ var Layout = []Row{
 	{"carom_joint_transmission.anchor_a", unsafe.Offsetof(JointTransmission{}.AnchorA), unsafe.Sizeof(JointTransmission{}.AnchorA), "f64[3]"},
 	{"carom_joint_transmission.anchor_b", unsafe.Offsetof(JointTransmission{}.AnchorB), unsafe.Sizeof(JointTransmission{}.AnchorB), "f64[3]"},
 	{"carom_joint_transmission.length", unsafe.Offsetof(JointTransmission{}.Length), unsafe.Sizeof(JointTransmission{}.Length), "f64"},
+	{"carom_joint_coupling", 0, unsafe.Sizeof(JointCoupling{}), "struct"},
+	{"carom_joint_coupling.struct_size", unsafe.Offsetof(JointCoupling{}.StructSize), unsafe.Sizeof(JointCoupling{}.StructSize), "u32"},
+	{"carom_joint_coupling.reserved", unsafe.Offsetof(JointCoupling{}.Reserved), unsafe.Sizeof(JointCoupling{}.Reserved), "u32"},
+	{"carom_joint_coupling.follower", unsafe.Offsetof(JointCoupling{}.Follower), unsafe.Sizeof(JointCoupling{}.Follower), "u64"},
+	{"carom_joint_coupling.leader", unsafe.Offsetof(JointCoupling{}.Leader), unsafe.Sizeof(JointCoupling{}.Leader), "u64"},
+	{"carom_joint_coupling.polynomial", unsafe.Offsetof(JointCoupling{}.Polynomial), unsafe.Sizeof(JointCoupling{}.Polynomial), "f64[5]"},
+	{"carom_joint_coupling.user", unsafe.Offsetof(JointCoupling{}.User), unsafe.Sizeof(JointCoupling{}.User), "u64"},
 	{"carom_joint_axis", 0, unsafe.Sizeof(JointAxis{}), "struct"},
 	{"carom_joint_axis.struct_size", unsafe.Offsetof(JointAxis{}.StructSize), unsafe.Sizeof(JointAxis{}.StructSize), "u32"},
 	{"carom_joint_axis.mode", unsafe.Offsetof(JointAxis{}.Mode), unsafe.Sizeof(JointAxis{}.Mode), "u32"},
@@ -6478,6 +6707,29 @@ var Layout = []Row{
 	{"carom_ledger_state.total_rounding_energy", unsafe.Offsetof(LedgerState{}.TotalRoundingEnergy), unsafe.Sizeof(LedgerState{}.TotalRoundingEnergy), "f64"},
 	{"carom_ledger_state.total_rounding_linear", unsafe.Offsetof(LedgerState{}.TotalRoundingLinear), unsafe.Sizeof(LedgerState{}.TotalRoundingLinear), "f64"},
 	{"carom_ledger_state.total_rounding_angular", unsafe.Offsetof(LedgerState{}.TotalRoundingAngular), unsafe.Sizeof(LedgerState{}.TotalRoundingAngular), "f64"},
+	{"carom_pairs", 0, unsafe.Sizeof(Pairs{}), "struct"},
+	{"carom_pairs.struct_size", unsafe.Offsetof(Pairs{}.StructSize), unsafe.Sizeof(Pairs{}.StructSize), "u32"},
+	{"carom_pairs.reserved", unsafe.Offsetof(Pairs{}.Reserved), unsafe.Sizeof(Pairs{}.Reserved), "u32"},
+	{"carom_pairs.count", unsafe.Offsetof(Pairs{}.Count), unsafe.Sizeof(Pairs{}.Count), "u64"},
+	{"carom_pairs.shapes_a", unsafe.Offsetof(Pairs{}.ShapesA), unsafe.Sizeof(Pairs{}.ShapesA), "ptr"},
+	{"carom_pairs.shapes_b", unsafe.Offsetof(Pairs{}.ShapesB), unsafe.Sizeof(Pairs{}.ShapesB), "ptr"},
+	{"carom_pairs.positions_a", unsafe.Offsetof(Pairs{}.PositionsA), unsafe.Sizeof(Pairs{}.PositionsA), "ptr"},
+	{"carom_pairs.orientations_a", unsafe.Offsetof(Pairs{}.OrientationsA), unsafe.Sizeof(Pairs{}.OrientationsA), "ptr"},
+	{"carom_pairs.positions_b", unsafe.Offsetof(Pairs{}.PositionsB), unsafe.Sizeof(Pairs{}.PositionsB), "ptr"},
+	{"carom_pairs.orientations_b", unsafe.Offsetof(Pairs{}.OrientationsB), unsafe.Sizeof(Pairs{}.OrientationsB), "ptr"},
+	{"carom_pairs.shape_a_stride", unsafe.Offsetof(Pairs{}.ShapeAStride), unsafe.Sizeof(Pairs{}.ShapeAStride), "u64"},
+	{"carom_pairs.shape_b_stride", unsafe.Offsetof(Pairs{}.ShapeBStride), unsafe.Sizeof(Pairs{}.ShapeBStride), "u64"},
+	{"carom_pairs.position_a_stride", unsafe.Offsetof(Pairs{}.PositionAStride), unsafe.Sizeof(Pairs{}.PositionAStride), "u64"},
+	{"carom_pairs.orientation_a_stride", unsafe.Offsetof(Pairs{}.OrientationAStride), unsafe.Sizeof(Pairs{}.OrientationAStride), "u64"},
+	{"carom_pairs.position_b_stride", unsafe.Offsetof(Pairs{}.PositionBStride), unsafe.Sizeof(Pairs{}.PositionBStride), "u64"},
+	{"carom_pairs.orientation_b_stride", unsafe.Offsetof(Pairs{}.OrientationBStride), unsafe.Sizeof(Pairs{}.OrientationBStride), "u64"},
+	{"carom_device_info", 0, unsafe.Sizeof(DeviceInfo{}), "struct"},
+	{"carom_device_info.struct_size", unsafe.Offsetof(DeviceInfo{}.StructSize), unsafe.Sizeof(DeviceInfo{}.StructSize), "u32"},
+	{"carom_device_info.reserved", unsafe.Offsetof(DeviceInfo{}.Reserved), unsafe.Sizeof(DeviceInfo{}.Reserved), "u32"},
+	{"carom_device_info.name", unsafe.Offsetof(DeviceInfo{}.Name), unsafe.Sizeof(DeviceInfo{}.Name), "char[128]"},
+	{"carom_device_info.version", unsafe.Offsetof(DeviceInfo{}.Version), unsafe.Sizeof(DeviceInfo{}.Version), "char[128]"},
+	{"carom_device_info.pairs", unsafe.Offsetof(DeviceInfo{}.Pairs), unsafe.Sizeof(DeviceInfo{}.Pairs), "u64"},
+	{"carom_device_info.host_pairs", unsafe.Offsetof(DeviceInfo{}.HostPairs), unsafe.Sizeof(DeviceInfo{}.HostPairs), "u64"},
 	{"carom_particles_desc", 0, unsafe.Sizeof(ParticlesDesc{}), "struct"},
 	{"carom_particles_desc.struct_size", unsafe.Offsetof(ParticlesDesc{}.StructSize), unsafe.Sizeof(ParticlesDesc{}.StructSize), "u32"},
 	{"carom_particles_desc.reserved", unsafe.Offsetof(ParticlesDesc{}.Reserved), unsafe.Sizeof(ParticlesDesc{}.Reserved), "u32"},
@@ -6535,6 +6787,7 @@ var Layout = []Row{
 	{"carom_shape_plugin.rule_count", unsafe.Offsetof(ShapePlugin{}.RuleCount), unsafe.Sizeof(ShapePlugin{}.RuleCount), "u32"},
 	{"carom_shape_plugin.reserved", unsafe.Offsetof(ShapePlugin{}.Reserved), unsafe.Sizeof(ShapePlugin{}.Reserved), "u32"},
 	{"carom_shape_plugin.user", unsafe.Offsetof(ShapePlugin{}.User), unsafe.Sizeof(ShapePlugin{}.User), "ptr"},
+	{"carom_shape_plugin.text", unsafe.Offsetof(ShapePlugin{}.Text), unsafe.Sizeof(ShapePlugin{}.Text), "ptr"},
 	{"carom_distance_desc", 0, unsafe.Sizeof(DistanceDesc{}), "struct"},
 	{"carom_distance_desc.struct_size", unsafe.Offsetof(DistanceDesc{}.StructSize), unsafe.Sizeof(DistanceDesc{}.StructSize), "u32"},
 	{"carom_distance_desc.simplex", unsafe.Offsetof(DistanceDesc{}.Simplex), unsafe.Sizeof(DistanceDesc{}.Simplex), "u32"},

@@ -343,7 +343,9 @@ public final class Raw {
     public static final int CAROM_DIAL_ACCURACY_SUBSTEPS = 43;
     /** likewise of islands in contact: contact points times substeps */
     public static final int CAROM_DIAL_ACCURACY_WORK = 44;
-    public static final int CAROM_DIAL_COUNT = 45;
+    /** m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over the smaller radius at most; 0: looked for in each step */
+    public static final int CAROM_DIAL_KEEP_DISTANCE = 45;
+    public static final int CAROM_DIAL_COUNT = 46;
     /** first order */
     public static final int CAROM_INTEGRATOR_EXPLICIT_EULER = 0;
     /** first order, symplectic */
@@ -509,7 +511,9 @@ public final class Raw {
     public static final int CAROM_JOINT_GEAR = 7;
     /** each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free */
     public static final int CAROM_JOINT_SIX_AXIS = 8;
-    public static final int CAROM_JOINT_COUNT = 9;
+    /** the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints */
+    public static final int CAROM_JOINT_COUPLING = 9;
+    public static final int CAROM_JOINT_COUNT = 10;
     /** rad, of B about the x axes, whole turns counted: ball, hinge */
     public static final int CAROM_COORDINATE_TWIST = 0;
     /** rad, [0, pi], between the x axes: ball, universal */
@@ -567,7 +571,7 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_COORDINATES = 0;
     /** 4: m/s or rad/s, their rates, from the present velocities; read only */
     public static final int CAROM_JOINT_BULK_SPEEDS = 1;
-    /** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
+    /** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis */
     public static final int CAROM_JOINT_BULK_AXES = 2;
     /** 6: m/s and rad/s, their rates; written likewise */
     public static final int CAROM_JOINT_BULK_AXIS_SPEEDS = 3;
@@ -639,7 +643,17 @@ public final class Raw {
     public static final int CAROM_JOINT_BULK_EFFORT_LIMIT = 36;
     /** 1: speed_limit, likewise */
     public static final int CAROM_JOINT_BULK_SPEED_LIMIT = 37;
-    public static final int CAROM_JOINT_BULK_COUNT = 38;
+    /** 1: target of the drive of a hinge's or slider's axis, likewise: a servo's */
+    public static final int CAROM_JOINT_BULK_DRIVE_TARGET = 38;
+    /** 1: speed, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_VELOCITY = 39;
+    /** 1: effort, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_EFFORT = 40;
+    /** 1: max_force, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41;
+    /** 2: drive_stiffness and drive_damping, in its units, likewise */
+    public static final int CAROM_JOINT_BULK_DRIVE_GAINS = 42;
+    public static final int CAROM_JOINT_BULK_COUNT = 43;
     /** gyroscopic term of bodies with unlike moments of inertia */
     public static final int CAROM_EFFECT_GYROSCOPIC = 0;
     /** damping of velocity */
@@ -2048,6 +2062,29 @@ public final class Raw {
         public JointTransmission length(double it) { segment.set(JAVA_DOUBLE, 64, it); return this; }
     }
 
+    /** What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+     *  The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+     *  the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+     *  holds the follower, it holds the leader. Fill with carom_joint_coupling_init(). */
+    public static final class JointCoupling {
+        public static final int SIZE = 72;
+        public final MemorySegment segment;
+        public JointCoupling(Arena arena) { segment = arena.allocate(SIZE, 8); carom_joint_coupling_init(segment, SIZE); }
+        public JointCoupling(MemorySegment at) { segment = at; }
+        /** a hinge or slider */
+        public long follower() { return segment.get(JAVA_LONG, 8); }
+        public JointCoupling follower(long it) { segment.set(JAVA_LONG, 8, it); return this; }
+        /** another */
+        public long leader() { return segment.get(JAVA_LONG, 16); }
+        public JointCoupling leader(long it) { segment.set(JAVA_LONG, 16, it); return this; }
+        /** m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far */
+        public double[] polynomial() { return segment.asSlice(24, 40).toArray(JAVA_DOUBLE); }
+        public JointCoupling polynomial(double... it) { MemorySegment.copy(it, 0, segment, JAVA_DOUBLE, 24, count(it.length, 5)); return this; }
+        /** yours */
+        public long user() { return segment.get(JAVA_LONG, 64); }
+        public JointCoupling user(long it) { segment.set(JAVA_LONG, 64, it); return this; }
+    }
+
     /** What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
      *  has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
      *  each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it. */
@@ -2292,6 +2329,72 @@ public final class Raw {
         public LedgerState totalRoundingAngular(double it) { segment.set(JAVA_DOUBLE, 248, it); return this; }
     }
 
+    /** Pairs in the caller's arrays, at any stride (0: tightly packed). struct_size set by the caller, what is not set
+     *  zero. */
+    public static final class Pairs {
+        public static final int SIZE = 112;
+        public final MemorySegment segment;
+        public Pairs(Arena arena) { segment = arena.allocate(SIZE, 8); segment.set(JAVA_INT, 0, SIZE); }
+        public Pairs(MemorySegment at) { segment = at; }
+        /** pairs, at most 2^24 */
+        public long count() { return segment.get(JAVA_LONG, 8); }
+        public Pairs count(long it) { segment.set(JAVA_LONG, 8, it); return this; }
+        /** one each */
+        public MemorySegment shapesA() { return segment.get(ADDRESS, 16); }
+        public Pairs shapesA(MemorySegment it) { segment.set(ADDRESS, 16, it); return this; }
+        /** likewise */
+        public MemorySegment shapesB() { return segment.get(ADDRESS, 24); }
+        public Pairs shapesB(MemorySegment it) { segment.set(ADDRESS, 24, it); return this; }
+        /** 3 each, m, world */
+        public MemorySegment positionsA() { return segment.get(ADDRESS, 32); }
+        public Pairs positionsA(MemorySegment it) { segment.set(ADDRESS, 32, it); return this; }
+        /** 4 each: x, y, z, w */
+        public MemorySegment orientationsA() { return segment.get(ADDRESS, 40); }
+        public Pairs orientationsA(MemorySegment it) { segment.set(ADDRESS, 40, it); return this; }
+        /** 3 each, m, world */
+        public MemorySegment positionsB() { return segment.get(ADDRESS, 48); }
+        public Pairs positionsB(MemorySegment it) { segment.set(ADDRESS, 48, it); return this; }
+        /** 4 each: x, y, z, w */
+        public MemorySegment orientationsB() { return segment.get(ADDRESS, 56); }
+        public Pairs orientationsB(MemorySegment it) { segment.set(ADDRESS, 56, it); return this; }
+        /** bytes; 0: tightly packed */
+        public long shapeAStride() { return segment.get(JAVA_LONG, 64); }
+        public Pairs shapeAStride(long it) { segment.set(JAVA_LONG, 64, it); return this; }
+        /** likewise */
+        public long shapeBStride() { return segment.get(JAVA_LONG, 72); }
+        public Pairs shapeBStride(long it) { segment.set(JAVA_LONG, 72, it); return this; }
+        /** likewise */
+        public long positionAStride() { return segment.get(JAVA_LONG, 80); }
+        public Pairs positionAStride(long it) { segment.set(JAVA_LONG, 80, it); return this; }
+        /** likewise */
+        public long orientationAStride() { return segment.get(JAVA_LONG, 88); }
+        public Pairs orientationAStride(long it) { segment.set(JAVA_LONG, 88, it); return this; }
+        /** likewise */
+        public long positionBStride() { return segment.get(JAVA_LONG, 96); }
+        public Pairs positionBStride(long it) { segment.set(JAVA_LONG, 96, it); return this; }
+        /** likewise */
+        public long orientationBStride() { return segment.get(JAVA_LONG, 104); }
+        public Pairs orientationBStride(long it) { segment.set(JAVA_LONG, 104, it); return this; }
+    }
+
+    /** A device, and what it has done since it was opened. */
+    public static final class DeviceInfo {
+        public static final int SIZE = 280;
+        public final MemorySegment segment;
+        public DeviceInfo(Arena arena) { segment = arena.allocate(SIZE, 8); segment.set(JAVA_INT, 0, SIZE); }
+        public DeviceInfo(MemorySegment at) { segment = at; }
+        /** as its driver says, zero-terminated */
+        public String name() { return segment.getString(8); }
+        /** of OpenCL and the driver, zero-terminated */
+        public String version() { return segment.getString(136); }
+        /** that it was asked for */
+        public long pairs() { return segment.get(JAVA_LONG, 264); }
+        public DeviceInfo pairs(long it) { segment.set(JAVA_LONG, 264, it); return this; }
+        /** of them, left to the host */
+        public long hostPairs() { return segment.get(JAVA_LONG, 272); }
+        public DeviceInfo hostPairs(long it) { segment.set(JAVA_LONG, 272, it); return this; }
+    }
+
     /** What all particles of a set have in common. Fill with carom_particles_desc_init(). */
     public static final class ParticlesDesc {
         public static final int SIZE = 40;
@@ -2429,7 +2532,7 @@ public final class Raw {
      *      const carom_shape_plugin carom_shape_plugin_v1 = { ... };
      *  or pass it to carom_plugin_register(). Everything it points to must live as long as the engine. */
     public static final class ShapePlugin {
-        public static final int SIZE = 88;
+        public static final int SIZE = 96;
         public final MemorySegment segment;
         public ShapePlugin(Arena arena) { segment = arena.allocate(SIZE, 8); segment.set(JAVA_INT, 0, SIZE); }
         public ShapePlugin(MemorySegment at) { segment = at; }
@@ -2475,6 +2578,9 @@ public final class Raw {
         /** handed to support: what a closure of the host holds, or NULL. The function must stay pure: same point for the same user, params and dir, as long as the plugin is there */
         public MemorySegment user() { return segment.get(ADDRESS, 80); }
         public ShapePlugin user(MemorySegment it) { segment.set(ADDRESS, 80, it); return this; }
+        /** `support_text` of CAROM_SUPPORT_TEXT(), zero-terminated; NULL: devices cannot ask the shape */
+        public MemorySegment text() { return segment.get(ADDRESS, 88); }
+        public ShapePlugin text(MemorySegment it) { segment.set(ADDRESS, 88, it); return this; }
     }
 
     /** Settings of a query; fill with carom_distance_desc_init(). Values as the dials of the same name. */
@@ -4443,7 +4549,7 @@ public final class Raw {
     private static final class carom_engine_destroy_ {
         static final MethodHandle CALL = Library.call("carom_engine_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
     }
-    /** Destroy an engine; its worlds and batches must be gone.   status: OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    /** Destroy an engine; its worlds, batches and devices must be gone.   status: OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
      *  REENTRANT   thread: writer: no other call may use the engine */
     public static int carom_engine_destroy(MemorySegment engine, MemorySegment error) {
         try { return (int) carom_engine_destroy_.CALL.invokeExact(engine, error); } catch (Throwable problem) { throw Library.thrown(problem); }
@@ -4464,8 +4570,8 @@ public final class Raw {
      *  functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
      *  on the stepping one.
      *  param: desc may be NULL: the stepping thread alone
-     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-     *  no more threads); OUT_OF_MEMORY; REENTRANT */
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+     *  alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT */
     public static int carom_engine_set_jobs(MemorySegment engine, MemorySegment desc, MemorySegment error) {
         try { return (int) carom_engine_set_jobs_.CALL.invokeExact(engine, desc, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
@@ -4891,6 +4997,14 @@ public final class Raw {
         try { return (int) carom_joint_transmission_init_.CALL.invokeExact(transmission, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
+    private static final class carom_joint_coupling_init_ {
+        static final MethodHandle CALL = Library.call("carom_joint_coupling_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
+    }
+    /** The follower goes as far as the leader.   status: OK; NULL_ARGUMENT; STRUCT_SIZE */
+    public static int carom_joint_coupling_init(MemorySegment coupling, int structSize) {
+        try { return (int) carom_joint_coupling_init_.CALL.invokeExact(coupling, structSize); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
     private static final class carom_joint_axis_init_ {
         static final MethodHandle CALL = Library.call("carom_joint_axis_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
@@ -4911,8 +5025,8 @@ public final class Raw {
         static final MethodHandle CALL = Library.call("carom_joint_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
     }
     /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-     *  NOT_UNIT;
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+     *          carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
      *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
      *          body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
      *          LIMIT; OUT_OF_MEMORY */
@@ -5025,6 +5139,44 @@ public final class Raw {
      *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
     public static int carom_joint_get_transmission(MemorySegment world, long joint, MemorySegment transmission, MemorySegment error) {
         try { return (int) carom_joint_get_transmission_.CALL.invokeExact(world, joint, transmission, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_joint_couple_ {
+        static final MethodHandle CALL = Library.call("carom_joint_couple", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS));
+    }
+    /** Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+     *  wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+     *  as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+     *  carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+     *  follower's coordinate that it pushes with, mean over the last step.
+     *  Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+     *  joint_order moves it. Oracle: tests/oracle/test_couplings.
+     *  param: joint out: the coupling
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+     *          reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+     *          REENTRANT; LIMIT; OUT_OF_MEMORY */
+    public static int carom_joint_couple(MemorySegment world, MemorySegment coupling, MemorySegment joint, MemorySegment error) {
+        try { return (int) carom_joint_couple_.CALL.invokeExact(world, coupling, joint, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_joint_set_coupling_ {
+        static final MethodHandle CALL = Library.call("carom_joint_set_coupling", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Give a coupling another polynomial; its bodies wake.
+     *  param: coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+     *          field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+    public static int carom_joint_set_coupling(MemorySegment world, long joint, MemorySegment coupling, MemorySegment error) {
+        try { return (int) carom_joint_set_coupling_.CALL.invokeExact(world, joint, coupling, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_joint_get_coupling_ {
+        static final MethodHandle CALL = Library.call("carom_joint_get_coupling", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** param: coupling out: as it was made
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
+    public static int carom_joint_get_coupling(MemorySegment world, long joint, MemorySegment coupling, MemorySegment error) {
+        try { return (int) carom_joint_get_coupling_.CALL.invokeExact(world, joint, coupling, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
     private static final class carom_joint_set_axis_ {
@@ -5154,6 +5306,69 @@ public final class Raw {
     /** status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
     public static int carom_world_get_ledger_state(MemorySegment world, MemorySegment state, MemorySegment error) {
         try { return (int) carom_world_get_ledger_state_.CALL.invokeExact(world, state, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_pairs_distance_ {
+        static final MethodHandle CALL = Library.call("carom_pairs_distance", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS));
+    }
+    /** Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+     *  carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+     *  is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+     *  status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+     *  param: desc   may be NULL: defaults
+     *  param: dst    out, [pairs-&gt;count]; no array of pairs
+     *  param: stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+     *                written, too
+     *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+     *          pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+     *          thread: some results were written)
+     *  since: 0.9 */
+    public static int carom_pairs_distance(MemorySegment engine, MemorySegment pairs, MemorySegment desc, MemorySegment dst, long stride, MemorySegment error) {
+        try { return (int) carom_pairs_distance_.CALL.invokeExact(engine, pairs, desc, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_device_create_ {
+        static final MethodHandle CALL = Library.call("carom_device_create", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT, ADDRESS, ADDRESS));
+    }
+    /** Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+     *  param: index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+     *  param: device out: to be destroyed before the engine   owns: the caller: carom_device_destroy()
+     *  status: OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+     *          (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+     *  since: 0.9 */
+    public static int carom_device_create(MemorySegment engine, int index, MemorySegment device, MemorySegment error) {
+        try { return (int) carom_device_create_.CALL.invokeExact(engine, index, device, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_device_destroy_ {
+        static final MethodHandle CALL = Library.call("carom_device_destroy", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
+    }
+    /** param: device from carom_device_create()   status: OK; NULL_ARGUMENT; BUSY; REENTRANT   since: 0.9 */
+    public static int carom_device_destroy(MemorySegment device, MemorySegment error) {
+        try { return (int) carom_device_destroy_.CALL.invokeExact(device, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_device_get_info_ {
+        static final MethodHandle CALL = Library.call("carom_device_get_info", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS));
+    }
+    /** param: device from carom_device_create()   status: OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   since: 0.9 */
+    public static int carom_device_get_info(MemorySegment device, MemorySegment info, MemorySegment error) {
+        try { return (int) carom_device_get_info_.CALL.invokeExact(device, info, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_device_pairs_distance_ {
+        static final MethodHandle CALL = Library.call("carom_device_pairs_distance", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS, JAVA_LONG, ADDRESS));
+    }
+    /** As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+     *  param: device from carom_device_create()
+     *  param: desc   may be NULL: defaults
+     *  param: dst    out, [pairs-&gt;count]; no array of pairs
+     *  param: stride as carom_pairs_distance()
+     *  status: as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+     *          pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+     *  since: 0.9 */
+    public static int carom_device_pairs_distance(MemorySegment device, MemorySegment pairs, MemorySegment desc, MemorySegment dst, long stride, MemorySegment error) {
+        try { return (int) carom_device_pairs_distance_.CALL.invokeExact(device, pairs, desc, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
     private static final class carom_particles_desc_init_ {
@@ -6401,6 +6616,13 @@ carom_joint_transmission.ratio 8 8 f64
 carom_joint_transmission.anchor_a 16 24 f64[3]
 carom_joint_transmission.anchor_b 40 24 f64[3]
 carom_joint_transmission.length 64 8 f64
+carom_joint_coupling 0 72 struct
+carom_joint_coupling.struct_size 0 4 u32
+carom_joint_coupling.reserved 4 4 u32
+carom_joint_coupling.follower 8 8 u64
+carom_joint_coupling.leader 16 8 u64
+carom_joint_coupling.polynomial 24 40 f64[5]
+carom_joint_coupling.user 64 8 u64
 carom_joint_axis 0 160 struct
 carom_joint_axis.struct_size 0 4 u32
 carom_joint_axis.mode 4 4 u32
@@ -6477,6 +6699,29 @@ carom_ledger_state.rounding_angular 224 8 f64
 carom_ledger_state.total_rounding_energy 232 8 f64
 carom_ledger_state.total_rounding_linear 240 8 f64
 carom_ledger_state.total_rounding_angular 248 8 f64
+carom_pairs 0 112 struct
+carom_pairs.struct_size 0 4 u32
+carom_pairs.reserved 4 4 u32
+carom_pairs.count 8 8 u64
+carom_pairs.shapes_a 16 8 ptr
+carom_pairs.shapes_b 24 8 ptr
+carom_pairs.positions_a 32 8 ptr
+carom_pairs.orientations_a 40 8 ptr
+carom_pairs.positions_b 48 8 ptr
+carom_pairs.orientations_b 56 8 ptr
+carom_pairs.shape_a_stride 64 8 u64
+carom_pairs.shape_b_stride 72 8 u64
+carom_pairs.position_a_stride 80 8 u64
+carom_pairs.orientation_a_stride 88 8 u64
+carom_pairs.position_b_stride 96 8 u64
+carom_pairs.orientation_b_stride 104 8 u64
+carom_device_info 0 280 struct
+carom_device_info.struct_size 0 4 u32
+carom_device_info.reserved 4 4 u32
+carom_device_info.name 8 128 char[128]
+carom_device_info.version 136 128 char[128]
+carom_device_info.pairs 264 8 u64
+carom_device_info.host_pairs 272 8 u64
 carom_particles_desc 0 40 struct
 carom_particles_desc.struct_size 0 4 u32
 carom_particles_desc.reserved 4 4 u32
@@ -6517,7 +6762,7 @@ carom_geometry.form_arg 8 16 u32[4]
 carom_geometry.core_radius_param 24 4 u32
 carom_geometry.mass_form 28 4 u32
 carom_geometry.mass_arg 32 16 u32[4]
-carom_shape_plugin 0 88 struct
+carom_shape_plugin 0 96 struct
 carom_shape_plugin.struct_size 0 4 u32
 carom_shape_plugin.abi_major 4 4 u32
 carom_shape_plugin.abi_minor 8 4 u32
@@ -6534,6 +6779,7 @@ carom_shape_plugin.rules 64 8 ptr
 carom_shape_plugin.rule_count 72 4 u32
 carom_shape_plugin.reserved 76 4 u32
 carom_shape_plugin.user 80 8 ptr
+carom_shape_plugin.text 88 8 ptr
 carom_distance_desc 0 40 struct
 carom_distance_desc.struct_size 0 4 u32
 carom_distance_desc.simplex 4 4 u32

@@ -330,7 +330,9 @@ export const CAROM_DIAL_ACCURACY_TURN: 42;
 export const CAROM_DIAL_ACCURACY_SUBSTEPS: 43;
 /** likewise of islands in contact: contact points times substeps */
 export const CAROM_DIAL_ACCURACY_WORK: 44;
-export const CAROM_DIAL_COUNT: 45;
+/** m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over the smaller radius at most; 0: looked for in each step */
+export const CAROM_DIAL_KEEP_DISTANCE: 45;
+export const CAROM_DIAL_COUNT: 46;
 /** first order */
 export const CAROM_INTEGRATOR_EXPLICIT_EULER: 0;
 /** first order, symplectic */
@@ -496,7 +498,9 @@ export const CAROM_JOINT_PULLEY: 6;
 export const CAROM_JOINT_GEAR: 7;
 /** each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free */
 export const CAROM_JOINT_SIX_AXIS: 8;
-export const CAROM_JOINT_COUNT: 9;
+/** the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints */
+export const CAROM_JOINT_COUPLING: 9;
+export const CAROM_JOINT_COUNT: 10;
 /** rad, of B about the x axes, whole turns counted: ball, hinge */
 export const CAROM_COORDINATE_TWIST: 0;
 /** rad, [0, pi], between the x axes: ball, universal */
@@ -554,7 +558,7 @@ export const CAROM_JOINT_ACCELERATIONS: 8;
 export const CAROM_JOINT_BULK_COORDINATES: 0;
 /** 4: m/s or rad/s, their rates, from the present velocities; read only */
 export const CAROM_JOINT_BULK_SPEEDS: 1;
-/** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis */
+/** 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis */
 export const CAROM_JOINT_BULK_AXES: 2;
 /** 6: m/s and rad/s, their rates; written likewise */
 export const CAROM_JOINT_BULK_AXIS_SPEEDS: 3;
@@ -626,7 +630,17 @@ export const CAROM_JOINT_BULK_ARMATURE: 35;
 export const CAROM_JOINT_BULK_EFFORT_LIMIT: 36;
 /** 1: speed_limit, likewise */
 export const CAROM_JOINT_BULK_SPEED_LIMIT: 37;
-export const CAROM_JOINT_BULK_COUNT: 38;
+/** 1: target of the drive of a hinge's or slider's axis, likewise: a servo's */
+export const CAROM_JOINT_BULK_DRIVE_TARGET: 38;
+/** 1: speed, likewise */
+export const CAROM_JOINT_BULK_DRIVE_VELOCITY: 39;
+/** 1: effort, likewise */
+export const CAROM_JOINT_BULK_DRIVE_EFFORT: 40;
+/** 1: max_force, likewise */
+export const CAROM_JOINT_BULK_DRIVE_MAX_FORCE: 41;
+/** 2: drive_stiffness and drive_damping, in its units, likewise */
+export const CAROM_JOINT_BULK_DRIVE_GAINS: 42;
+export const CAROM_JOINT_BULK_COUNT: 43;
 /** gyroscopic term of bodies with unlike moments of inertia */
 export const CAROM_EFFECT_GYROSCOPIC: 0;
 /** damping of velocity */
@@ -804,4 +818,4 @@ export const CAROM_WANT_FIRST: 0;
 /** whether anything is met: HIT, UNDECIDED (only grazes) or MISS; no collider, times or points */
 export const CAROM_WANT_ANY: 1;
 /** Kinds of joints by name. */
-export const JOINTS: { ball: 0, hinge: 1, slider: 2, weld: 3, distance: 4, universal: 5, pulley: 6, gear: 7, six_axis: 8 };
+export const JOINTS: { ball: 0, hinge: 1, slider: 2, weld: 3, distance: 4, universal: 5, pulley: 6, gear: 7, six_axis: 8, coupling: 9 };

@@ -21,3 +21,10 @@ export function unsupported(doing, argument, text, remedy) {
   const result = "CAROM_E_UNSUPPORTED";
   return new CaromError({ code: constants[result], result, argument, text, remedy, witness: null }, doing);
 }
+
+/** A module that is none of ours.   @param file  as a person would name it */
+export function cannotLoad(file, why, remedy) {
+  const result = "CAROM_E_NOT_FOUND";
+  const text = `cannot load ${file}: ${why}`;
+  return new CaromError({ code: constants[result], result, argument: 1, text, remedy, witness: null });
+}

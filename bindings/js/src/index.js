@@ -92,10 +92,13 @@ class Carom {
 
 /** Load the engine.   @param source  where carom.wasm is: bytes, a URL, a Response, a compiled module; by default the
  *  package's. Or options: { source, threads }, where threads is a number or "auto": one where there can be no more
- *  @throws CaromError (UNSUPPORTED) for more than one thread where memory cannot be shared */
+ *  @throws CaromError (UNSUPPORTED) for more than one thread where memory cannot be shared; (NOT_FOUND) where there is no
+ *  module of this package's version, with its address and what to do */
 export async function load(source) {
   const isOptions = source && Object.getPrototypeOf(source) === Object.prototype;
   const options = isOptions ? source : { source };
+  const strange = Object.keys(options).find((name) => name !== "source" && name !== "threads");
+  if (strange) throw new TypeError(`load() has no option ${strange}: source, threads`);
   const threads = await threadsToUse(options.threads ?? 1);
   return new Carom(await (threads > 1 ? instantiateShared(options.source, threads) : instantiate(options.source)));
 }

@@ -1,6 +1,7 @@
 // The WebAssembly module: its memory, its errors, and calls of the C interface.
 import { ofNode } from "./node.js";
-import { CaromError } from "./errors.js";
+import { CaromError, cannotLoad } from "./errors.js";
+import { CAROM_VERSION_MAJOR, CAROM_VERSION_MINOR, CAROM_VERSION_PATCH } from "./constants.js";
 import { Structs } from "./structs.js";
 import { imports } from "./wasi.js";
 
@@ -180,28 +181,75 @@ export class Module {
 export async function instantiate(source, say = (text) => console.error(text)) {
   let instance = null;
   const needs = imports(() => instance.exports.memory, say);
-  const compiled = await compile(source ?? new URL("../dist/carom.wasm", import.meta.url));
+  const file = source ?? new URL("../dist/carom.wasm", import.meta.url);
+  const compiled = await compileOurs(file);
   if (WebAssembly.Module.imports(compiled).some((i) => i.kind === "memory"))
     throw new TypeError("carom.threads.wasm was given, but no threads: load({ source, threads: 2 })");
+  checkExports(compiled, file);
   instance = await WebAssembly.instantiate(compiled, needs);
-  return new Module(instance.exports);
+  return checkVersion(new Module(instance.exports), file);
+}
+
+const VERSION = [CAROM_VERSION_MAJOR, CAROM_VERSION_MINOR, CAROM_VERSION_PATCH];
+const TAKE_OURS = `give load() the module of this package, version ${VERSION.join(".")}: dist/carom.wasm, or dist/carom.threads.wasm for threads`;
+const SERVE_IT =
+  "build it (carom.wasm: npm run build in bindings/js), serve it beside the script, or give its address to load()";
+const nameOf = (source) => (typeof source === "string" || source instanceof URL ? String(source) : "the module given");
+
+/** @param source  what `compiled` was read from   @throws CaromError where it is the module of something else */
+export function checkExports(compiled, source) {
+  const has = new Set(WebAssembly.Module.exports(compiled).map((e) => e.name));
+  const lacks = ["carom_abi_manifest", "carom_version", "malloc"].find((name) => !has.has(name));
+  if (lacks) throw cannotLoad(nameOf(source), `it is no module of carom: it has no ${lacks}`, TAKE_OURS);
+}
+
+/** Is it one that this package can call?   @returns the module */
+export function checkVersion(module, source) {
+  const version = /^carom (\d+)\.(\d+)\.(\d+)$/m.exec(module.text(module.raw.carom_abi_manifest()));
+  const [major, minor, patch] = version?.slice(1).map(Number) ?? [];
+  if (
+    major !== VERSION[0] ||
+    (major === 0 && minor !== VERSION[1]) ||
+    minor < VERSION[1] ||
+    (minor === VERSION[1] && patch < VERSION[2])
+  )
+    throw cannotLoad(
+      nameOf(source),
+      `it is of ${version?.[0] ?? "no version"}, this package of ${VERSION.join(".")}`,
+      TAKE_OURS,
+    );
+  return module;
+}
+
+/** A module of the engine.   @throws CaromError where there is none, or it is no module */
+export async function compileOurs(source) {
+  try {
+    return await compile(source);
+  } catch (problem) {
+    if (!(problem instanceof WebAssembly.CompileError)) throw problem;
+    throw cannotLoad(nameOf(source), `it is no WebAssembly (${problem.message.split("\n")[0]})`, TAKE_OURS);
+  }
 }
 
 export async function compile(source) {
   return source instanceof WebAssembly.Module ? source : WebAssembly.compile(await read(source));
 }
 
-/** @param source  bytes, a Response or a URL   @returns bytes */
+/** @param source  bytes, a Response or a URL   @returns bytes   @throws CaromError where there are none */
 export async function read(source) {
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return source;
   if (typeof Response !== "undefined" && source instanceof Response) return source.arrayBuffer();
   const url = new URL(source, BASE);
+  const refuse = (why) => cannotLoad(url, why, SERVE_IT);
   if (url.protocol === "file:") {
     const { readFile } = await ofNode("fs/promises");
-    return readFile(url);
+    return readFile(url).catch((problem) => {
+      throw refuse(problem.code === "ENOENT" ? "there is no such file" : problem.message);
+    });
   }
-  const response = await fetch(url);
-  if (!response.ok)
-    throw new Error(`${url}: ${response.status} ${response.statusText}; is it served beside the script?`);
+  const response = await fetch(url).catch((problem) => {
+    throw refuse(problem.message);
+  });
+  if (!response.ok) throw refuse(`${response.status} ${response.statusText}`);
   return response.arrayBuffer();
 }

@@ -459,7 +459,7 @@ export interface Raw {
   /** Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY */
   carom_engine_create(desc: number, engine: number, error: number): number;
-  /** Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+  /** Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
    *  REENTRANT   @thread writer: no other call may use the engine */
   carom_engine_destroy(engine: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
@@ -468,8 +468,8 @@ export interface Raw {
    *  functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
    *  on the stepping one.
    *  @param desc may be NULL: the stepping thread alone
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-   *  no more threads); OUT_OF_MEMORY; REENTRANT */
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+   *  alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT */
   carom_engine_set_jobs(engine: number, desc: number, error: number): number;
   /** Load a shape plugin from a shared object. @param path absolute.
    *  The plugin is checked before anything is called, then by its support points in 256 directions, with parameters that
@@ -616,13 +616,15 @@ export interface Raw {
   carom_joint_spring_init(spring: number, struct_size: number): number;
   /** Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_transmission_init(transmission: number, struct_size: number): number;
+  /** The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
+  carom_joint_coupling_init(coupling: number, struct_size: number): number;
   /** Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_axis_init(axis: number, struct_size: number): number;
   /** No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_joint_orientation_drive_init(drive: number, struct_size: number): number;
   /** Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-   *  NOT_UNIT;
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+   *          carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
    *          NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
    *          body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
    *          LIMIT; OUT_OF_MEMORY */
@@ -668,6 +670,26 @@ export interface Raw {
   /** @param transmission out: as it was set, with its length; ratio 0: not yet
    *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
   carom_joint_get_transmission(world: number, joint: bigint, transmission: number, error: number): number;
+  /** Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+   *  wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+   *  as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+   *  carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+   *  follower's coordinate that it pushes with, mean over the last step.
+   *  Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+   *  joint_order moves it. Oracle: tests/oracle/test_couplings.
+   *  @param joint out: the coupling
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+   *          reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+   *          REENTRANT; LIMIT; OUT_OF_MEMORY */
+  carom_joint_couple(world: number, coupling: number, joint: number, error: number): number;
+  /** Give a coupling another polynomial; its bodies wake.
+   *  @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+   *          field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
+  carom_joint_set_coupling(world: number, joint: bigint, coupling: number, error: number): number;
+  /** @param coupling out: as it was made
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY */
+  carom_joint_get_coupling(world: number, joint: bigint, coupling: number, error: number): number;
   /** Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
    *  drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
    *  Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
@@ -731,6 +753,39 @@ export interface Raw {
   carom_world_get_ledger(world: number, dst: number, stride: bigint, capacity: bigint, count: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */
   carom_world_get_ledger_state(world: number, state: number, error: number): number;
+  /** Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+   *  carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+   *  is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+   *  status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+   *  @param desc   may be NULL: defaults
+   *  @param dst    out, [pairs->count]; no array of pairs
+   *  @param stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+   *                written, too
+   *  @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+   *          pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+   *          thread: some results were written)
+   *  @since 0.9 */
+  carom_pairs_distance(engine: number, pairs: number, desc: number, dst: number, stride: bigint, error: number): number;
+  /** Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+   *  @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+   *  @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
+   *  @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+   *          (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+   *  @since 0.9 */
+  carom_device_create(engine: number, index: number, device: number, error: number): number;
+  /** @param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9 */
+  carom_device_destroy(device: number, error: number): number;
+  /** @param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9 */
+  carom_device_get_info(device: number, info: number, error: number): number;
+  /** As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+   *  @param device from carom_device_create()
+   *  @param desc   may be NULL: defaults
+   *  @param dst    out, [pairs->count]; no array of pairs
+   *  @param stride as carom_pairs_distance()
+   *  @status as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+   *          pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+   *  @since 0.9 */
+  carom_device_pairs_distance(device: number, pairs: number, desc: number, dst: number, stride: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_particles_desc_init(desc: number, struct_size: number): number;
   /** Make an empty set.

@@ -50,6 +50,8 @@ export const CALLS = {
   carom_joint_set_motor: [["handle", "joint"], ["number", "coordinate", "uint32_t"], ["struct", "motor", "carom_joint_motor", []]],
   carom_joint_set_spring: [["handle", "joint"], ["number", "coordinate", "uint32_t"], ["struct", "spring", "carom_joint_spring", []]],
   carom_joint_set_transmission: [["handle", "joint"], ["struct", "transmission", "carom_joint_transmission", []]],
+  carom_joint_couple: [["struct", "coupling", "carom_joint_coupling", [["follower", "handle"], ["leader", "handle"]]], ["out", "joint"]],
+  carom_joint_set_coupling: [["handle", "joint"], ["struct", "coupling", "carom_joint_coupling", [["follower", "handle"], ["leader", "handle"]]]],
   carom_joint_set_axis: [["handle", "joint"], ["number", "axis", "uint32_t"], ["struct", "desc", "carom_joint_axis", []]],
   carom_joint_set_orientation_drive: [["handle", "joint"], ["struct", "drive", "carom_joint_orientation_drive", []]],
   carom_world_write_joints: [["number", "field", "uint32_t"], ["number", "scalar", "uint32_t"], ["handles", "joints", "n"], ["number", "n", "uint64_t"], ["records", "src", "n", "field", "scalar", "carom_joint_bulk_width"], ["stride", "stride"]],

@@ -1,7 +1,7 @@
 // carom.threads.wasm: workers that share its memory. Here is what emscripten's JavaScript would be: thread_worker.js is
 // the other side, wasm/threads.cpp the pool that runs on them.
 import { unsupported } from "./errors.js";
-import { compile, Module } from "./module.js";
+import { checkExports, checkVersion, compileOurs, Module } from "./module.js";
 import { ofNode } from "./node.js";
 import { sharedImports } from "./shared_imports.js";
 
@@ -78,9 +78,11 @@ async function openWorker(compiled, memory) {
 /** @param source  as instantiate() takes it; by default dist/carom.threads.wasm of this package
  *  @param threads  2 or more */
 export async function instantiateShared(source, threads, say = (text) => console.error(text)) {
-  const compiled = await compile(source ?? new URL("../dist/carom.threads.wasm", import.meta.url));
+  const file = source ?? new URL("../dist/carom.threads.wasm", import.meta.url);
+  const compiled = await compileOurs(file);
   if (!WebAssembly.Module.imports(compiled).some((i) => i.kind === "memory"))
     throw new TypeError("the module given has no threads: give carom.threads.wasm, or ask for none");
+  checkExports(compiled, file);
   const memory = sharedMemory();
   const opened = await Promise.allSettled(Array.from({ length: threads - 1 }, () => openWorker(compiled, memory)));
   const workers = opened.filter((o) => o.status === "fulfilled").map((o) => o.value);
@@ -107,7 +109,7 @@ export async function instantiateShared(source, threads, say = (text) => console
     for (const worker of workers) worker.terminate();
     throw error;
   }
-  return new Module({ ...exports, memory }, workers);
+  return checkVersion(new Module({ ...exports, memory }, workers), file);
 }
 
 export function stopThreads(module) {

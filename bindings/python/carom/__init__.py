@@ -14,6 +14,7 @@ from ._c import VERSION as __version__
 from .attributes import Attributes, attribute_infos
 from .batch import Batch, Column
 from .body import Body, Collider, Material
+from .device import Device
 from .dials import dial_infos
 from .engine import Engine
 from .errors import CaromError, Closed
@@ -21,6 +22,7 @@ from .force import ForceField, Spring, Water
 from .host import share
 from .joint import Joint
 from .kit import Character, Vehicle, Wheel
+from .measure import Chaotic, Measured, Slope, Trial, measure
 from .notebook import Film, Picture, film
 from .particles import Particles
 from .report import effects
@@ -31,6 +33,6 @@ from .tree import JointTree
 from .tune import Tuned, tune
 from .world import World
 
-__all__ = ["Attributes", "Batch", "Body", "CaromError", "Character", "Closed", "Collider", "Column", "Engine", "Film", "ForceField", "Joint", "JointTree",
-           "Material", "Particles", "Picture", "Shape", "Spring", "SupportPlugin", "Tuned", "Vehicle", "Water", "Wheel", "World", "attribute_infos",
-           "dial_infos", "effects", "errors", "film", "jobs", "raw", "records", "run", "share", "tune", "__version__"]
+__all__ = ["Attributes", "Batch", "Body", "CaromError", "Chaotic", "Character", "Closed", "Collider", "Column", "Device", "Engine", "Film", "ForceField", "Joint",
+           "JointTree", "Material", "Measured", "Particles", "Picture", "Shape", "Slope", "Spring", "SupportPlugin", "Trial", "Tuned", "Vehicle", "Water", "Wheel", "World",
+           "attribute_infos", "dial_infos", "effects", "errors", "film", "jobs", "measure", "raw", "records", "run", "share", "tune", "__version__"]

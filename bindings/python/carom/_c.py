@@ -172,7 +172,8 @@ CAROM_DIAL_ACCURACY_PLACE = 41
 CAROM_DIAL_ACCURACY_TURN = 42
 CAROM_DIAL_ACCURACY_SUBSTEPS = 43
 CAROM_DIAL_ACCURACY_WORK = 44
-CAROM_DIAL_COUNT = 45
+CAROM_DIAL_KEEP_DISTANCE = 45
+CAROM_DIAL_COUNT = 46
 CAROM_INTEGRATOR_EXPLICIT_EULER = 0
 CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER = 1
 CAROM_INTEGRATOR_RK4 = 2
@@ -256,7 +257,8 @@ CAROM_JOINT_UNIVERSAL = 5
 CAROM_JOINT_PULLEY = 6
 CAROM_JOINT_GEAR = 7
 CAROM_JOINT_SIX_AXIS = 8
-CAROM_JOINT_COUNT = 9
+CAROM_JOINT_COUPLING = 9
+CAROM_JOINT_COUNT = 10
 CAROM_COORDINATE_TWIST = 0
 CAROM_COORDINATE_SWING = 1
 CAROM_COORDINATE_SLIDE = 2
@@ -324,7 +326,12 @@ CAROM_JOINT_BULK_FRICTION = 34
 CAROM_JOINT_BULK_ARMATURE = 35
 CAROM_JOINT_BULK_EFFORT_LIMIT = 36
 CAROM_JOINT_BULK_SPEED_LIMIT = 37
-CAROM_JOINT_BULK_COUNT = 38
+CAROM_JOINT_BULK_DRIVE_TARGET = 38
+CAROM_JOINT_BULK_DRIVE_VELOCITY = 39
+CAROM_JOINT_BULK_DRIVE_EFFORT = 40
+CAROM_JOINT_BULK_DRIVE_MAX_FORCE = 41
+CAROM_JOINT_BULK_DRIVE_GAINS = 42
+CAROM_JOINT_BULK_COUNT = 43
 CAROM_EFFECT_GYROSCOPIC = 0
 CAROM_EFFECT_LINEAR_DAMPING = 1
 CAROM_EFFECT_ANGULAR_DAMPING = 2
@@ -507,6 +514,8 @@ class carom_joint_spring(Structure):
     _fields_ = [("struct_size", c_uint32), ("enabled", c_uint32), ("target", c_double), ("frequency", c_double), ("damping", c_double), ("max_force", c_double)]
 class carom_joint_transmission(Structure):
     _fields_ = [("struct_size", c_uint32), ("fields", c_uint32), ("ratio", c_double), ("anchor_a", c_double * 3), ("anchor_b", c_double * 3), ("length", c_double)]
+class carom_joint_coupling(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("follower", carom_joint), ("leader", carom_joint), ("polynomial", c_double * 5), ("user", c_uint64)]
 class carom_joint_axis(Structure):
     _fields_ = [("struct_size", c_uint32), ("mode", c_uint32), ("lower", c_double), ("upper", c_double), ("stop_gains", c_uint32), ("drive_gains", c_uint32), ("spring_gains", c_uint32), ("drive", c_uint32), ("stop_stiffness", c_double), ("stop_damping", c_double), ("target", c_double), ("speed", c_double), ("effort", c_double), ("max_force", c_double), ("drive_stiffness", c_double), ("drive_damping", c_double), ("rest", c_double), ("spring_stiffness", c_double), ("spring_damping", c_double), ("friction", c_double), ("armature", c_double), ("effort_limit", c_double), ("speed_limit", c_double)]
 class carom_joint_orientation_drive(Structure):
@@ -517,6 +526,10 @@ class carom_ledger_entry(Structure):
     _fields_ = [("name", c_char_p), ("kinetic", c_double), ("potential", c_double), ("linear", c_double * 3), ("angular", c_double * 3), ("total_kinetic", c_double), ("total_potential", c_double), ("total_linear", c_double * 3), ("total_angular", c_double * 3)]
 class carom_ledger_state(Structure):
     _fields_ = [("struct_size", c_uint32), ("is_kept", c_uint32), ("steps", c_uint64), ("start_kinetic", c_double), ("start_potential", c_double), ("start_linear", c_double * 3), ("start_angular", c_double * 3), ("before_kinetic", c_double), ("before_potential", c_double), ("before_linear", c_double * 3), ("before_angular", c_double * 3), ("now_kinetic", c_double), ("now_potential", c_double), ("now_linear", c_double * 3), ("now_angular", c_double * 3), ("rounding_energy", c_double), ("rounding_linear", c_double), ("rounding_angular", c_double), ("total_rounding_energy", c_double), ("total_rounding_linear", c_double), ("total_rounding_angular", c_double)]
+class carom_pairs(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("count", c_uint64), ("shapes_a", POINTER(carom_shape)), ("shapes_b", POINTER(carom_shape)), ("positions_a", POINTER(c_double)), ("orientations_a", POINTER(c_double)), ("positions_b", POINTER(c_double)), ("orientations_b", POINTER(c_double)), ("shape_a_stride", c_uint64), ("shape_b_stride", c_uint64), ("position_a_stride", c_uint64), ("orientation_a_stride", c_uint64), ("position_b_stride", c_uint64), ("orientation_b_stride", c_uint64)]
+class carom_device_info(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("name", c_char * 128), ("version", c_char * 128), ("pairs", c_uint64), ("host_pairs", c_uint64)]
 class carom_particles_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("gravity_factor", c_double), ("linear_damping", c_double), ("mass", c_double), ("capacity", c_uint64)]
 class carom_plan_line(Structure):
@@ -528,7 +541,7 @@ class carom_param_rule(Structure):
 class carom_geometry(Structure):
     _fields_ = [("struct_size", c_uint32), ("form", c_uint32), ("form_arg", c_uint32 * 4), ("core_radius_param", c_uint32), ("mass_form", c_uint32), ("mass_arg", c_uint32 * 4)]
 class carom_shape_plugin(Structure):
-    _fields_ = [("struct_size", c_uint32), ("abi_major", c_uint32), ("abi_minor", c_uint32), ("flags", c_uint32), ("id", c_char_p), ("version", c_uint32), ("param_count", c_uint32), ("params", POINTER(carom_param)), ("geometry", POINTER(carom_geometry)), ("support", carom_support_fn), ("param_tail_group", c_uint32), ("param_tail_min", c_uint32), ("rules", POINTER(carom_param_rule)), ("rule_count", c_uint32), ("reserved", c_uint32), ("user", c_void_p)]
+    _fields_ = [("struct_size", c_uint32), ("abi_major", c_uint32), ("abi_minor", c_uint32), ("flags", c_uint32), ("id", c_char_p), ("version", c_uint32), ("param_count", c_uint32), ("params", POINTER(carom_param)), ("geometry", POINTER(carom_geometry)), ("support", carom_support_fn), ("param_tail_group", c_uint32), ("param_tail_min", c_uint32), ("rules", POINTER(carom_param_rule)), ("rule_count", c_uint32), ("reserved", c_uint32), ("user", c_void_p), ("text", c_char_p)]
 class carom_distance_desc(Structure):
     _fields_ = [("struct_size", c_uint32), ("simplex", c_uint32), ("narrow_phase", c_uint32), ("pair_routines", c_uint32), ("tolerance", c_double), ("hybrid_margin", c_double), ("gjk_iterations", c_uint32), ("epa_iterations", c_uint32)]
 class carom_distance(Structure):
@@ -615,11 +628,14 @@ STRUCTS = {
     "carom_joint_motor": carom_joint_motor,
     "carom_joint_spring": carom_joint_spring,
     "carom_joint_transmission": carom_joint_transmission,
+    "carom_joint_coupling": carom_joint_coupling,
     "carom_joint_axis": carom_joint_axis,
     "carom_joint_orientation_drive": carom_joint_orientation_drive,
     "carom_joint_state": carom_joint_state,
     "carom_ledger_entry": carom_ledger_entry,
     "carom_ledger_state": carom_ledger_state,
+    "carom_pairs": carom_pairs,
+    "carom_device_info": carom_device_info,
     "carom_particles_desc": carom_particles_desc,
     "carom_plan_line": carom_plan_line,
     "carom_param": carom_param,
@@ -666,6 +682,7 @@ HANDLES = {
     "carom_fault_event": {'shape': 'carom_shape', 'body': 'carom_body', 'particles': 'carom_particles'},
     "carom_spring_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
     "carom_joint_desc": {'body_a': 'carom_body', 'body_b': 'carom_body'},
+    "carom_joint_coupling": {'follower': 'carom_joint', 'leader': 'carom_joint'},
     "carom_shape_info": {'plugin': 'carom_plugin'},
     "carom_tree_coordinate": {'joint': 'carom_joint', 'body': 'carom_body'},
     "carom_vehicle_desc": {'chassis': 'carom_body'},
@@ -829,6 +846,7 @@ FUNCTIONS = {
     "carom_joint_motor_init": ("0.9", c_int32, (POINTER(carom_joint_motor), c_uint32,)),
     "carom_joint_spring_init": ("0.9", c_int32, (POINTER(carom_joint_spring), c_uint32,)),
     "carom_joint_transmission_init": ("0.9", c_int32, (POINTER(carom_joint_transmission), c_uint32,)),
+    "carom_joint_coupling_init": ("0.9", c_int32, (POINTER(carom_joint_coupling), c_uint32,)),
     "carom_joint_axis_init": ("0.9", c_int32, (POINTER(carom_joint_axis), c_uint32,)),
     "carom_joint_orientation_drive_init": ("0.9", c_int32, (POINTER(carom_joint_orientation_drive), c_uint32,)),
     "carom_joint_create": ("0.9", c_int32, (c_void_p, POINTER(carom_joint_desc), POINTER(carom_joint), POINTER(carom_error),)),
@@ -843,6 +861,9 @@ FUNCTIONS = {
     "carom_joint_get_spring": ("0.9", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_spring), POINTER(carom_error),)),
     "carom_joint_set_transmission": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_transmission), POINTER(carom_error),)),
     "carom_joint_get_transmission": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_transmission), POINTER(carom_error),)),
+    "carom_joint_couple": ("0.9", c_int32, (c_void_p, POINTER(carom_joint_coupling), POINTER(carom_joint), POINTER(carom_error),)),
+    "carom_joint_set_coupling": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_coupling), POINTER(carom_error),)),
+    "carom_joint_get_coupling": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_coupling), POINTER(carom_error),)),
     "carom_joint_set_axis": ("0.9", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_axis), POINTER(carom_error),)),
     "carom_joint_get_axis": ("0.9", c_int32, (c_void_p, carom_joint, c_uint32, POINTER(carom_joint_axis), POINTER(carom_error),)),
     "carom_joint_set_orientation_drive": ("0.9", c_int32, (c_void_p, carom_joint, POINTER(carom_joint_orientation_drive), POINTER(carom_error),)),
@@ -854,6 +875,11 @@ FUNCTIONS = {
     "carom_world_enable_ledger": ("0.9", c_int32, (c_void_p, c_uint32, POINTER(carom_error),)),
     "carom_world_get_ledger": ("0.9", c_int32, (c_void_p, POINTER(carom_ledger_entry), c_uint64, c_uint64, POINTER(c_uint64), POINTER(carom_error),)),
     "carom_world_get_ledger_state": ("0.9", c_int32, (c_void_p, POINTER(carom_ledger_state), POINTER(carom_error),)),
+    "carom_pairs_distance": ("0.9", c_int32, (c_void_p, POINTER(carom_pairs), POINTER(carom_distance_desc), POINTER(carom_distance), c_uint64, POINTER(carom_error),)),
+    "carom_device_create": ("0.9", c_int32, (c_void_p, c_uint32, POINTER(c_void_p), POINTER(carom_error),)),
+    "carom_device_destroy": ("0.9", c_int32, (c_void_p, POINTER(carom_error),)),
+    "carom_device_get_info": ("0.9", c_int32, (c_void_p, POINTER(carom_device_info), POINTER(carom_error),)),
+    "carom_device_pairs_distance": ("0.9", c_int32, (c_void_p, POINTER(carom_pairs), POINTER(carom_distance_desc), POINTER(carom_distance), c_uint64, POINTER(carom_error),)),
     "carom_particles_desc_init": ("0.9", c_int32, (POINTER(carom_particles_desc), c_uint32,)),
     "carom_particles_create": ("0.9", c_int32, (c_void_p, POINTER(carom_particles_desc), POINTER(carom_particles), POINTER(carom_error),)),
     "carom_particles_destroy": ("0.9", c_int32, (c_void_p, carom_particles, POINTER(carom_error),)),

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from ._values import Rows, Vector
     from .batch import Batch
+    from .device import Device
     from .records import DialKeywords, FormWord
 
 
@@ -77,7 +78,7 @@ class Engine(Root, PairQuestions):
         check(raw.carom_engine_create, ctypes.byref(desc), ctypes.byref(pointer))
         super().__init__(pointer.value, raw.carom_engine_destroy, *alive)
         self._worlds: weakref.WeakSet[World] = weakref.WeakSet()
-        self._batches: weakref.WeakSet[Batch] = weakref.WeakSet()
+        self._batches: weakref.WeakSet[Batch | Device] = weakref.WeakSet()
         self._plugins: dict[str, int] = {}
         self._threads = None if jobs is not None else max(threads, 1)
         if threads > 1 or jobs is not None:

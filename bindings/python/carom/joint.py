@@ -3,12 +3,13 @@ from __future__ import annotations
 
 import ctypes
 import math
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Callable, Mapping, TypeVar
 
 from . import raw
-from ._values import Record, describe, enum, handle_of, record, set_field, vec3
+from ._values import Record, describe, enum, handle_of, number, record, set_field, vec3, whole
 from .body import Thing
-from .records import (JointAxisRecord, JointLimitRecord, JointMotorRecord, JointOrientationDriveRecord, JointRecord, JointSpringRecord,
+from .records import (JointAxisRecord, JointCouplingRecord, JointLimitRecord, JointMotorRecord, JointOrientationDriveRecord, JointRecord, JointSpringRecord,
                       JointStateRecord, JointTransmissionRecord)
 
 if TYPE_CHECKING:
@@ -62,6 +63,21 @@ def make_joint(world: World, kind: JointWord | int, a: Body | None, b: Body | No
     return world._create(Joint, raw.carom_joint_create, ctypes.byref(describe(raw.carom_joint_desc, about)))
 
 
+def _polynomial(numbers: Iterable[float]) -> list[float]:
+    if not isinstance(numbers, Iterable):
+        raise TypeError(f"polynomial takes at most five numbers, the constant one first, got {numbers!r}")
+    given = [number(x, "polynomial") for x in numbers]
+    if len(given) > 5:
+        raise ValueError(f"polynomial has {len(given)} numbers; it is of degree 4 at most: five numbers, the constant one first")
+    return given + [0.0] * (5 - len(given))
+
+
+def make_coupling(world: World, follower: Joint, leader: Joint, polynomial: Iterable[float], user: int) -> Joint:
+    about = {"follower": handle_of(follower, "follower", "carom_joint", False), "leader": handle_of(leader, "leader", "carom_joint", False),
+             "polynomial": _polynomial(polynomial), "user": whole(user, "user", 0, 2**64 - 1)}
+    return world._create(Joint, raw.carom_joint_couple, ctypes.byref(describe(raw.carom_joint_coupling, about)))
+
+
 def _with_numbers(about: Mapping[str, Any]) -> dict[str, Any]:
     """Words for modes, drives and gains as their numbers."""
     prefixes = {"mode": "AXIS_MODE", "drive": "DRIVE"}
@@ -105,6 +121,15 @@ class Joint(Thing):
         now = struct(struct_size=ctypes.sizeof(struct))
         self._call(raw.carom_joint_get_transmission, ctypes.byref(now))
         return record(JointTransmissionRecord, now)
+
+    def coupling(self, polynomial: Iterable[float] | None = None) -> JointCouplingRecord:
+        """Of a joint that World.couple() made. Read follower, leader and polynomial, or give it another polynomial."""
+        struct = raw.carom_joint_coupling
+        if polynomial is not None:
+            self._call(raw.carom_joint_set_coupling, ctypes.byref(describe(struct, {"polynomial": _polynomial(polynomial)})))
+        now = struct(struct_size=ctypes.sizeof(struct))
+        self._call(raw.carom_joint_get_coupling, ctypes.byref(now))
+        return record(JointCouplingRecord, now, self.world._wrap)
 
     def axis(self, axis: AxisWord | int, **about: Unpack[JointAxisKeywords]) -> JointAxisRecord:
         """Of a six-axis joint; "turn_x" of a hinge, "x" of a slider. Read what an axis ("x", ..., "turn_z") does, or set it, all of it: mode="free", "locked" or

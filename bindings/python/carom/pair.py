@@ -3,10 +3,11 @@ from __future__ import annotations
 
 import ctypes
 import math
-from typing import TYPE_CHECKING, Any, Callable, Mapping
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
 from . import raw
 from ._values import ask, describe, direction as way_of, need_numpy, number, record, shape_of, vec3, vector, word
+from .device import measure
 from .query import OUTCOMES, rows_of
 from .records import CastRecord, DistanceRecord, OverlapRecord
 from .shape import Shape
@@ -52,6 +53,15 @@ class PairQuestions:
         self._call(raw.carom_shape_distance, shape_of(a, "a"), *_pose(position_a, orientation_a, "_a"), shape_of(b, "b"),
                    *_pose(position_b, orientation_b, "_b"), ctypes.byref(desc), ctypes.byref(result))
         return record(DistanceRecord, result)
+
+    def distances(self, a: Shape | Sequence[Shape], b: Shape | Sequence[Shape], position_a: Rows | Vector = (0, 0, 0),
+                  position_b: Rows | Vector = (0, 0, 0), orientation_a: Rows | Vector = IDENTITY, orientation_b: Rows | Vector = IDENTITY,
+                  **how: Unpack[DistanceKeywords]) -> Any:
+        """Signed distances of many pairs at once, with the bits of distance(), on the engine's threads.
+        @param a, b  one shape for all, or one for each pair   @param position_*  (n, 3) m, or one for all
+        @param orientation_*  (n, 4), or one for all   @param how  as of distance()
+        @return an array of n records: "separation", "lower", "upper", "normal", "point_a", "point_b", "status", ..."""
+        return measure(self._call, raw.carom_pairs_distance, a, b, position_a, position_b, orientation_a, orientation_b, how)
 
     def ray_cast(self, shape: Shape, origin: Vector, direction: Vector, max: float = math.inf, position: Vector = (0, 0, 0),
                  orientation: Vector = IDENTITY, **how: Unpack[CastKeywords]) -> CastRecord:

@@ -178,6 +178,7 @@ CAROM_DIAL_ACCURACY_PLACE: int
 CAROM_DIAL_ACCURACY_TURN: int
 CAROM_DIAL_ACCURACY_SUBSTEPS: int
 CAROM_DIAL_ACCURACY_WORK: int
+CAROM_DIAL_KEEP_DISTANCE: int
 CAROM_DIAL_COUNT: int
 CAROM_INTEGRATOR_EXPLICIT_EULER: int
 CAROM_INTEGRATOR_SEMI_IMPLICIT_EULER: int
@@ -262,6 +263,7 @@ CAROM_JOINT_UNIVERSAL: int
 CAROM_JOINT_PULLEY: int
 CAROM_JOINT_GEAR: int
 CAROM_JOINT_SIX_AXIS: int
+CAROM_JOINT_COUPLING: int
 CAROM_JOINT_COUNT: int
 CAROM_COORDINATE_TWIST: int
 CAROM_COORDINATE_SWING: int
@@ -330,6 +332,11 @@ CAROM_JOINT_BULK_FRICTION: int
 CAROM_JOINT_BULK_ARMATURE: int
 CAROM_JOINT_BULK_EFFORT_LIMIT: int
 CAROM_JOINT_BULK_SPEED_LIMIT: int
+CAROM_JOINT_BULK_DRIVE_TARGET: int
+CAROM_JOINT_BULK_DRIVE_VELOCITY: int
+CAROM_JOINT_BULK_DRIVE_EFFORT: int
+CAROM_JOINT_BULK_DRIVE_MAX_FORCE: int
+CAROM_JOINT_BULK_DRIVE_GAINS: int
 CAROM_JOINT_BULK_COUNT: int
 CAROM_EFFECT_GYROSCOPIC: int
 CAROM_EFFECT_LINEAR_DAMPING: int
@@ -879,6 +886,17 @@ class carom_joint_transmission(ctypes.Structure):
     anchor_a: Any
     anchor_b: Any
     length: float
+class carom_joint_coupling(ctypes.Structure):
+    """What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+    The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+    the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+    holds the follower, it holds the leader. Fill with carom_joint_coupling_init()."""
+    struct_size: int
+    reserved: int
+    follower: int
+    leader: int
+    polynomial: Any
+    user: int
 class carom_joint_axis(ctypes.Structure):
     """What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
     has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
@@ -966,6 +984,32 @@ class carom_ledger_state(ctypes.Structure):
     total_rounding_energy: float
     total_rounding_linear: float
     total_rounding_angular: float
+class carom_pairs(ctypes.Structure):
+    """Pairs in the caller's arrays, at any stride (0: tightly packed). struct_size set by the caller, what is not set
+    zero."""
+    struct_size: int
+    reserved: int
+    count: int
+    shapes_a: Any
+    shapes_b: Any
+    positions_a: Any
+    orientations_a: Any
+    positions_b: Any
+    orientations_b: Any
+    shape_a_stride: int
+    shape_b_stride: int
+    position_a_stride: int
+    orientation_a_stride: int
+    position_b_stride: int
+    orientation_b_stride: int
+class carom_device_info(ctypes.Structure):
+    """A device, and what it has done since it was opened."""
+    struct_size: int
+    reserved: int
+    name: builtins.bytes
+    version: builtins.bytes
+    pairs: int
+    host_pairs: int
 class carom_particles_desc(ctypes.Structure):
     """What all particles of a set have in common. Fill with carom_particles_desc_init()."""
     struct_size: int
@@ -1034,6 +1078,7 @@ class carom_shape_plugin(ctypes.Structure):
     rule_count: int
     reserved: int
     user: Any
+    text: Any
 class carom_distance_desc(ctypes.Structure):
     """Settings of a query; fill with carom_distance_desc_init(). Values as the dials of the same name."""
     struct_size: int
@@ -1913,7 +1958,7 @@ def carom_engine_create(desc: Any, engine: Any, error: Any) -> int:
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY"""
     ...
 def carom_engine_destroy(engine: Any, error: Any) -> int:
-    """Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    """Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
     REENTRANT   @thread writer: no other call may use the engine"""
     ...
 def carom_jobs_desc_init(desc: Any, struct_size: Any) -> int:
@@ -1924,8 +1969,8 @@ def carom_engine_set_jobs(engine: Any, desc: Any, error: Any) -> int:
     functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
     on the stepping one.
     @param desc may be NULL: the stepping thread alone
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-    no more threads); OUT_OF_MEMORY; REENTRANT"""
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+    alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT"""
     ...
 def carom_plugin_load(engine: Any, path: Any, plugin: Any, error: Any) -> int:
     """Load a shape plugin from a shared object. @param path absolute.
@@ -2118,6 +2163,9 @@ def carom_joint_spring_init(spring: Any, struct_size: Any) -> int:
 def carom_joint_transmission_init(transmission: Any, struct_size: Any) -> int:
     """Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
+def carom_joint_coupling_init(coupling: Any, struct_size: Any) -> int:
+    """The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
+    ...
 def carom_joint_axis_init(axis: Any, struct_size: Any) -> int:
     """Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE"""
     ...
@@ -2126,8 +2174,8 @@ def carom_joint_orientation_drive_init(drive: Any, struct_size: Any) -> int:
     ...
 def carom_joint_create(world: Any, desc: Any, joint: Any, error: Any) -> int:
     """Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-    NOT_UNIT;
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+            carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
             NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
             body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
             LIMIT; OUT_OF_MEMORY"""
@@ -2182,6 +2230,29 @@ def carom_joint_set_transmission(world: Any, joint: Any, transmission: Any, erro
     ...
 def carom_joint_get_transmission(world: Any, joint: Any, transmission: Any, error: Any) -> int:
     """@param transmission out: as it was set, with its length; ratio 0: not yet
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
+    ...
+def carom_joint_couple(world: Any, coupling: Any, joint: Any, error: Any) -> int:
+    """Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+    wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+    as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+    carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+    follower's coordinate that it pushes with, mean over the last step.
+    Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+    joint_order moves it. Oracle: tests/oracle/test_couplings.
+    @param joint out: the coupling
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+            reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+            REENTRANT; LIMIT; OUT_OF_MEMORY"""
+    ...
+def carom_joint_set_coupling(world: Any, joint: Any, coupling: Any, error: Any) -> int:
+    """Give a coupling another polynomial; its bodies wake.
+    @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+            field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT"""
+    ...
+def carom_joint_get_coupling(world: Any, joint: Any, coupling: Any, error: Any) -> int:
+    """@param coupling out: as it was made
     @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY"""
     ...
 def carom_joint_set_axis(world: Any, joint: Any, axis: Any, desc: Any, error: Any) -> int:
@@ -2257,6 +2328,44 @@ def carom_world_get_ledger(world: Any, dst: Any, stride: Any, capacity: Any, cou
     ...
 def carom_world_get_ledger_state(world: Any, state: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY"""
+    ...
+def carom_pairs_distance(engine: Any, pairs: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
+    """Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+    carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+    is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+    status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+    @param desc   may be NULL: defaults
+    @param dst    out, [pairs->count]; no array of pairs
+    @param stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+                  written, too
+    @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+            pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+            thread: some results were written)
+    @since 0.9"""
+    ...
+def carom_device_create(engine: Any, index: Any, device: Any, error: Any) -> int:
+    """Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+    @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+    @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
+    @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+            (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+    @since 0.9"""
+    ...
+def carom_device_destroy(device: Any, error: Any) -> int:
+    """@param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9"""
+    ...
+def carom_device_get_info(device: Any, info: Any, error: Any) -> int:
+    """@param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9"""
+    ...
+def carom_device_pairs_distance(device: Any, pairs: Any, desc: Any, dst: Any, stride: Any, error: Any) -> int:
+    """As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+    @param device from carom_device_create()
+    @param desc   may be NULL: defaults
+    @param dst    out, [pairs->count]; no array of pairs
+    @param stride as carom_pairs_distance()
+    @status as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+            pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+    @since 0.9"""
     ...
 def carom_particles_desc_init(desc: Any, struct_size: Any) -> int:
     """@status OK; NULL_ARGUMENT; STRUCT_SIZE"""

@@ -40,7 +40,7 @@ DialWord = Literal["integrator", "rotation", "substeps", "solver", "velocity_ite
     "epa_iterations", "hybrid_margin", "warm_separation", "manifold", "cache_distance", "warm_start", "carry_over",
     "contact_frequency", "contact_damping", "push_speed", "sleep", "sleep_speed", "sleep_time", "direct_sink",
     "direct_ratio", "direct_work", "hold_angle", "joint_frequency", "joint_damping", "continuous", "precision",
-    "joint_order", "accuracy_place", "accuracy_turn", "accuracy_substeps", "accuracy_work"]
+    "joint_order", "accuracy_place", "accuracy_turn", "accuracy_substeps", "accuracy_work", "keep_distance"]
 IntegratorWord = Literal["explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"]
 RotationWord = Literal["none", "explicit", "implicit", "rk4", "lie_midpoint", "splitting", "splitting_4",
     "splitting_6"]
@@ -62,7 +62,8 @@ ContactWord = Literal["begin", "end", "hit"]
 SensorWord = Literal["enter", "leave"]
 SleepWord = Literal["asleep", "awake"]
 ForceFieldWord = Literal["uniform", "radial", "vortex", "magnetic"]
-JointWord = Literal["ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear", "six_axis"]
+JointWord = Literal["ball", "hinge", "slider", "weld", "distance", "universal", "pulley", "gear", "six_axis",
+    "coupling"]
 CoordinateWord = Literal["twist", "swing", "slide", "distance"]
 AxisWord = Literal["x", "y", "z", "turn_x", "turn_y", "turn_z"]
 AxisModeWord = Literal["free", "locked", "limited"]
@@ -74,7 +75,8 @@ JointBulkWord = Literal["coordinates", "speeds", "axes", "axis_speeds", "force",
     "axis_efforts", "axis_targets", "axis_target_velocities", "axis_target_efforts", "axis_max_forces", "axis_gains",
     "axis_limits", "orientation_target", "orientation_velocity", "orientation_effort", "orientation_gains",
     "acceleration", "axis_accelerations", "axis_frictions", "axis_armatures", "axis_effort_limits",
-    "axis_speed_limits", "friction", "armature", "effort_limit", "speed_limit"]
+    "axis_speed_limits", "friction", "armature", "effort_limit", "speed_limit", "drive_target", "drive_velocity",
+    "drive_effort", "drive_max_force", "drive_gains"]
 EffectWord = Literal["gyroscopic", "linear_damping", "angular_damping", "gravity", "user_force", "user_torque",
     "collision", "friction", "restitution", "rolling_resistance", "spinning_resistance", "sleep", "particles",
     "filter", "sensor", "joints", "scenery", "continuous", "surface_velocity", "axis_locks", "drag", "wind", "fields",
@@ -210,6 +212,14 @@ class JointTransmissionRecord(Record):
     anchor_a: tuple[float, float, float]
     anchor_b: tuple[float, float, float]
     length: float
+
+
+class JointCouplingRecord(Record):
+    """What a coupling makes follow what"""
+    follower: Joint | None
+    leader: Joint | None
+    polynomial: tuple[float, ...]
+    user: int
 
 
 class JointAxisRecord(Record):
@@ -895,3 +905,4 @@ class DialKeywords(TypedDict, total=False):
     accuracy_turn: float | str
     accuracy_substeps: float | str
     accuracy_work: float | str
+    keep_distance: float | str

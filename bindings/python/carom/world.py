@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, Callable, Mapping, TypeVar
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, TypeVar
 
 from . import raw
 from ._root import Root, count_of
@@ -12,7 +12,7 @@ from .bulk import Bulk
 from .dials import Dials
 from .errors import Busy, CaromError, Closed, Reentrant, as_typed
 from .force import ForceField, Spring, Water
-from .joint import Joint, make_joint
+from .joint import Joint, make_coupling, make_joint
 from .particles import Particles
 from .notebook import Shown
 from .query import Questions
@@ -171,6 +171,11 @@ class World(Root, Bulk, Questions, Reports, Snapshots, Shown):
               orientation: Vector | None = None, axis: Vector | None = None, **about: Unpack[JointKeywords]) -> Joint:
         """Hold two bodies together, or one and the world (None); see joint.py."""
         return make_joint(self, kind, a, b, position, orientation, axis, about)
+
+    def couple(self, follower: Joint, leader: Joint, polynomial: Iterable[float] = (0, 1), user: int = 0) -> Joint:
+        """Make the coordinate of one hinge or slider follow a polynomial of another's, the constant term first, at most five:
+        (0, -1) turns it back as far as the other goes on."""
+        return make_coupling(self, follower, leader, polynomial, user)
 
     def tree(self, body: Body) -> JointTree:
         """The joints that hang together with a dynamic body, as a robot: inverse dynamics, mass matrix."""

@@ -68,6 +68,7 @@ struct ManifoldSettings {
   Real cache_distance = 0.02;    // m: a kept point that slid or opened further than this is dropped
   Real contact_distance = 0.02;  // m: candidates farther apart than this are not kept
   bool sunk_alike = false;       // points in overlap bear alike, however deep: both ends of a rod that lies in a ground
+  Real keep_distance = 1e-3;     // m: how far two bodies may move before their patch is looked for anew
 };
 
 /// ManifoldKind::single: the deepest candidate alone.

@@ -95,7 +95,7 @@ bool find_facet(const Vec3& n, Real reach, bool declared, Party& p) {
 
 // Of how far bodies may move while a patch is kept, if it has more corners than points: which of them bear it changes with
 // the least tilt.
-constexpr Real kKeepChosen = 0.02;
+constexpr Real kKeepChosen = 0.004;
 
 constexpr Real kSteepest = 0.1;  // cosine: no face that is a part of a patch leans so far from its normal
 
@@ -132,7 +132,7 @@ class Patch {
   int count() const { return count_; }
   bool flat() const { return !a_.facet.round && !b_.facet.round; }
   void remember(PatchMemory& memory) const {
-    memory.firm = owner_ != Owner::none && flat() && !nearest_used_;
+    memory.firm = flat();
     memory.of_b = owner_ == Owner::b;
     memory.normal = memory.of_b ? b_in_a_.rotate_inverse(n_) : n_;
     memory.b_in_a = b_in_a_;
@@ -252,8 +252,7 @@ class Patch {
     // What the facets leave out: two edges that pass, a corner beside a face, a point deeper than any that they share.
     Real deepest = kInfinity;
     for (int i = 0; i < count_; ++i) deepest = std::min(deepest, point_[i].separation);
-    nearest_used_ = deepest > nearest_.separation + margin_;
-    if (nearest_used_) point_[count_++] = nearest_;
+    if (deepest > nearest_.separation + margin_) point_[count_++] = nearest_;
   }
 
   /// m: size of what enters the places of points.
@@ -278,7 +277,6 @@ class Patch {
   const Real size_, margin_;  // m
   Vec3 n_;                    // A's frame, A to B
   Owner owner_ = Owner::none;
-  bool nearest_used_ = false;
   Vec3 origin_, u_, v_;
   int count_ = 0;
   ContactPoint point_[ClippedVertices::kMax + 1];
@@ -327,15 +325,13 @@ void adopt_patch(const PatchPair& pair, const Candidates& found, const ManifoldS
   if (manifold.count == 0 || !flat(pair.a.form) || !flat(pair.b.form)) return;
   const Vec3 n_a = pair.frame_a.rotate_inverse(manifold.point[0].normal);
   const Vec3 n_b = pair.frame_b.rotate_inverse(manifold.point[0].normal);
-  // Of two boxes the normal is a face's, and so along an axis, or of two edges.
+  // Of two boxes the normal is a face's, and so along an axis, or of two edges: then it stays with A.
   const auto own = [](const Shape& s, const Vec3& n) {
     return s.form == Form::half_space || (s.form == Form::box && n.abs().max_entry() > 1 - 1e-12);
   };
-  const bool of_a = own(pair.a, n_a);
-  if (!of_a && !own(pair.b, n_b)) return;
   memory.firm = true;
-  memory.of_b = !of_a;
-  memory.normal = of_a ? n_a : n_b;
+  memory.of_b = !own(pair.a, n_a) && own(pair.b, n_b);
+  memory.normal = memory.of_b ? n_b : n_a;
   memory.b_in_a = relative(pair.frame_a, pair.frame_b);
 }
 
@@ -346,7 +342,7 @@ bool keep_patch(const PatchPair& pair, const ManifoldSettings& settings, const P
   const Real moved = motion_bound(memory.b_in_a, now, pair.a.bounding_radius, pair.b.bounding_radius);
   const Real radius = std::min(pair.a.bounding_radius, pair.b.bounding_radius);
   const Real share = manifold.has_more_corners ? kKeepChosen : 1;
-  if (!(moved <= share * std::min(kKeepDistance * settings.contact_distance, kKeepRadius * radius))) return false;
+  if (!(moved <= share * std::min(settings.keep_distance, kKeepRadius * radius))) return false;
   const Vec3 n = memory.of_b ? now.rotate(memory.normal) : memory.normal;
   const Vec3 normal = pair.frame_a.rotate(n);
   for (int k = 0; k < manifold.count; ++k) {

@@ -15,9 +15,9 @@ struct PatchPair {
 
 /// Under what relative pose a kept patch was made, and whether it may be kept at all.
 struct PatchMemory {
-  bool firm = false;             // its normal is a face's, and none of its facets is round
-  bool of_b = false;             // whose face
-  Vec3 normal = Vec3::unit_y();  // unit, A to B, frame of the one whose face it is
+  bool firm = false;             // none of its facets is round
+  bool of_b = false;             // its normal is a face of B's; else A's, or of two edges
+  Vec3 normal = Vec3::unit_y();  // unit, A to B, frame of that one
   Frame b_in_a;                  // when it was made
 };
 

@@ -32,17 +32,10 @@ inline constexpr Constant<Real> kPatchPreferAbsolute{
     "rests is nearly without separation, of which any share is nothing",
     "smaller: normals of what just touches flicker; larger: small overlaps are pushed apart along the wrong face"};
 
-// What a kept patch may have moved.
-inline constexpr Constant<Real> kKeepDistance{
-    "patch_keep_distance", 0.02, "1",
-    "share of the contact distance: two bodies may move by so much before their patch is looked for anew, and what is "
-    "overlooked stays well within the distance at which contacts are made",
-    "larger: points hang behind bodies that slide, and touch too late; smaller: what rests pays for a query in every "
-    "step"};
 inline constexpr Constant<Real> kKeepRadius{
-    "patch_keep_radius", 2e-3, "1",
-    "share of the smaller bounding radius that two bodies may move before their patch is looked for anew: of bodies as "
-    "small as the contact distance corners move by less than a patch is wide",
+    "patch_keep_radius", 0.01, "1",
+    "share of the smaller bounding radius that two bodies may move before their patch is looked for anew, where that is less than "
+    "keep_distance: of small bodies corners move by less than a patch is wide",
     "larger: small bodies tip over corners that have gone; smaller: what is small and rests pays for a query in every "
     "step"};
 
@@ -52,7 +45,7 @@ inline constexpr Constant<Real> kStandsOut{
     "own: more than points along an edge do, less than those of a rim between four others (0.1)",
     "smaller: a box with points along its edges spins like a disc; larger: hulls of many sides spin like a box"};
 
-inline constexpr ConstantRow kPatchConstants[] = {
-    kFirstTilt, kPatchSamePlane, kPatchPreferRelative, kPatchPreferAbsolute, kKeepDistance, kKeepRadius, kStandsOut};
+inline constexpr ConstantRow kPatchConstants[] = {kFirstTilt,           kPatchSamePlane, kPatchPreferRelative,
+                                                  kPatchPreferAbsolute, kKeepRadius,     kStandsOut};
 
 }  // namespace carom::collision

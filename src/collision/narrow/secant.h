@@ -12,11 +12,11 @@ struct GuessPolicy {
   bool watch;    // guess only where the last looks converge
 
   /// From the declared forms alone. A core without volume counts by its own shape: a sphere's is a point.
+  static bool faceted(Form f) {
+    return f == Form::sphere || f == Form::capsule || f == Form::box || f == Form::polytope;
+  }
+  static bool smooth(Form f) { return f == Form::ellipsoid || f == Form::sphere; }
   static GuessPolicy of(const Shape& a, const Shape& b) {
-    const auto faceted = [](Form f) {
-      return f == Form::sphere || f == Form::capsule || f == Form::box || f == Form::polytope;
-    };
-    const auto smooth = [](Form f) { return f == Form::ellipsoid || f == Form::sphere; };
     if (faceted(a.form) && faceted(b.form)) return {-1, true};
     if (smooth(a.form) && smooth(b.form)) return {2, false};
     // Pairs with facets or edges, declared or not, are mostly done after five steps: fewer cost hulls a step in ten,

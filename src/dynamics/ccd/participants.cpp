@@ -30,7 +30,9 @@ bool can_sweep(const World& world, std::uint32_t body) {
 bool is_fast(const World& world, std::uint32_t body, Real dt) {
   const Colliders& c = world.scene.colliders;
   const State& s = world.state;
-  const Real way = dt * s.v[body].norm(), turn = dt * s.omega[body].norm();
+  // What is let go falls within the step: things of a millimetre by more than their size.
+  const Real falls = world.scene.type[body] == BodyType::dynamic ? dt * dt * world.scene.gravity.norm() : 0;
+  const Real way = dt * s.v[body].norm() + falls, turn = dt * s.omega[body].norm();
   Real reach = 0;
   bool spins = false;
   for (std::uint32_t slot = world.scene.first_collider[body]; slot != kInvalid; slot = c.next[slot]) {

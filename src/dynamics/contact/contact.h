@@ -192,13 +192,6 @@ struct TurningPair {
   std::uint32_t row, points;  // its first row; how many
   bool has_belts = false;     // a surface moves of itself
   Vec3 belt = Vec3::zero();   // m/s, A's less B's, at the other's centre of mass, as rows have it
-  // of rows in lanes
-  std::uint32_t pair = 0, lane = 0;
-  Real t = 0, s = 0;  // m/s, along the tangents: what its drive is without the lead
-  struct Led {
-    Real t, s;      // m/s: its drive
-    Real p_t, p_s;  // N s: the friction that it starts from
-  } led{};          // in this substep
 };
 
 struct HalfPart {
@@ -259,7 +252,6 @@ struct Contacts {
 
   Array<std::uint32_t> first_row;    // [pairs + 1] by pair of the table
   Array<ContactPair> contact_pairs;  // of pairs that have rows, in their order
-  bool any_asked_again = false;      // of them
 
   Array<Link> links;                      // of active joints, in their order: @see WideJoints::active
   Array<std::uint32_t> link_label;        // by link: its group
@@ -291,6 +283,7 @@ struct Contacts {
   Array<GroupSize> group_size;         // by group
   bool is_grouped = true;              // the dial
   bool any_rolls = false;              // Row::rolls
+  bool any_asked_again = false;        // RowGeometry::is_asked_again
   std::uint32_t steps_with_spare = 0;  // @see give_back()
   Array<std::uint8_t> direct;  // by group, of a solver that chooses: whether the direct solver solves it; else empty
 

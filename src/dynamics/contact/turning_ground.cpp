@@ -23,15 +23,6 @@ Vec3 bent(const Vec3& omega, const Vec3& s, Real h) {
   return (omega.dot(s) / w2) * omega + way_of(omega, s.cross(omega) / w2, h);
 }
 
-/// Of A and B as each other's ground: what of the pair's turn is its own.
-struct OwnShares {
-  Real a, b;
-  OwnShares(const Scene& scene, const Row& row) {
-    const Real m_a = row.moves_a ? scene.inv_mass[row.a] : 0, m_b = row.moves_b ? scene.inv_mass[row.b] : 0;
-    a = m_a + m_b > 0 ? m_b / (m_a + m_b) : 0, b = 1 - a;
-  }
-};
-
 struct Belts {
   Surface a, b;
   Belts(const World& world, const Row& row, const RowGeometry& g) : Belts(world, row, world.pairs.place(g.pair).pair) {}
@@ -50,6 +41,11 @@ bool turns(const World& world, const Row& row, Real dt) {
 }
 
 }  // namespace
+
+OwnShares::OwnShares(const Scene& scene, const Row& row) {
+  const Real m_a = row.moves_a ? scene.inv_mass[row.a] : 0, m_b = row.moves_b ? scene.inv_mass[row.b] : 0;
+  a = m_a + m_b > 0 ? m_b / (m_a + m_b) : 0, b = 1 - a;
+}
 
 Lead lead_of(const World& world, const TurningPair& pair, Real h) {
   const State& s = world.state;
@@ -92,8 +88,13 @@ void find_turning_pairs(const World& world, const StepTime& time) {
       const Belts belts(world, row, c.geometry[m.row]);
       t.belt = belts.a.at(s.x[row.b]) - belts.b.at(s.x[row.a]);
     }
-    // What went along in the substep before slides by nothing, though its velocity is that of the chord.
-    const Vec3 lag = lead_of(world, t, -time.h).at(s.x[row.b] - s.x[row.a]);
+    // What went along in the substep before slides by nothing, though its velocity is that of the chord. A chord as good as its tangent
+    // changes nothing.
+    const Vec3 apart = s.x[row.b] - s.x[row.a];
+    const Real turn2 = std::max(s.omega[row.a].squared_norm(), s.omega[row.b].squared_norm());
+    const Real most2 = time.h * time.h / 4 * turn2 * turn2 * apart.squared_norm();  // (m/s)^2, of what is below
+    if (!has_belts && most2 < 1e-4 * kCreeps * kCreeps) continue;
+    const Vec3 lag = lead_of(world, t, -time.h).at(apart);
     std::array<Vec3, Manifold::kMaxPoints> slip;
     for (std::uint32_t k = 0; k < m.count; ++k) slip[k] = c.surface.empty() ? lag : Vec3(lag + c.surface[m.row + k]);
     find_slide(world, m.row, m.count, slip.data());

@@ -26,6 +26,12 @@ inline constexpr Constant<Real> kTurnsAlong{
     "larger: what stands on a slow disc of its own bearings drifts; smaller: time, in heaps that settle"};
 inline constexpr ConstantRow kTurningGroundConstants[] = {kTurnsAlong};
 
+/// Of A and B as each other's ground: what of the pair's turn is its own.
+struct OwnShares {
+  Real a, b;
+  OwnShares(const Scene& scene, const Row& row);
+};
+
 /// How far two surfaces go in a substep, over its length, and by which spin.
 struct Lead {
   Vec3 to;    // m/s, world: of A's surface at B's centre, relative to B's at A's centre

@@ -21,6 +21,44 @@ CAROM_LANES_INLINE Lanes rope_bend(const JointRun& run, const std::uint32_t* bod
   return (dot(moves, moves) - out * out) * inverse + inverse * dot(rope, inward);
 }
 
+/// Of a velocity of B's point at A's, what locks along A's axes leave: they undo the rest in the same substep.
+CAROM_LANES_INLINE LaneVec as_locks_let(const JointRun& run, const JointLanes& joint, LaneVec parting) {
+  const JointRowLanes* r = run.rows + joint.first;
+  const auto undo = [&](int rows) {
+    for (; rows > 0; --rows, ++r) parting = parting - dot(r->d, parting) * r->d;
+  };
+  for (std::uint32_t k = 0; k < joint.layout.parts; ++k) {
+    switch (joint.layout.part[k]) {
+      case JointPart::line:
+        undo(2);
+        break;
+      case JointPart::place_x:
+      case JointPart::place_y:
+      case JointPart::place_z:
+        undo(1);
+        break;
+      case JointPart::point:
+      case JointPart::orientation:
+        r += 3;
+        break;
+      case JointPart::direction:
+        r += 2;
+        break;
+      case JointPart::rod:
+      case JointPart::pins:
+      case JointPart::ropes:
+      case JointPart::gears:
+      case JointPart::turn_x:
+      case JointPart::turn_y:
+      case JointPart::turn_z:
+      case JointPart::across_y:
+      case JointPart::across_z:
+        r += 1;
+    }
+  }
+  return parting;
+}
+
 // With g the gap and d a direction that turns with A,
 //   (d.g)'' = d''.g + 2 d'.g' + d.g'',   d' = w_a x d,
 //   g'' = w_b x (w_b x r_b) - a_b x r_b - (w_a x (w_a x r_a) - a_a x r_a);
@@ -42,8 +80,8 @@ void bend(const JointRun& run, double h) {
     // Beyond a radian a substep nothing is straight nor bends like a parabola: then less is asked for, not more.
     const Lanes half = (h / 2) / (1 + (h * h / 4) * (dot(a.omega, a.omega) + dot(b.omega, b.omega)));
     JointRowLanes* r = run.rows + joint.first;
+    const LaneVec parting = (b.v + turns_b) - (a.v + turns_a), slides = as_locks_let(run, joint, parting);
     for (std::uint32_t k = 0; k < joint.layout.parts; ++k) {
-      const LaneVec parting = (b.v + turns_b) - (a.v + turns_a);
       switch (joint.layout.part[k]) {
         case JointPart::point:
           r[0].curve = half * inward.x;
@@ -57,7 +95,7 @@ void bend(const JointRun& run, double h) {
         case JointPart::place_z:
           for (int l = joint.layout.part[k] == JointPart::line ? 0 : 1; l < 2; ++l, ++r) {
             const LaneVec d1 = cross(a.omega, r->d), d2 = cross(a.omega, d1);
-            r->curve = half * (dot(d2, joint.gap) + 2 * dot(d1, parting) + dot(r->d, inward));
+            r->curve = half * (dot(d2, joint.gap) + 2 * dot(d1, slides) + dot(r->d, inward));
           }
           break;
         case JointPart::rod: {

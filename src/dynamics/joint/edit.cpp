@@ -51,6 +51,14 @@ void take_axes(Joints& joints, Joint& joint) {
   joint.axes = 0;
 }
 
+void take_coupling(Joints& joints, Joint& joint) {
+  if (!joint.coupling) return;
+  Coupling& coupling = joints.couplings[joint.coupling - 1] = joints.couplings.back();  // the last takes its place
+  joints.joint[coupling.owner].coupling = joint.coupling;
+  joints.couplings.pop_back();
+  joint.coupling = 0;
+}
+
 /// @param before  the key of its layout, as it was
 void mark_layout(World& world, Joint& joint, std::uint64_t before) {
   if (layout_key(world.joints, joint) == before) return;
@@ -97,14 +105,57 @@ void World::move_joints(const JointMoves& moves) {
   moves.each_count([&](std::uint32_t j, const Vec3& turned) { joints.joint[j].turned = turned; });
 }
 
+/// The body by which a coupling hangs on a joint: one that moves, so that the two are of one island.
+static std::uint32_t body_to_couple(const World& world, const JointDef& def, std::uint32_t other) {
+  for (const std::uint32_t body : {def.body_b, def.body_a})
+    if (body != kInvalid && body != other && world.scene.type[body] == BodyType::dynamic) return body;
+  return kInvalid;
+}
+
+JointDef World::coupling_def(const Coupling& coupling) const {
+  JointDef def;
+  def.kind = JointKind::coupling, def.collide = true;
+  def.body_a = body_to_couple(*this, joints.joint[coupling.follower].def, kInvalid);
+  def.body_b = body_to_couple(*this, joints.joint[coupling.leader].def, def.body_a);
+  return def;
+}
+
+Handle World::add_coupling(const Coupling& coupling, std::uint64_t user) {
+  reserve_slot(joints.couplings.size(), joints.couplings);
+  JointDef def = coupling_def(coupling);
+  def.user = user;
+  const Handle handle = add_joint(def);
+  if (handle) fill_coupling(handle_slot(handle), coupling);
+  return handle;
+}
+
+void World::fill_coupling(std::uint32_t slot, const Coupling& coupling) {
+  Coupling& own = joints.couplings.emplace_back(coupling);
+  own.owner = slot;
+  joints.joint[slot].coupling = static_cast<std::uint32_t>(joints.couplings.size());
+}
+
+void World::set_polynomial(std::uint32_t slot, const std::array<Real, Coupling::kTerms>& polynomial) {
+  Joint& joint = joints.joint[slot];
+  wake_both(*this, joint.def);
+  joints.couplings[joint.coupling - 1].polynomial = polynomial;
+  joints.clear_impulses(joint);
+  ++scene.revision;
+}
+
 void World::remove_joint(std::uint32_t slot) {
+  for (std::size_t k = joints.couplings.size(); k-- > 0;) {  // a coupling goes with either of its joints
+    if (k >= joints.couplings.size()) continue;
+    const Coupling& coupling = joints.couplings[k];
+    if (coupling.follower == slot || coupling.leader == slot) remove_joint(coupling.owner);
+  }
   Joint& joint = joints.joint[slot];
   wake_both(*this, joint.def);
   if (joint.def.body_a != kInvalid) link_of(joints, joint.def.body_a, slot) = joint.next_a;
   if (joint.def.body_b != kInvalid) link_of(joints, joint.def.body_b, slot) = joint.next_b;
   if (!joint.broken) unpart(scene.joined, joint.def);
   joints.measured -= joint.def.measured;
-  take_axes(joints, joint);
+  take_axes(joints, joint), take_coupling(joints, joint);
   joints.slots.release(slot);
   ++scene.revision;
 }

@@ -23,32 +23,6 @@ Real speed_of(const State& s, std::uint32_t body, Real arm) {
   return body == kInvalid ? 0 : s.v[body].norm() + s.omega[body].norm() * arm;
 }
 
-/// Which groups that sweeps solve have bodies that are deep in each other; solutions of the direct solver are judged by
-/// itself.   @return whether there are any
-bool find_deep(const World& world, WideJoints& w) {
-  const Contacts& c = *world.contacts;
-  const Real deep = kDeepGain * world.scene.dials[Dial::position_tolerance];
-  const auto is_deep = [&](std::uint32_t i) { return c.geometry[i].separation < -deep && c.solved_in_lanes(i); };
-  std::atomic<bool> any{false};
-  in_parts(world.jobs, c.contact_pairs.size(), kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t k = begin; k < end && !any.load(std::memory_order_relaxed); ++k) {
-      const ContactPair& m = c.contact_pairs[k];
-      for (std::uint32_t i = m.row; i < m.row + m.count; ++i)
-        if (is_deep(i)) any.store(true, std::memory_order_relaxed);
-    }
-  });
-  const bool found = any.load(std::memory_order_relaxed);
-  if (found || w.any()) w.bounds.resize(c.groups());
-  if (!found) return false;
-  in_parallel(world.jobs, c.contact_pairs.size(), kPairsAPart, [&](std::uint32_t k) {
-    const ContactPair& m = c.contact_pairs[k];
-    bool deep_here = false;
-    for (std::uint32_t i = m.row; i < m.row + m.count; ++i) deep_here |= is_deep(i);
-    if (deep_here) std::atomic_ref<bool>(w.bounds[c.pair_group[k]].is_deep).store(true, std::memory_order_relaxed);
-  });
-  return true;
-}
-
 void find_drives(const World& world, WideJoints& w) {
   const Contacts& c = *world.contacts;
   const auto meet = [&](GroupBound& group, std::uint32_t body, Real arm) {
@@ -109,7 +83,6 @@ bool find_unresolved(const World& world, WideJoints& w, Real h) {
   bool any = false;
   for (GroupBound& group : w.bounds) {
     group.is_unresolved = group.turns_far = false;
-    any |= group.is_deep && !group.is_driven;
   }
   for (std::uint32_t i = 0; i < w.active.size(); ++i) {
     GroupBound& group = w.bounds[world.contacts->link_label[i]];
@@ -199,12 +172,12 @@ void find_bounded(const World& world, Real h) {
   Contacts& c = *world.contacts;
   w.bounded.clear(), w.bounds.clear();
   if (!c.is_grouped || !c.surface.empty()) return;
-  const bool any_deep = find_deep(world, w);
-  if (!w.any() && !any_deep) return;
+  if (!w.any()) return;
+  w.bounds.resize(c.groups());
   find_drives(world, w);
   for (const std::uint32_t body : c.bodies) {
     const std::uint32_t group = group_of(c, body);
-    if (w.bounds[group].is_driven || !(w.bounds[group].is_deep || c.has_joints(group))) continue;
+    if (w.bounds[group].is_driven || !c.has_joints(group)) continue;
     w.bounded.push_back({body, group, Vec3::zero(), world.state.omega[body], Quat::identity(), 0, 0});
   }
   if (!w.bounded.empty()) find_unresolved(world, w, h);
@@ -258,9 +231,9 @@ void bound_moves(const World& world, Velocities& to) {
 void bound_energies(const World& world, Velocities& to, Real h) {
   WideJoints& w = *world.wide_joints;
   if (w.bounded.empty() || !find_unresolved(world, w, h)) return;
-  const auto may_gain_nothing = [](const GroupBound& group) { return group.may_gain_nothing(); };
-  sum_up(world, w, may_gain_nothing, [&](const Bounded& b) { return world.state.q[b.body]; });
-  slow_down(world, to, w, may_gain_nothing);
+  const auto is_unresolved = [](const GroupBound& group) { return group.is_unresolved; };
+  sum_up(world, w, is_unresolved, [&](const Bounded& b) { return world.state.q[b.body]; });
+  slow_down(world, to, w, is_unresolved);
 }
 
 }  // namespace carom::dynamics

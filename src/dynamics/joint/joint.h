@@ -22,11 +22,15 @@ enum class JointKind : std::uint8_t {
   pulley,
   gear,
   six_axis,
+  coupling,
   count  // CAROM_JOINT_*
 };
 
 /// Whether a kind turns one motion into another.
 inline bool has_transmission(JointKind kind) { return kind == JointKind::pulley || kind == JointKind::gear; }
+
+/// Whether it holds the coordinates of two other joints to each other, and no bodies of its own.
+inline bool is_coupling(JointKind kind) { return kind == JointKind::coupling; }
 
 /// What may be limited, driven or sprung of a joint; as CAROM_COORDINATE_*.
 enum class Coordinate : std::uint8_t {
@@ -89,6 +93,14 @@ struct Transmission {
   Real phase = 0;  // rad
 };
 
+/// What makes the coordinate of one joint follow that of another: the twist of a hinge, the slide of a slider.
+struct Coupling {
+  static constexpr int kTerms = 5;
+  std::uint32_t follower = kInvalid, leader = kInvalid;  // slots of joints
+  std::array<Real, kTerms> polynomial{};                 // follower = sum of polynomial[k] leader^k; m and rad
+  std::uint32_t owner = 0;                               // slot of its joint
+};
+
 using AxisRates = std::array<Real, kAxes>;  // m/s and rad/s, by axis, or how fast those change
 
 inline constexpr int kMostEqualities = 6;
@@ -109,6 +121,7 @@ struct Joint {
   Vec3 torque = Vec3::zero();                          // N m, world, on B about its point, likewise
   std::uint32_t next_a = kInvalid, next_b = kInvalid;  // the next joint of each body
   std::uint32_t axes = 0;                              // in Joints::axes, from 1; 0: no axis has properties of its own
+  std::uint32_t coupling = 0;                          // in Joints::couplings, from 1; 0: it is none
   TurnDrive turn;                                      // of a ball, or of a six-axis joint that may turn any way
   Vec3 turned = Vec3::zero();  // rad: twist, and swing about y and z of six axes, as counted last, @see turns.h
   AxisRates acceleration{};  // m/s^2 and rad/s^2, if it is measured: what the last step did to its rates, over its time
@@ -128,16 +141,18 @@ inline const JointDrive& own_drive(const Joint& joint) {
 inline constexpr JointAxes kFreeAxes{};
 
 struct Joints {
-  Joints(std::uint32_t tag, Memory* m) : slots(Kind::joint, tag, m), joint(m), axes(m), first(m) {}
+  Joints(std::uint32_t tag, Memory* m) : slots(Kind::joint, tag, m), joint(m), axes(m), couplings(m), first(m) {}
 
   SlotPool slots;
   Array<Joint> joint;          // by slot
   Array<JointAxes> axes;       // of six-axis joints, and of hinges and sliders whose axis a host has set; in no order
+  Array<Coupling> couplings;   // in no order
   Array<std::uint32_t> first;  // by body slot: its first joint, or kInvalid; empty until there is a joint
   std::uint32_t measured = 0;  // joints whose accelerations steps note
 
   bool alive(std::uint32_t slot) const { return slots.alive(slot); }
   const JointAxes& axes_of(const Joint& j) const { return j.axes ? axes[j.axes - 1] : kFreeAxes; }
+  const Coupling& coupling_of(const Joint& j) const { return couplings[j.coupling - 1]; }
   JointAxes* axes_of(Joint& j) { return j.axes ? &axes[j.axes - 1] : nullptr; }
   /// No impulses any more: rows stand for something else now.
   void clear_impulses(Joint& j) {

@@ -6,6 +6,7 @@
 
 #include "core/wide_angle.h"
 #include "dynamics/joint/axis_parts.h"
+#include "dynamics/joint/coupling.h"
 #include "dynamics/joint/turns.h"
 
 namespace carom::dynamics {
@@ -23,6 +24,7 @@ constexpr std::array<KindRow, static_cast<std::size_t>(JointKind::count)> kKinds
     {"pulley", 1, {JointPart::ropes, {}}, bit(Coordinate::distance)},
     {"gear", 1, {JointPart::gears, {}}, 0},
     {"six_axis", 0, {}, 0},  // @see axis_parts.h
+    {"coupling", 0, {}, 0},  // @see coupling.h
 }};
 
 constexpr std::uint32_t rows_of(JointPart part) {
@@ -115,7 +117,7 @@ std::uint64_t layout_key(const Joints& joints, const Joint& joint) {
     return key;
   }
   std::uint32_t key = static_cast<std::uint32_t>(joint.def.kind) | (is_point(joint) ? 1u << 31 : 0u) |
-                      (is_unstrung(joint) ? 1u << 30 : 0u);
+                      (is_unstrung(joint) ? 1u << 30 : 0u) | (is_coupling(joint.def.kind) ? 1u << 29 : 0u);
   each_drive(joint, [&](std::uint32_t c, DriveKind kind) { key |= 8u << (3 * c + static_cast<std::uint32_t>(kind)); });
   return key | turn_key(joint, kFreeAxes);
 }
@@ -160,6 +162,13 @@ std::array<Real, kCoordinates> coordinates_of(const JointEnds& ends) {
   return {2 * angle_of<double>(sign * t.x(), sign * t.w()), swing, a.dot(ends.apart), ends.apart.norm()};
 }
 
+Real coupled_coordinate(const World& world, std::uint32_t slot) {
+  const Joint& joint = world.joints.joint[slot];
+  const JointEnds ends = ends_of(world, joint.def);
+  return is_slide(world, slot) ? coordinates_of(ends)[static_cast<std::size_t>(Coordinate::slide)]
+                               : counted_angles(world, joint, ends).x();
+}
+
 JointPlace place_of(const World& world, const Joint& joint) {
   JointPlace place{ends_of(world, joint.def), {}};
   const Quat t = place.a.q.conjugate() * place.b.q;
@@ -170,6 +179,12 @@ JointPlace place_of(const World& world, const Joint& joint) {
   if (joint.def.kind == JointKind::pulley) {
     const Ropes ropes = ropes_of(world, joint, place);
     place.at[3] = ropes.a.norm() + joint.transmission.ratio * ropes.b.norm();
+  }
+  if (joint.coupling) {
+    const Coupling& coupling = world.joints.coupling_of(joint);
+    const Real asked = polynomial_at(coupling, coupled_coordinate(world, coupling.leader)).value;
+    const Real off = std::fabs(coupled_coordinate(world, coupling.follower) - asked);
+    (is_slide(world, coupling.follower) ? place.gap : place.angle) = off;
   }
   if (joint.axes) place = judge_axes(world.joints.axes_of(joint), place);
   const JointLayout layout = joint.axes ? JointLayout() : layout_of(world.joints, joint);

@@ -30,6 +30,8 @@ std::uint64_t layout_key(const Joints& joints, const Joint& joint);
 JointEnds ends_of(const World& world, const JointDef& def);
 /// m or rad, by Coordinate; of a pulley the last means nothing.   @accuracy  as of place_of()
 std::array<Real, kCoordinates> coordinates_of(const JointEnds& ends);
+/// m or rad: the coordinate of a joint that is coupled, as counted.   @accuracy  as of place_of()
+Real coupled_coordinate(const World& world, std::uint32_t joint);
 /// Where a joint is, and how far from what it locks and limits.
 /// @accuracy  gap: rounding of the bodies' positions; angle: 1e-8 rad near 0, where it is the root of a sum of squares
 JointPlace place_of(const World& world, const Joint& joint);

@@ -8,6 +8,7 @@
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/island.h"
 #include "dynamics/joint/axis_parts.h"
+#include "dynamics/joint/coupled_rows.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/turns.h"
 #include "dynamics/solver/fill_lanes.h"
@@ -55,6 +56,11 @@ bool is_disabled(const World& world, std::uint32_t body) { return body != kInval
 bool is_active(const World& world, const Joint& joint) {
   if (is_disabled(world, joint.def.body_a) || is_disabled(world, joint.def.body_b)) return false;
   if (joint.broken || forbids(world, +EffectId::joints, joint.def)) return false;
+  if (joint.coupling) {
+    const Coupling& coupling = world.joints.coupling_of(joint);
+    const auto acts = [&](std::uint32_t j) { return is_active(world, world.joints.joint[j]); };
+    return acts(coupling.follower) && acts(coupling.leader);
+  }
   return is_awake(world, joint.def.body_a) || is_awake(world, joint.def.body_b);
 }
 
@@ -256,6 +262,11 @@ void load_own_shifts(const World& world) {
     w.shift[i] = shift_since(world.state, world.wide->slot[i], w.start[i]);
 }
 
+void place_rows(const World& world, const WideJoints& w) {
+  over_joints(world, w.kernels->place);
+  place_couplings(world);
+}
+
 }  // namespace
 
 void plan_joints(const World& world, Joints& joints) {
@@ -326,7 +337,8 @@ void begin_joints(const World& world, Real h) {
       fill(world, w.occupant[kLanes * i + lane], soft, h, w, joint, static_cast<int>(lane));
   });
   fill_locks(world, w);
-  over_joints(world, w.kernels->place);
+  begin_couplings(world, h);
+  place_rows(world, w);
 }
 
 void drop_impulses(WideJoints& w, std::uint32_t link) {
@@ -335,6 +347,8 @@ void drop_impulses(WideJoints& w, std::uint32_t link) {
   const auto drop = [&](JointRowLanes& row) { set(row.p, static_cast<int>(at.lane), 0); };
   for (std::uint32_t r = 0; r < joint.layout.equalities; ++r) drop(w.rows[joint.first + r]);
   for (std::uint32_t r = 0; r < joint.layout.drives; ++r) drop(w.drives[joint.first_drive + r].row);
+  for (CoupledRow& row : w.coupled())
+    if (row.link == link) row.p = 0;
 }
 
 bool is_kicked(const WideJoints& w, std::uint32_t body) {
@@ -366,7 +380,7 @@ void give_half_kicks(const World& world, Velocities& to) {
 void place_joints(const World& world) {
   load_shifts(world, *world.wide);
   load_own_shifts(world);
-  over_joints(world, world.wide_joints->kernels->place);
+  place_rows(world, *world.wide_joints);
 }
 
 void bend_joints(const World& world, Real h) {
@@ -374,6 +388,7 @@ void bend_joints(const World& world, Real h) {
   if (!w.any()) return;
   find_gyro(world, h, w);
   over_joints(world, [&](const JointRun& run) { w.kernels->bend(run, h); });
+  bend_couplings(world, h);
 }
 
 void return_to_joints(const World& world) {
@@ -381,8 +396,10 @@ void return_to_joints(const World& world) {
   if (!w.any()) return;
   load_velocities(world, *world.wide);  // half kicks, and the direct solver's solutions
   load_own_shifts(world);
-  over_joints(world, w.kernels->place);
-  if (!w.kicked.empty()) sweep_joints(world, w.kernels->act_again, [](std::uint32_t) {});
+  place_rows(world, w);
+  if (w.kicked.empty()) return;
+  sweep_joints(world, w.kernels->act_again, [](std::uint32_t) {});
+  act_again_by_couplings(world);
 }
 
 void end_joints(const World& world, Breaking to, Events& events, const StepTime& time) {
@@ -404,6 +421,7 @@ void end_joints(const World& world, Breaking to, Events& events, const StepTime&
     joint.torque = get(lanes.torque, lane) / time.dt;
     if (!has_sane_impulses(joints, joint)) start_cold(joints, joint);
   });
+  end_couplings(world, joints, time.dt);
   if (!world.plan->in_pass) break_overloaded(world, to, events);
 }
 
@@ -442,6 +460,7 @@ void aim_joints(const World& world, Real h) {
       joint.geared ? aim_gear(world, of, w.gears[joint.geared - 1], lane, h) : aim(world, of, w, joint, lane, h);
     }
   });
+  aim_couplings(world, h);
 }
 
 }  // namespace carom::dynamics

@@ -193,6 +193,18 @@ void share_joint_lanes(Shares& shares, bool old) {
   }
 }
 
+void share_couplings(Shares& shares, bool old) {
+  const World& world = shares.world();
+  for (const CoupledRow& row : world.wide_joints->coupled()) {
+    if (!world.wide_joints->is_swept(row.link)) continue;
+    const Real p = old ? row.again * row.old_p + (row.p - row.old_p) : row.p;
+    if (p == 0) continue;
+    Gift gift(world);
+    for (const CoupledBody& b : row.ends()) gift.add(b.moves, b.body, p * b.d, p * b.w);
+    shares.give(Cause::joints, gift);
+  }
+}
+
 /// @param settled  of groups that were settled after the move: those without contacts
 void share_group_links(Shares& shares, bool settled) {
   const World& world = shares.world();
@@ -205,6 +217,11 @@ void share_group_links(Shares& shares, bool settled) {
       const auto slot = [&](std::uint32_t body) { return body == kInvalid ? 0 : d.bodies[body].slot; };
       share_joint_row(shares, {slot(c.a), slot(c.b), c.a != kInvalid, c.b != kInvalid}, {c.d_a, c.d_b, c.w_a, c.w_b},
                       c.p, d.link_row[i].is_drive);
+      c.each_more([&](std::uint32_t body, const Vec3& along, const Vec3& w) {
+        Gift gift(world);
+        gift.add(true, slot(body), c.p * along, c.p * w);
+        shares.give(Cause::joints, gift);
+      });
     }
   }
 }
@@ -243,6 +260,7 @@ void save_impulses(const World& world) {
   }
   for (std::size_t i = 0; i < w.rows.size(); ++i) note(&l.old_rows[i * kLanes], 1, w.rows[i].p);
   for (std::size_t i = 0; i < w.drives.size(); ++i) note(&l.old_drives[i * kLanes], 1, w.drives[i].row.p);
+  for (CoupledRow& row : world.wide_joints->coupled()) row.old_p = row.p;
 }
 
 void clear_friction(const World& world, std::uint32_t pair, std::uint32_t lane) {
@@ -263,14 +281,14 @@ void share_solved(const World& world) {
   if (solver->in_lanes) share_lanes(shares, false);
   if (solver->row_by_row) share_rows(shares);
   if (solves_directly(world)) share_groups(shares), share_group_links(shares, false);
-  if (world.wide_joints->any()) share_joint_lanes(shares, false);
+  if (world.wide_joints->any()) share_joint_lanes(shares, false), share_couplings(shares, false);
 }
 
 void share_relaxed(const World& world) {
   Shares shares(world);
   if (world.plan->solver->in_lanes) share_lanes(shares, true);
   if (solves_directly(world)) share_group_links(shares, true);
-  if (world.wide_joints->any()) share_joint_lanes(shares, true);
+  if (world.wide_joints->any()) share_joint_lanes(shares, true), share_couplings(shares, true);
 }
 
 /// Friction of impacts; their normal impulses are what is left.

@@ -223,6 +223,11 @@ struct AllJoints {
         keep(io, rate, v);
       }
     if (has_transmission(j.def.kind)) transmission(io, j.transmission);
+    if (is_coupling(j.def.kind))
+      for (auto& factor : world.joints.couplings[j.coupling - 1].polynomial) {
+        const Real v = io.real(factor);
+        keep(io, factor, v);
+      }
     const bool own_axis = may_have_axis(j.def.kind) && bits & kOwnAxis;
     if constexpr (Io::checks) io.needs.axes += own_axis && !j.axes;
     if constexpr (Io::loads)

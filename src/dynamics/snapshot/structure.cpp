@@ -93,6 +93,9 @@ Structure structure_of(const World& world, Memory* memory) {
                      h.add((std::uint64_t(d.body_a) << 32) | d.body_b);
                      add(h, d.frame_a), add(h, d.frame_b);
                      h.add(d.length), h.add(d.break_force), h.add(d.break_torque);
+                     if (!is_coupling(d.kind)) return;
+                     const Coupling& c = world.joints.coupling_of(world.joints.joint[i]);
+                     h.add((std::uint64_t(c.follower) << 32) | c.leader);
                    }),
           print_of(world.particles.slots, nothing_else),
           print_of(s.fields.slots, nothing_else),

@@ -222,11 +222,17 @@ struct WholeJoints {
       if (io.bad()) return;
       JointDef d = Io::saves ? all.joint[i].def : JointDef();
       describe(io, world.scene, d);
+      Coupling coupling = Io::saves && all.joint[i].coupling ? all.coupling_of(all.joint[i]) : Coupling();
+      if (is_coupling(d.kind)) {
+        coupling.follower = io.value(coupling.follower), coupling.leader = io.value(coupling.leader);
+        io.demand(coupling.follower != coupling.leader);
+      }
       const std::uint32_t next_a = io.value(all.joint[i].next_a), next_b = io.value(all.joint[i].next_b);
       if constexpr (Io::checks) {
         if (io.bad()) return;
         world.fill_joint(i, d);
         all.joint[i].def = d;  // frames as they were, to the bit
+        if (is_coupling(d.kind)) world.fill_coupling(i, coupling);
         all.joint[i].next_a = next_a, all.joint[i].next_b = next_b;
       }
     });
@@ -236,11 +242,28 @@ struct WholeJoints {
         const std::uint32_t first = io.value(body < all.first.size() ? all.first[body] : kInvalid);
         if constexpr (Io::checks) all.first[body] = first;
       });
-    if constexpr (Io::checks)
+    if constexpr (Io::checks) {
+      if (!io.bad()) check_couplings(io, world);
       if (!io.bad()) check_lists(io, world);
+    }
   }
 
  private:
+  /// Each couples two joints of one motion, and hangs on their bodies.
+  static void check_couplings(Checker& io, const World& world) {
+    const Joints& all = world.joints;
+    for (const Coupling& c : all.couplings) {
+      for (const std::uint32_t j : {c.follower, c.leader}) {
+        if (!all.alive(j)) return io.demand(false);
+        io.demand(all.joint[j].def.kind == JointKind::hinge || all.joint[j].def.kind == JointKind::slider);
+      }
+      const auto is_of = [&](std::uint32_t body, std::uint32_t j) {
+        return body == kInvalid || body == all.joint[j].def.body_a || body == all.joint[j].def.body_b;
+      };
+      const JointDef& own = all.joint[c.owner].def;
+      io.demand(is_of(own.body_a, c.follower) && is_of(own.body_b, c.leader) && own.collide);
+    }
+  }
   template <class Io>
   static void describe(Io& io, const Scene& scene, JointDef& d) {
     constexpr unsigned kMeasured = 128;

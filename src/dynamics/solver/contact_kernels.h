@@ -19,6 +19,9 @@ struct ContactSweeps {
   /// Masses at each point, from arms and inertias. False: some number is beyond what floats can bear, @see
   /// float_range.h
   bool (*prepare)(const Run& run);
+  /// What ground that turns does in this substep: drives of pairs, and friction that goes round with it.
+  /// @param bodies  by solver body   @param h  s, substep
+  void (*lead)(const Run& run, const BodyTurn* bodies, double h);
   /// Let the impulses kept so far act.
   void (*warm_start)(const Run& run);
   /// One sweep: friction, then normals. Contacts that are open may close by their separation within inv_h;

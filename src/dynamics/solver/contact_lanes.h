@@ -26,6 +26,14 @@ struct alignas(64) BodyShift {
   double unused = 0;
 };
 
+/// How a body turns in a substep, for what it takes round: @see turning_ground.h
+struct alignas(16) BodyTurn {
+  double x[3] = {0, 0, 0};      // m, world
+  double u[3] = {0, 0, 0};      // axis times sin of half the angle by which it turns, world
+  double w = 1;                 // cos of half the angle
+  double omega[3] = {0, 0, 0};  // rad/s, world
+};
+
 inline constexpr int kPairPoints = 4;
 inline constexpr int kCouplings = kPairPoints * (kPairPoints - 1) / 2;
 
@@ -77,12 +85,15 @@ struct PairLanesOf {
   Lanes coupling[kCouplings];  // 1/kg: normal velocity at one point per normal impulse at another: 01 02 12 03 13 23
 };
 
-/// Four pairs of which some have a surface that moves of itself: what B's does relative to A's, beside the bodies.
+/// Four pairs of which some have a surface that moves of itself, or ground that turns: what B's does relative to A's,
+/// beside the bodies.
 template <class Number>
 struct DriveLanesOf {
   using Lanes = LanesOf<Number>;
-  Lanes t, s;  // m/s, along the tangents, where friction acts
-  Lanes w;     // rad/s, about the normal
+  Lanes t, s;              // m/s, along the tangents, where friction acts
+  Lanes w;                 // rad/s, about the normal
+  Lanes own_t, own_s;      // m/s, of t and s: what the surface does; the rest is the lead of this substep
+  Lanes share_a, share_b;  // of the turns of A and B, in the lead; 0 where the ground does not turn
 };
 
 /// Four pairs or joints of which some have a body that is locked along world axes: 1 where it is free, 0 where not.
@@ -101,7 +112,7 @@ struct LaneRunOf {
   BodyVelocity* velocity;
   const BodyShift* shift;
   std::uint32_t first_moved;  // bodies below are not written
-  const DriveLanesOf<Number>* drives;
+  DriveLanesOf<Number>* drives;
   const LockLanesOf<Number>* locks;
 };
 

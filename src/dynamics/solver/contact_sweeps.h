@@ -210,6 +210,50 @@ CAROM_LANES_INLINE void each_pair(const LaneRunOf<Number>& run, const Kernel& ke
   }
 }
 
+static_assert(offsetof(BodyTurn, u) == 3 * sizeof(double) && offsetof(BodyTurn, w) == 6 * sizeof(double) &&
+              offsetof(BodyTurn, omega) == 7 * sizeof(double));
+/// Turns of the four bodies on one side.
+struct GroundTurn {
+  LaneVec x, u, omega;
+  Lanes w;
+
+  CAROM_LANES_INLINE GroundTurn(const BodyTurn* all_bodies, const std::uint32_t* body) {
+    const BodyRows rows(all_bodies, body);
+    const LanePair p = rows.two(0), q = rows.two(2), r = rows.two(4), s = rows.two(6), t = rows.two(8);
+    x = {p.first, p.second, q.first}, u = {q.second, r.first, r.second};
+    w = s.first, omega = {s.second, t.first, t.second};
+  }
+  /// (exp(h omega) - 1) y / h, m/s
+  CAROM_LANES_INLINE LaneVec way(const LaneVec& y, Lanes two_per_h) const {
+    const LaneVec c = cross(u, y);
+    return two_per_h * (w * c + cross(u, c));
+  }
+};
+
+/// The numbers are those of lead_of(). Friction turns by the angle whose half has the tangent x + x^3/3: it is where sweeps start.
+template <class Number>
+void lead(const LaneRunOf<Number>& run, const BodyTurn* bodies, double h) {
+  const Lanes two_per_h = all(2 / h);
+  for (std::size_t i = 0; i < run.count; ++i) {
+    PairLanesOf<Number>& pair = run.pairs[i];
+    if (!pair.driven) continue;
+    DriveLanesOf<Number>& drive = run.drives[pair.driven - 1];
+    const GroundTurn a(bodies, pair.a), b(bodies, pair.b);
+    const Lanes share_a = widened(drive.share_a), share_b = widened(drive.share_b);
+    const LaneVec apart = b.x - a.x, spin = share_a * a.omega + share_b * b.omega, n = widened(pair.n),
+                  t = widened(pair.t), s = cross(n, t);
+    const LaneVec to = share_a * a.way(apart, two_per_h) + share_b * b.way(apart, two_per_h);
+    const LaneVec lead = cross(spin, widened(pair.r_a) - widened(pair.r_b)) - to;
+    drive.t = rounded<Number>(widened(drive.own_t) + inner(lead, t));
+    drive.s = rounded<Number>(widened(drive.own_s) + inner(lead, s));
+    const Lanes half = all(h / 2) * inner(spin, n), tangent = half * (1 + half * half * all(1.0 / 3)),
+                per = 1 / (1 + tangent * tangent), cosine = (1 - tangent * tangent) * per, sine = 2 * tangent * per;
+    const Lanes p_t = widened(pair.p_t), p_s = widened(pair.p_s);
+    pair.p_t = rounded<Number>(cosine * p_t - sine * p_s);
+    pair.p_s = rounded<Number>(sine * p_t + cosine * p_s);
+  }
+}
+
 template <class Number>
 void warm_start(const LaneRunOf<Number>& run) {
   each_pair(
@@ -411,9 +455,9 @@ void measure(const LaneRunOf<Number>& run) {
 
 template <class Number>
 constexpr ContactSweeps<Number> all_sweeps() {
-  return {lay_out<Number>,    read_back<Number>, prepare<Number>,      warm_start<Number>,  solve<Number>,
-          solve_thin<Number>, solve_of<Number>,  relax<false, Number>, relax<true, Number>, sweep<Number>,
-          accumulate<Number>, part<Number>,      measure<Number>};
+  return {lay_out<Number>, read_back<Number>,  prepare<Number>,  lead<Number>,         warm_start<Number>,
+          solve<Number>,   solve_thin<Number>, solve_of<Number>, relax<false, Number>, relax<true, Number>,
+          sweep<Number>,   accumulate<Number>, part<Number>,     measure<Number>};
 }
 
 constexpr ContactKernels kernels_named(const char* name) {

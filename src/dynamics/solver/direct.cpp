@@ -135,13 +135,14 @@ static void place_parted(const World& world) {
   for (GroupRest& of : rest) of.has_parted = false;
 }
 
+constexpr int kPasses = 8, kPassesAfterSweep = 16;
+
 /// Groups that part, pass by pass: parting follows tangents, so that a second pass begins where the first has led.
 /// @param group  (index) -> ConeGroup   @param part  (group): a pass
 template <class Group, class Part>
-static void part_again(const World& world, const Group& group, const Part& part) {
-  constexpr int kPasses = 8;
+static void part_again(const World& world, const Group& group, const Part& part, int passes = kPasses) {
   DirectGroups& d = *world.direct;
-  for (int k = 0; k < kPasses; ++k) {
+  for (int k = 0; k < passes; ++k) {
     place_parted(world);
     bool any = false;
     for (std::size_t g = 0; g < d.groups(); ++g) any |= d.rest[g].parts = d.rest[g].parts && group(g).is_nearer();
@@ -156,18 +157,18 @@ static void part_again(const World& world, const Group& group, const Part& part)
 /// Joints of some groups closed, heeding contacts; then what these hinder by joints alone, whatever that does to contacts.
 /// @param which  (group): whether it is to be
 template <class Which, class Part>
-static void close(const World& world, const Which& which, const Part& part) {
+static void close(const World& world, const Which& which, const Part& part, int passes = kPasses) {
   DirectGroups& d = *world.direct;
   const auto whole = [&](std::size_t g) { return ConeGroup(world, g); };
   const auto alone = [&](std::size_t g) { return ConeGroup::joints_of(world, g); };
   for (std::size_t g = 0; g < d.groups(); ++g) d.rest[g].parts = d.is_joined(g) && which(whole(g));
-  part_again(world, whole, part);
+  part_again(world, whole, part, passes);
   for (std::size_t g = 0; g < d.groups(); ++g) {
     GroupRest& rest = d.rest[g];
     rest.parts = d.is_joined(g) && which(whole(g)) && whole(g).gapes();
     if (rest.parts) rest.gap = kInfinity, rest.has_moved = true;
   }
-  if (std::ranges::any_of(d.rest, &GroupRest::parts)) part_again(world, alone, part);
+  if (std::ranges::any_of(d.rest, &GroupRest::parts)) part_again(world, alone, part, passes);
 }
 
 void settle_joints(const World& world, Poses& poses, Velocities& motion, Real h) {
@@ -193,7 +194,7 @@ void close_joints(const World& world, Poses& poses, const StepTime& time) {
   for (GroupRest& rest : d.rest) rest.gap = kInfinity, rest.has_parted = true;
   close(
       world, [](const ConeGroup& group) { return group.is_swept(); },
-      [&](ConeGroup group) { group.follow_swept(poses, time.h); });
+      [&](ConeGroup group) { group.follow_swept(poses, time.h); }, kPassesAfterSweep);
 }
 
 void end_groups(const World& world) {

@@ -96,11 +96,12 @@ void end_groups(const World& world);
 struct DirectGroups {
   /// Of groups whose joints hold bodies to each other.
   struct Forest {
-    explicit Forest(Memory* m) : joints(m), ordered(m), nodes(m), root(m) {}
+    explicit Forest(Memory* m) : joints(m), ordered(m), nodes(m), root(m), more(m) {}
     Array<TreeJoint> joints;    // by group
     Array<TreeJoint> ordered;   // what elimination is for
     Array<TreeNode> nodes;      // of groups that have any, by place
     Array<std::uint32_t> root;  // scratch of gather_links()
+    Array<LinkMore> more;       // by coupling, as WideJoints::coupled
   };
 
   explicit DirectGroups(Memory* m)
@@ -111,11 +112,9 @@ struct DirectGroups {
         begin(m),
         bodies(m),
         body(m),
-        edges(m),
         elimination(m),
         factor(m),
         scratch(m),
-        products(m),
         solution(m),
         rest(m) {}
 
@@ -129,7 +128,8 @@ struct DirectGroups {
     std::uint32_t row, lane;  // in rows, or in drives
     std::uint32_t joint;      // in joints
     bool is_drive;
-    DriveKind kind;  // of a drive
+    DriveKind kind;            // of a drive
+    bool is_coupling = false;  // then `row` is in coupled
   };
   Array<ConeContact> contacts;  // by group, ascending rows
   Array<ConeLink> links;        // by group: rows of joints, those of its forest last
@@ -138,13 +138,11 @@ struct DirectGroups {
   Array<Begin> begin;           // [groups + 1]
   Array<ConeBody> bodies;       // by group
   Array<std::uint32_t> body;    // by slot: in bodies; kInvalid: in no group
-  Array<Edge> edges;            // of bodies
   Elimination elimination;
   BlockFactor factor;
   Array<Vec6> scratch;
-  Array<std::uint64_t> products;  // of blocks, of a factorisation, by group
-  Array<ConeSolution> solution;   // by group, of the last solve
-  Array<GroupRest> rest;          // by group
+  Array<ConeSolution> solution;  // by group, of the last solve
+  Array<GroupRest> rest;         // by group
 
   /// The body of a slot, new to the present group or not; kInvalid where impulses do not move it.
   std::uint32_t node(bool moves, std::uint32_t slot) {
@@ -166,7 +164,7 @@ struct DirectGroups {
 
   /// Block products that a step of Newton's method takes as long as, of a group.
   std::uint64_t newton_work(std::size_t group) const {
-    return products[group] + kWorkOfContact * (begin[group + 1].contact - begin[group].contact);
+    return elimination.scratch().products[group] + kWorkOfContact * (begin[group + 1].contact - begin[group].contact);
   }
 
   std::span<const TreeJoint> forest_of(std::size_t group) const {

@@ -166,6 +166,19 @@ Real misfit(const Plan& plan, std::uint32_t slot, const Vec3& turn) {
   return of(t.x(), m.y(), m.z()) + of(t.y(), m.x(), m.z()) + of(t.z(), m.x(), m.y());
 }
 
+/// misfit() of one radian about the worst axis, at most.
+Real worst_misfit(const Plan& plan, std::uint32_t slot) {
+  const Vec3& m = plan.principal[slot].moment;
+  const auto of = [](Real i, Real j) { return (i - j) * (i - j) / (i * j); };
+  return std::max({of(m.y(), m.z()), of(m.x(), m.z()), of(m.x(), m.y())});
+}
+
+/// rad^2: 4 sin^2(t/2), t the angle between two orientations, and what rounding may hide of it.
+Real turned2(const Quat& from, const Quat& to) {
+  const Real cosine = from.w() * to.w() + from.x() * to.x() + from.y() * to.y() + from.z() * to.z();
+  return 4 * (1 - cosine * cosine) + 64 * kUnitRoundoff;
+}
+
 /// Who has turned too far since its rows were made; always who is marked `again`. Their masses are made anew.
 bool mark(const World& world, WideContacts& wide) {
   const State& s = world.state;
@@ -175,7 +188,9 @@ bool mark(const World& world, WideContacts& wide) {
     f.marked = false;
     if (!f.may) return;
     const std::uint32_t slot = wide.slot[i];
-    const Vec3 turn = 2 * (wide.start_q[i].conjugate() * s.q[slot]).vec();
+    const Quat &q = s.q[slot], &start = wide.start_q[i];
+    if (!f.again && !(f.unlike * turned2(start, q) > kFarTurn)) return;
+    const Vec3 turn = 2 * (start.conjugate() * q).vec();
     if (!f.again && !(misfit(*world.plan, slot, turn) > kFarTurn)) return;
     f.marked = true, any.store(true, std::memory_order_relaxed);
     const Mat3 r = s.q[slot].matrix();
@@ -248,7 +263,11 @@ void find_far_turners(const World& world, WideContacts& wide) {
   wide.far_turn.assign(wide.slot.size(), {});
   wide.far_turners = false;
   if (!plan.rotation_method || (wide.manifolds.empty() && world.contacts->links.empty())) return;
-  each_moved(world, wide, [&](std::uint32_t i) { wide.far_turn[i].may = may_turn_far(world, wide.slot[i]); });
+  each_moved(world, wide, [&](std::uint32_t i) {
+    FarTurn& f = wide.far_turn[i];
+    f.may = may_turn_far(world, wide.slot[i]);
+    if (f.may) f.unlike = worst_misfit(plan, wide.slot[i]);
+  });
   wide.far_turners = std::ranges::any_of(wide.far_turn, &FarTurn::may);
   if (wide.far_turners && wide.one_turner.runs.empty()) wide.one_turner.add(0);
 }

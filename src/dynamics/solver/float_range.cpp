@@ -9,11 +9,8 @@ namespace carom::dynamics {
 namespace {
 
 constexpr Real kLightest = 1e-9, kHeaviest = 1e9;        // kg
-constexpr Real kFastest = 1e9;                           // m/s, rad/s
 constexpr Real kShortest = 1e-9, kLongestInFloat = 1e9;  // s
 constexpr Real kLeastTurn = 1e-25;                       // 1/(kg m^2), of the axis that turns most easily
-
-bool is_slow(const Vec3& v) { return v.abs().max_entry() <= kFastest; }
 
 bool weighs_enough(const Scene& scene, std::uint32_t body) {
   const Real inv_mass = scene.inv_mass[body];
@@ -36,12 +33,10 @@ bool bears_floats(const World& world, const WideContacts& wide, Real h) {
          std::ranges::all_of(world.contacts->driven, [](const Driven& d) { return is_slow(d.spin); });
 }
 
-bool is_slow_enough(const State& state, std::uint32_t body) {
-  return is_slow(state.v[body]) && is_slow(state.omega[body]);
-}
-
 void cap(BodyVelocity& velocity) {
-  const auto within = [](double& x) { x = x > kFastest ? kFastest : x < -kFastest ? -kFastest : x == x ? x : 0; };
+  const auto within = [](double& x) {
+    x = x > kFastestInFloat ? kFastestInFloat : x < -kFastestInFloat ? -kFastestInFloat : x == x ? x : 0;
+  };
   for (int k = 0; k < 3; ++k) within(velocity.v[k]), within(velocity.omega[k]);
 }
 

@@ -31,7 +31,11 @@ inline constexpr ConstantRow kFloatConstants[] = {kFloatsFrom};
 /// @param h  s, substep
 bool bears_floats(const World& world, const WideContacts& wide, Real h);
 
-bool is_slow_enough(const State& state, std::uint32_t body);
+inline constexpr Real kFastestInFloat = 1e9;  // m/s, rad/s
+inline bool is_slow(const Vec3& v) { return v.squared_norm() <= kFastestInFloat * kFastestInFloat; }
+inline bool is_slow_enough(const State& state, std::uint32_t body) {
+  return is_slow(state.v[body]) && is_slow(state.omega[body]);
+}
 /// As fast as it may be.
 void cap(BodyVelocity& velocity);
 

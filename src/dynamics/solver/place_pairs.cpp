@@ -107,6 +107,7 @@ void save_poses(const World& world, WideContacts& wide) {
   wide.velocity.assign(n, {});
   wide.swept_again.assign(n, 0);
   wide.shift.assign(n, {});
+  wide.placing->turn.resize(n);
   wide.start_x.resize(n), wide.start_q.resize(n);
   in_parallel(world.jobs, n, kBodiesAPart, [&](std::uint32_t i) {
     if (i == 0) return;

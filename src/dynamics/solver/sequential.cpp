@@ -1,6 +1,7 @@
 // Stage functions of the sequential solver.
 #include "dynamics/solver/sequential.h"
 
+#include "dynamics/joint/coupled_rows.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/soft_step.h"
@@ -26,10 +27,12 @@ void sequential_velocities(const World& world, Solver::Solves to, const StepTime
   start_sweeps(world, time.h);
   const JointKernels* const joints = world.wide_joints->kernels;
   const int sweeps = world.scene.dials.whole(Dial::velocity_iterations);
-  for (int k = 0; k < sweeps; ++k)
+  for (int k = 0; k < sweeps; ++k) {
     sweep_rows(
         world, [&](const JointRun& run) { joints->solve(run, inv_h); },
         [&](const auto& s, const auto& run) { s.sweep(run, inv_h); });
+    solve_couplings(world);
+  }
   over_contacts(world, [](const auto& s, const auto& run) { s.accumulate(run); });
   store_velocities(world, to, wide, time.h);
   end_far_turns(world, to, wide, time.h);
@@ -48,6 +51,7 @@ void sequential_positions(const World& world, Solver::Relaxes to, const StepTime
     sweep_joints(
         world, [&, inv_h = 1 / time.h](const JointRun& run) { world.wide_joints->kernels->relax(run, inv_h); },
         [](std::uint32_t) {});
+    relax_couplings(world);
     store_velocities(world, to, *world.wide, time.h);
   }
   report.position_moves += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();

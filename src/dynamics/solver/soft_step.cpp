@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "dynamics/contact/depth.h"
+#include "dynamics/joint/coupled_rows.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/fill_lanes.h"
@@ -76,6 +77,7 @@ void soft_step_positions(const World& world, Solver::Relaxes to, const StepTime&
   sweep_rows(
       world, [&](const JointRun& run) { world.wide_joints->kernels->relax(run, inv_h); },
       [&](const auto& s, const auto& run) { (sparing ? s.relax_sparing : s.relax)(run, inv_h); });
+  relax_couplings(world);
   store_velocities(world, to, wide, time.h);
   report.velocity_impulses += world.contacts->rows.size();
 }
@@ -121,6 +123,7 @@ void start_sweeps(const World& world, Real h) {
   sweep_rows(
       world, [&](const JointRun& run) { joints->warm_start(run); },
       [](const auto& s, const auto& run) { s.warm_start(run); });
+  start_couplings(world);
   refuse_start(world);
 }
 
@@ -134,6 +137,7 @@ void solve_softly(const World& world, Solver::Solves to, const StepTime& time) {
   sweep_rows(
       world, [&](const JointRun& run) { joints->solve(run, inv_h); },
       [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
+  solve_couplings(world);
   store_velocities(world, to, wide, time.h);
   report.velocity_impulses += world.contacts->rows.size();
 }

@@ -87,7 +87,8 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
 template <class Number>
 DriveLanesOf<Number>& drive_of(ContactLanes<Number>& rows, PairLanesOf<Number>& pair) {
   if (!pair.driven) {
-    rows.drives.push_back({all<Number>(0), all<Number>(0), all<Number>(0)});
+    const LanesOf<Number> none = all<Number>(0);
+    rows.drives.push_back({none, none, none, none, none, none, none});
     pair.driven = static_cast<std::uint32_t>(rows.drives.size());
   }
   return rows.drives[pair.driven - 1];
@@ -112,19 +113,20 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
     set(drive.t, lane, velocity.dot(t));
     set(drive.s, lane, velocity.dot(n.cross(t)));
     set(drive.w, lane, driven.spin.dot(n));
+    drive.own_t[lane] = drive.t[lane], drive.own_s[lane] = drive.s[lane];
   }
 }
 
-/// Places for what ground that turns adds in each substep, to what is there.
+/// Whose turns ground that turns takes what it bears round by.
 template <class Number>
 void fill_turning_pairs(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
-  Contacts& c = *world.contacts;
-  for (TurningPair& turning_pairs : c.turning_pairs) {
-    if (!c.solved_in_lanes(turning_pairs.row)) continue;
-    const WideContacts::Manifold& m = wide.manifold_of(turning_pairs.row);
-    turning_pairs.pair = m.pair, turning_pairs.lane = m.lane;
-    const DriveLanesOf<Number>& drive = drive_of(rows, rows.pairs[m.pair]);
-    turning_pairs.t = drive.t[m.lane], turning_pairs.s = drive.s[m.lane];
+  for (const TurningPair& of : world.contacts->turning_pairs) {
+    if (!world.contacts->solved_in_lanes(of.row)) continue;
+    const WideContacts::Manifold& m = wide.manifold_of(of.row);
+    DriveLanesOf<Number>& drive = drive_of(rows, rows.pairs[m.pair]);
+    const OwnShares share(world.scene, world.contacts->rows[of.row]);
+    const auto lane = static_cast<int>(m.lane);
+    set(drive.share_a, lane, share.a), set(drive.share_b, lane, share.b);
   }
 }
 
@@ -204,6 +206,27 @@ bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, co
   return bearable;
 }
 
+/// Belts on ground that turns, one by one: what their drive is, and the friction that goes along.
+void lead_belts(const World& world, WideContacts& wide, Real h) {
+  with_lanes(wide, [&](auto& lanes, const auto&) {
+    for (const TurningPair& of : world.contacts->turning_pairs) {
+      if (!of.has_belts || !world.contacts->solved_in_lanes(of.row)) continue;
+      const WideContacts::Manifold& m = wide.manifold_of(of.row);
+      auto& pair = lanes.pairs[m.pair];
+      auto& drive = lanes.drives[pair.driven - 1];
+      const auto lane = static_cast<int>(m.lane);
+      const Lead both = lead_of(world, of, h);
+      const Vec3 lead = both.at(get(pair.r_a, m.lane) - get(pair.r_b, m.lane));
+      const Vec3 n = get(pair.n, m.lane), t = get(pair.t, m.lane), s = n.cross(t);
+      set(drive.t, lane, drive.own_t[lane] + lead.dot(t)), set(drive.s, lane, drive.own_s[lane] + lead.dot(s));
+      // The ground's turn is in the friction already; the belt's is not.
+      const Vec3 friction =
+          exp_map(h * (both.turn - both.spin).dot(n) * n) * Vec3(pair.p_t[lane] * t + pair.p_s[lane] * s);
+      set(pair.p_t, lane, friction.dot(t)), set(pair.p_s, lane, friction.dot(s));
+    }
+  });
+}
+
 }  // namespace
 
 void pack(const World& world, SolverMemory& memory, WideContacts& wide, Real h) {
@@ -261,28 +284,17 @@ void load_shifts(const World& world, WideContacts& wide) {
 void lead_lanes(const World& world, WideContacts& wide, Real h) {
   Contacts& c = *world.contacts;
   if (c.turning_pairs.empty()) return;
-  with_lanes(wide, [&](auto& lanes, const auto&) {
-    in_parallel(world.jobs, c.turning_pairs.size(), kLanes * kPairsAPart, [&](std::uint32_t i) {
-      TurningPair& of = c.turning_pairs[i];
-      if (!c.solved_in_lanes(of.row)) return;
-      const auto& pair = lanes.pairs[of.pair];
-      const auto lane = static_cast<int>(of.lane);
-      const Lead both = lead_of(world, of, h);
-      const Vec3 lead = both.at(get(pair.r_a, of.lane) - get(pair.r_b, of.lane));
-      const Vec3 n = get(pair.n, of.lane), t = get(pair.t, of.lane), s = n.cross(t);
-      const Vec3 friction = both.taken_on(Real(pair.p_t[lane]) * t + Real(pair.p_s[lane]) * s, n, h);
-      of.led = {of.t + lead.dot(t), of.s + lead.dot(s), friction.dot(t), friction.dot(s)};
-    });
-    // Not in parallel: to set a lane is to write all four, and the others' pairs may be another thread's.
-    for (const TurningPair& of : c.turning_pairs) {
-      if (!c.solved_in_lanes(of.row)) continue;
-      auto& pair = lanes.pairs[of.pair];
-      auto& drive = lanes.drives[pair.driven - 1];
-      const auto lane = static_cast<int>(of.lane);
-      set(drive.t, lane, of.led.t), set(drive.s, lane, of.led.s);
-      set(pair.p_t, lane, of.led.p_t), set(pair.p_s, lane, of.led.p_s);
-    }
+  const State& state = world.state;
+  Array<BodyTurn>& turn = wide.placing->turn;
+  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
+    if (i == 0) return;
+    const std::uint32_t slot = wide.slot[i];
+    const Vec3 &x = state.x[slot], &omega = state.omega[slot];
+    const Quat q = exp_map(h * omega);
+    turn[i] = {{x.x(), x.y(), x.z()}, {q.x(), q.y(), q.z()}, q.w(), {omega.x(), omega.y(), omega.z()}};
   });
+  over_contacts(world, [&](const auto& sweeps, const auto& run) { sweeps.lead(run, turn.data(), h); });
+  if (std::ranges::any_of(c.turning_pairs, &TurningPair::has_belts)) lead_belts(world, wide, h);
 }
 
 void heed_impacts(const World& world, WideContacts& wide) {

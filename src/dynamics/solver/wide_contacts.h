@@ -35,7 +35,7 @@ struct ContactLanes {
 /// What place_pairs() works with. While no pair comes or goes pairs keep their places from step to step.
 struct Placing {
   explicit Placing(Memory* m)
-      : met(m), kinematic(m), movers(m), regions(m), members(m), by_colour(m), in_region(m), at(m), taken(m) {}
+      : met(m), kinematic(m), movers(m), regions(m), members(m), by_colour(m), in_region(m), at(m), taken(m), turn(m) {}
 
   bool stands = false;             // places are those of `met` and `regions`
   Array<ContactPair> met;          // what is solved in lanes
@@ -54,6 +54,7 @@ struct Placing {
   Array<std::uint32_t> in_region;  // by manifold
   Array<std::uint32_t> at;         // likewise: its place in members
   Array<std::uint64_t> taken;      // [levels][solver bodies], @see BothColours, then AsTheyCome
+  Array<BodyTurn> turn;            // by solver body, of lead_lanes()
 };
 
 /// A body that may turn far for its shape, @see far_turns.h
@@ -64,6 +65,7 @@ struct FarTurn {
   bool led_back = false;  // its velocity is that of the substep's beginning
   bool led_on = false;    // and was led on from there, over this substep
   bool waits = false;     // for that: scratch
+  Real unlike = 0;        // bound of its misfit for a radian
   Vec3 begun, end;        // rad/s, world: that, and the one which a rotation method led it to
 };
 

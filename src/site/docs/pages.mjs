@@ -4,9 +4,11 @@
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { dirname, extname, join, normalize, posix, relative } from "node:path";
 import { apiPages } from "./api.mjs";
+import { datedTable, peersPicture } from "./benchmarks.mjs";
 import { SCENES } from "./curves/scenes.js";
 import { examples } from "./examples.mjs";
 import { galleryPage } from "./gallery.mjs";
+import { releasesPage } from "./release.mjs";
 
 export const ROOT = new URL("../../../", import.meta.url).pathname;
 const OWN = /^src\/site\/docs\/(start|topics)\/(.+)\.md$/; // pages that are in no folder of what they tell of
@@ -92,7 +94,10 @@ export class Pages {
           .replace(/^@include .*$/gm, included)
           .replace(/^@example .*$/gm, example)
           .replace(/^@curve .*$/gm, curve)
-          .replace(/^@gallery$/gm, galleryPage);
+          .replace(/^@gallery$/gm, galleryPage)
+          .replace(/^@peers$/gm, () => peersPicture())
+          .replace(/^@dated$/gm, datedTable)
+          .replace(/^@releases$/gm, releasesPage);
       const heading = /^# (.+)$/m.exec(text);
       if (!heading) throw new Error(`${file} has no heading`);
       const title = heading[1].replace(/[`*]/g, "");

@@ -26,6 +26,7 @@ void add_run_command(CLI::App& app, Context& context);
 void add_replay_command(CLI::App& app, Context& context);
 void add_plan_command(CLI::App& app, Context& context);
 void add_scaling_command(CLI::App& app, Context& context);
+void add_sweep_command(CLI::App& app, Context& context);
 void add_export_command(CLI::App& app, Context& context);
 void add_list_command(CLI::App& app, Context& context);
 void add_shapes_command(CLI::App& app, Context& context);

@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
   add_replay_command(app, context);
   add_plan_command(app, context);
   add_scaling_command(app, context);
+  add_sweep_command(app, context);
   add_export_command(app, context);
   add_list_command(app, context);
   add_shapes_command(app, context);

@@ -10,7 +10,9 @@ inline constexpr const char* kCoordinates[] = {"twist", "swing", "slide", "dista
 inline constexpr double kMostTurned = 1e3;  // rad: as far as a limit or a target of a turn may be
 
 /// An entry of physicsJoints. Of a pulley or a gear other tools see a joint that locks nothing.
-json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& desc);
+/// @param all  joints of the file, in its order
+json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& desc,
+                const std::vector<carom_joint>& all);
 
 /// What CAROM_physics says of a joint's axes and its drive to an orientation is added to `own`, and locks, limits and drives to
 /// `entry`, as KHR_physics_rigid_bodies has them.

@@ -70,6 +70,29 @@ void Reader::make_joints() {
         remark(omi->place() + ": a joint without 'joint', of an earlier draft");
     }
   }
+  for (const LateCoupling& late : late_couplings_) make_coupling(late.number, late.own, true);
+}
+
+bool Reader::make_coupling(std::size_t number, const Value& mine, bool last) {
+  carom_joint_coupling c;
+  carom_joint_coupling_init(&c, sizeof c);
+  for (const auto& [name, to] : {std::pair("follower", &c.follower), std::pair("leader", &c.leader)}) {
+    const Value which = mine[name];
+    const auto found = joint_of_.find(static_cast<std::size_t>(which.number()));
+    if (found != joint_of_.end()) *to = found->second;
+    if (*to != CAROM_NULL_HANDLE) continue;
+    if (last) which.fail("is no joint of a node", "name a hinge or a slider of physicsJoints by its number");
+    return false;
+  }
+  const Value polynomial = mine["polynomial"];
+  if (polynomial.size() > 5) polynomial.fail("has more than five numbers", "write a polynomial of degree 4 at most");
+  std::fill(c.polynomial, c.polynomial + 5, 0.0);
+  for (std::size_t k = 0; k < polynomial.size(); ++k) c.polynomial[k] = polynomial.at(k).number();
+  carom_joint made = CAROM_NULL_HANDLE;
+  Call call;
+  call.done(carom_joint_couple(stage_.world.get(), &c, &made, call), mine.place());
+  joint_of_[number] = made;
+  return true;
 }
 
 bool Reader::plan_joint(const Value& joint, Plan& plan) {
@@ -194,9 +217,14 @@ void Reader::make_joint(std::size_t i, const Value& at) {
   const auto extension = of_document(at);
   if (!extension) at.fail("needs its extension in the document", "add the extension with physicsJoints");
   const Value all = (*extension)["physicsJoints"];
-  const Value joint = all.at(at["joint"].index(all.size(), "physicsJoints"));
+  const std::size_t number = at["joint"].index(all.size(), "physicsJoints");
+  const Value joint = all.at(number);
   const std::size_t other = at["connectedNode"].index(nodes_.size(), "nodes");
   const auto mine = own(joint);
+  if (mine && mine->has("kind") && (*mine)["kind"].text() == carom_joint_kind_name(CAROM_JOINT_COUPLING)) {
+    if (!make_coupling(number, *mine, false)) late_couplings_.push_back({number, *mine});
+    return;
+  }
   if (!mine && make_soft_distance(i, other, joint)) return;
   carom_joint_desc d;
   carom_joint_desc_init(&d, sizeof d);
@@ -230,6 +258,7 @@ void Reader::make_joint(std::size_t i, const Value& at) {
   } catch (const Error& e) {
     at.fail(std::string("cannot be made: ") + e.what(), e.remedy);
   }
+  joint_of_[number] = handle;
   carom_world* const world = stage_.world.get();
   if (by_axes) {
     const auto limits = joint.get("limits");

@@ -106,6 +106,8 @@ class Reader {
   // joints.cpp
   void make_joints();
   void make_joint(std::size_t node, const Value& joint);
+  /// @param last  joints that it names and that are not made yet never will be   @return whether it is made
+  bool make_coupling(std::size_t number, const Value& own, bool last);
   bool read_own_joint(const Value& own, carom_joint_desc& desc) const;
   struct Plan;
   bool plan_joint(const Value& joint, Plan& plan);
@@ -123,6 +125,12 @@ class Reader {
   std::map<std::string, std::uint64_t> systems_;
   std::map<std::string, int> names_;
   std::vector<std::pair<Mesh, Hulls>> taken_apart_;
+  std::map<std::size_t, carom_joint> joint_of_;  // by number in physicsJoints
+  struct LateCoupling {
+    std::size_t number;
+    Value own;
+  };
+  std::vector<LateCoupling> late_couplings_;
 };
 
 }  // namespace carom::tools::scenefile

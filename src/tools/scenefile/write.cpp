@@ -252,7 +252,7 @@ class PhysicsWriter {
       json entry = {{"connectedNode", on_b}, {"joint", joints_.size()}};
       if (d.fields & CAROM_JOINT_COLLIDE) entry["enableCollision"] = true;
       node(on_a)["extensions"]["KHR_physics_rigid_bodies"]["joint"] = std::move(entry);
-      joints_.push_back(scenefile::joint_json(stage_.world.get(), joint, d));
+      joints_.push_back(scenefile::joint_json(stage_.world.get(), joint, d, handles));
     }
   }
 

@@ -1,4 +1,6 @@
 // One joint into a scene file: limits that other tools read, and all of it in our own words.
+#include <algorithm>
+
 #include "scenefile/axes.h"
 
 namespace carom::tools::scenefile {
@@ -18,11 +20,22 @@ void write_transmission(carom_world* world, carom_joint joint, const carom_joint
   own["length"] = t.length;
 }
 
+/// Which joints of the file a coupling couples, and how.
+void write_coupling(carom_world* world, carom_joint joint, const std::vector<carom_joint>& all, json& own) {
+  carom_joint_coupling c;
+  carom_joint_coupling_init(&c, sizeof c);
+  Call call;
+  call.done(carom_joint_get_coupling(world, joint, &c, call), "reading a coupling");
+  const auto number = [&](carom_joint of) { return std::find(all.begin(), all.end(), of) - all.begin(); };
+  own["follower"] = number(c.follower), own["leader"] = number(c.leader);
+  own["polynomial"] = std::vector<double>(c.polynomial, c.polynomial + 5);
+}
+
 }  // namespace
 
-json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d) {
-  const bool has_axes = d.kind == CAROM_JOINT_SIX_AXIS,
-             couples = d.kind == CAROM_JOINT_PULLEY || d.kind == CAROM_JOINT_GEAR;
+json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d, const std::vector<carom_joint>& all) {
+  const bool has_axes = d.kind == CAROM_JOINT_SIX_AXIS, is_coupling = d.kind == CAROM_JOINT_COUPLING,
+             couples = d.kind == CAROM_JOINT_PULLEY || d.kind == CAROM_JOINT_GEAR || is_coupling;
   json own = {{"kind", carom_joint_kind_name(d.kind)}}, limits = json::array();
   const auto lock = [&](const char* axes, std::vector<int> which) {
     limits.push_back({{axes, which}, {"min", 0}, {"max", 0}});
@@ -66,7 +79,8 @@ json joint_json(carom_world* world, carom_joint joint, const carom_joint_desc& d
   }
   if (d.kind == CAROM_JOINT_DISTANCE && free_length)
     limits.push_back({{"linearAxes", {0, 1, 2}}, {"min", d.length}, {"max", d.length}});
-  if (couples) write_transmission(world, joint, d, own);
+  if (is_coupling) write_coupling(world, joint, all, own);
+  if (couples && !is_coupling) write_transmission(world, joint, d, own);
   json entry = {{"limits", std::move(limits)}};
   write_axes(world, joint, has_axes, own, entry);
   entry["extensions"]["CAROM_physics"] = std::move(own);

@@ -54,6 +54,8 @@ std::vector<Setting> first_candidates(const Participants& who, bool few) {
     grid("", {1, 2, 4, 8}, {1, 2, 4, 8, 16});
     return all;
   }
+  for (const char* asked : {"0.01", "0.001", "0.0001"})  // m and rad per second of motion
+    if (!few || asked != std::string("0.0001")) add({1, {{"accuracy_place", asked}, {"accuracy_turn", asked}}});
   if (few) {
     grid("auto", {1}, {1, 2, 8});
     grid("auto", {2}, {1, 4});

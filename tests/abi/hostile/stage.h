@@ -25,7 +25,7 @@ class Source {
 
 struct Owned {
   uint64_t handle;
-  uint64_t owner[2];  // bodies that take it along when they go; 0: none
+  uint64_t owner[2];  // bodies, or joints of a coupling, that take it along when they go; 0: none
 };
 
 /// An engine and a world of it, with the handles that live there as far as the caller knows.
@@ -42,7 +42,12 @@ struct Stage {
     if (kind == kBody)
       for (const int with : {kCollider, kJoint, kSpring})
         for (std::size_t i = live[with].size(); i-- > 0;)
-          if (live[with][i].owner[0] == handle || live[with][i].owner[1] == handle) dies(with, live[with][i].handle);
+          if (i < live[with].size() && (live[with][i].owner[0] == handle || live[with][i].owner[1] == handle))
+            dies(with, live[with][i].handle);
+    if (kind == kJoint)
+      for (std::size_t i = live[kJoint].size(); i-- > 0;)
+        if (live[kJoint][i].owner[0] == handle || live[kJoint][i].owner[1] == handle)
+          return dies(kJoint, live[kJoint][i].handle), dies(kind, handle);
     for (std::size_t i = 0; i < live[kind].size(); ++i)
       if (live[kind][i].handle == handle) {
         live[kind].erase(live[kind].begin() + static_cast<std::ptrdiff_t>(i));
@@ -273,6 +278,9 @@ class Digest {
     carom_joint_transmission transmission = {};
     transmission.struct_size = sizeof transmission;
     keep(carom_joint_get_transmission(world_, j, &transmission, nullptr), transmission);
+    carom_joint_coupling coupling = {};
+    coupling.struct_size = sizeof coupling;
+    keep(carom_joint_get_coupling(world_, j, &coupling, nullptr), coupling);
     carom_joint_orientation_drive drive = {};
     drive.struct_size = sizeof drive;
     keep(carom_joint_get_orientation_drive(world_, j, &drive, nullptr), drive);

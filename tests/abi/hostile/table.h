@@ -150,6 +150,20 @@ inline Argument joint_motor(Context& c) {
       {HOSTILE_CHOICE(carom_joint_motor, enabled, 2u), HOSTILE_NUMBERS(carom_joint_motor, speed, 1, {-1e6, 1e6}),
        HOSTILE_NUMBERS(carom_joint_motor, max_force, 1, {0, 1e30})});
 }
+/// @param may_be_null  its joints: of one that there is
+inline Argument joint_coupling(Context& c, bool may_be_null = false) {
+  auto d = fresh<carom_joint_coupling>(carom_joint_coupling_init);
+  bool none = false;
+  d.follower = pick(c, kJoint, none), d.leader = another(c, kJoint, d.follower);
+  for (double& x : d.polynomial) x = c.between(-2, 2);
+  Argument a = in_struct(c, d,
+                         {HOSTILE_RESERVED(carom_joint_coupling, reserved),
+                          HOSTILE_HANDLE(carom_joint_coupling, follower, kJoint, may_be_null),
+                          HOSTILE_HANDLE(carom_joint_coupling, leader, kJoint, may_be_null),
+                          HOSTILE_NUMBERS(carom_joint_coupling, polynomial, 5, {-1e9, 1e9})});
+  a.impossible = none && !may_be_null;
+  return a;
+}
 inline Argument joint_transmission(Context& c) {
   auto d = fresh<carom_joint_transmission>(carom_joint_transmission_init);
   d.ratio = c.between(0.1, 10), d.length = c.between(0, 10),
@@ -401,6 +415,46 @@ inline Argument query_shapes(Context& c, bool move, bool& half_space) {
     std::memcpy(some, p, 8 * 3 * kQuestions);
     some[3 * kQuestions - 1] = x;
     bad.positions = some;
+    a.wrong.push_back({"last position: " + shown(x), of(c.keep(bad)), kNotFinite});
+  }
+  return a;
+}
+
+inline Argument no_device() { return {of(nullptr), {{"null", of(nullptr), kNull}}}; }
+inline Argument shape_but_scenery(Context& c);
+inline Argument shape_pairs(Context& c) {
+  carom_pairs q = {};
+  q.struct_size = sizeof q, q.count = kQuestions;
+  auto* shapes = static_cast<carom_shape*>(c.take(8 * kQuestions));
+  auto *p = static_cast<double*>(c.take(8 * 3 * kQuestions)), *t = static_cast<double*>(c.take(8 * 4 * kQuestions));
+  bool none = false;
+  for (int i = 0; i < kQuestions; ++i) {
+    shapes[i] = shape_but_scenery(c).good.u;
+    for (int k = 0; k < 3; ++k) p[3 * i + k] = c.between(-3, 3);
+    turn(c, 4, t + 4 * i);
+    none = none || !shapes[i];
+  }
+  q.shapes_a = q.shapes_b = shapes, q.positions_a = q.positions_b = p, q.orientations_a = q.orientations_b = t;
+  Argument a = in_struct(c, q,
+                         {HOSTILE_RESERVED(carom_pairs, reserved), HOSTILE_POINTER(carom_pairs, shapes_a),
+                          HOSTILE_POINTER(carom_pairs, shapes_b), HOSTILE_POINTER(carom_pairs, positions_a),
+                          HOSTILE_POINTER(carom_pairs, positions_b), HOSTILE_POINTER(carom_pairs, orientations_a),
+                          HOSTILE_POINTER(carom_pairs, orientations_b)});
+  a.impossible = none;
+  for (const Wrong& w : wrong_handles(c, kShape, false)) {
+    carom_pairs bad = q;
+    auto* some = static_cast<carom_shape*>(c.take(8 * kQuestions));
+    std::memcpy(some, shapes, 8 * kQuestions);
+    some[kQuestions - 1] = w.value.u;
+    bad.shapes_b = some;
+    a.wrong.push_back({"last shape: " + w.what, of(c.keep(bad)), w.codes});
+  }
+  for (const double x : {kNan, kInf}) {
+    carom_pairs bad = q;
+    auto* some = static_cast<double*>(c.take(8 * 3 * kQuestions));
+    std::memcpy(some, p, 8 * 3 * kQuestions);
+    some[3 * kQuestions - 1] = x;
+    bad.positions_a = some;
     a.wrong.push_back({"last position: " + shown(x), of(c.keep(bad)), kNotFinite});
   }
   return a;
@@ -988,6 +1042,12 @@ inline const Row kRows[] = {
     INIT(carom_cast_desc_init, carom_cast_desc),
     INIT(carom_motion_init, carom_motion),
     ROW(carom_shape_distance, engine(c), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), distance_desc(c), out_struct<carom_distance>(c), error(c)),
+    {"carom_pairs_distance", [](Context& c) {
+       Argument stride = fixed_number(sizeof(carom_distance));
+       for (const uint64_t s : {4u, 13u}) stride.wrong.push_back({"stride " + std::to_string(s), of(s), kSmall});
+       stride.wrong.push_back({"a stride beyond all", of(~uint64_t(0)), kRange});
+       return call("carom_pairs_distance", carom_pairs_distance, {engine(c), shape_pairs(c), distance_desc(c), out(c, sizeof(carom_distance) * kQuestions), stride, error(c)});
+     }},
     ROW(carom_ray_cast, engine(c), handle(c, kShape), vector(c, 3, any()), unit(c, 4), vector(c, 3, any()), vector(c, 3, any()), number(c, {0, kMost, true, 0, 9}), cast_desc(c), out_struct<carom_cast>(c), error(c)),
     ROW(carom_shape_cast, engine(c), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), vector(c, 3, any()), shape_but_scenery(c), vector(c, 3, any()), unit(c, 4), cast_desc(c), out_struct<carom_cast>(c), error(c)),
     ROW(carom_shape_time_of_impact, engine(c), shape_but_scenery(c), motion(c), shape_but_scenery(c), motion(c), number(c, {0, 1e9, false, 0, 3}), cast_desc(c), out_struct<carom_cast>(c), error(c)),
@@ -1287,6 +1347,7 @@ inline const Row kRows[] = {
     INIT(carom_joint_motor_init, carom_joint_motor),
     INIT(carom_joint_spring_init, carom_joint_spring),
     INIT(carom_joint_transmission_init, carom_joint_transmission),
+    INIT(carom_joint_coupling_init, carom_joint_coupling),
     INIT(carom_joint_axis_init, carom_joint_axis),
     INIT(carom_joint_orientation_drive_init, carom_joint_orientation_drive),
     ROW_THAT(carom_joint_create, makes(kJoint, 2).may(kRange | kUnsupported), world(c), joint_desc(c), out(c, 8), error(c)),
@@ -1301,6 +1362,9 @@ inline const Row kRows[] = {
     ROW_THAT(carom_joint_get_spring, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 4), out_struct<carom_joint_spring>(c), error(c)),
     ROW_THAT(carom_joint_set_transmission, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_transmission(c), error(c)),
     ROW_THAT(carom_joint_get_transmission, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_transmission>(c), error(c)),
+    ROW_THAT(carom_joint_couple, makes(kJoint, 2).may(kRange | kUnsupported), world(c), joint_coupling(c), out(c, 8), error(c)),
+    ROW_THAT(carom_joint_set_coupling, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_coupling(c, true), error(c)),
+    ROW_THAT(carom_joint_get_coupling, may(kUnsupported), world(c), handle(c, kJoint), out_struct<carom_joint_coupling>(c), error(c)),
     ROW_THAT(carom_joint_set_axis, may(kUnsupported | kRange), world(c), handle(c, kJoint), choice(c, 6), joint_axis(c), error(c)),
     ROW_THAT(carom_joint_get_axis, may(kUnsupported), world(c), handle(c, kJoint), choice(c, 6), out_struct<carom_joint_axis>(c), error(c)),
     ROW_THAT(carom_joint_set_orientation_drive, may(kUnsupported | kRange), world(c), handle(c, kJoint), joint_orientation_drive(c), error(c)),
@@ -1481,6 +1545,11 @@ inline const Row kRows[] = {
 
     // ---- batches ----
     INIT(carom_batch_column_init, carom_batch_column),
+    // Devices are those of the machine: test_device.cpp and test_device_on_host.cpp ask them.
+    ROW_THAT(carom_device_create, only_wrong(), engine(c), fixed_number(0), out(c, sizeof(void*)), error(c)),
+    ROW_THAT(carom_device_destroy, only_wrong(), no_device(), error(c)),
+    ROW_THAT(carom_device_get_info, only_wrong(), no_device(), fixed(c.take(sizeof(carom_device_info))), error(c)),
+    ROW_THAT(carom_device_pairs_distance, only_wrong(), no_device(), fixed(c.take(sizeof(carom_pairs))), fixed(nullptr), fixed(c.take(sizeof(carom_distance))), fixed_number(sizeof(carom_distance)), error(c)),
     {"carom_batch_create", [](Context& c) {
        return call("carom_batch_create", carom_batch_create, {engine(c), out(c, sizeof(void*)), error(c)}).after([](const Value* v) {
          carom_batch_destroy(*static_cast<carom_batch* const*>(v[1].p), nullptr);

@@ -77,3 +77,18 @@ with carom.Engine(threads=2) as engine, engine.world(substeps=8, solver="direct"
     world.force_field("vortex", strength=2).update(kind="radial", strength=3)
     box = engine.support_plugin(lambda p, d: d, "my.box", params=[("x", "m", 1e-6, 1e3)], form="box", args=(0, 0, 0))
     assert_type(box(0.5), carom.Shape)
+
+
+def falls(trial: carom.Trial, speed: float) -> float:
+    space = trial.world(gravity=(0, -1, 0))
+    stone = space.body(trial.engine.sphere(0.1), linear_velocity=(0, speed, 0))
+    assert_type(trial.run(space, 0.5), float)
+    assert_type(trial.until(space, lambda w: trial.touches(w, stone), most=3), float)
+    return stone.position[1]
+
+
+answer = carom.measure(falls, {"speed": 1}, slopes=["speed"], widths={"speed": 0.1})
+assert_type(answer, carom.Measured)
+assert_type(answer.slopes["speed"], carom.Slope)
+assert_type(answer.half_cost, float)
+assert_type(answer.lyapunov_time, "float | None")

@@ -32,5 +32,6 @@ const carom_shape_plugin carom_shape_plugin_v1 = {sizeof(carom_shape_plugin),
                                                   nullptr,
                                                   0,
                                                   0,
+                                                  nullptr,
                                                   nullptr};
 }

@@ -393,6 +393,7 @@ struct Steps {
   Steps(const Shape& a, const Shape& b, ManifoldKind kind) {
     settings.query.routines = false;
     settings.manifold = with(kind);
+    settings.manifold.keep_distance = 2e-4;
     table.shape = {&a, &b};
     table.frame.resize(2);
     table.travel.resize(2, 0);
@@ -483,7 +484,6 @@ static void a_patch_is_kept_while_little_moves_and_asked_for_again_after(void**)
     steps.step(below, turned(Vec3::zero(), Vec3(0, 0.2, 0)));
     assert_int_equal(steps.report.kept_patches, 0);
     assert_true(steps.report.support_calls > 0);
-    // 2 % of the contact distance, 10 mm, is 0.2 mm.
     const Manifold& kept = steps.step(below, turned(Vec3::zero(), Vec3(1.5e-4, 0.2001, 0)));
     assert_int_equal(steps.report.kept_patches, 1);
     assert_int_equal(steps.report.support_calls, 0);
@@ -524,6 +524,34 @@ static void kept_separations_are_what_asking_again_would_say(void**) {
       assert_true(std::fabs(difference) < 1e-12);
     }
   }
+}
+
+static void edges_that_cross_are_kept_within_the_square_of_the_way(void**) {
+  const Shape a = faced(box(Vec3(0.5, 0.5, 0.5))), b = faced(box(Vec3(0.3, 0.3, 0.6)));
+  const Real quarter = std::acos(Real(-1)) / 4, apart = std::sqrt(0.5) + 0.3 * std::sqrt(2.0);
+  const Frame below(exp_map(Vec3(quarter, 0, 0)).matrix(), Vec3::zero()),
+      over(exp_map(Vec3(0, 0, quarter)).matrix(), Vec3(0, apart + 1e-3, 0));
+  Random random(14);
+  for (const bool routines : {false, true})
+    for (const Real way : {1e-4, 1e-3, 3e-3})
+      for (int trial = 0; trial < 100; ++trial) {
+        Steps kept(a, b, ManifoldKind::clip), fresh(a, b, ManifoldKind::clip);
+        kept.settings.query.routines = fresh.settings.query.routines = routines;
+        kept.settings.manifold.keep_distance = 2 * way, fresh.settings.manifold.keep_distance = 0;
+        assert_int_equal(kept.step(below, over).count, 1);
+        const Real radius = std::min(a.bounding_radius, b.bounding_radius);
+        const Real angle = random.uniform(0, 1) * way / radius, shift = random.uniform(0, 1) * way;
+        const Frame turn(exp_map(angle * random.direction()).matrix(), Vec3::zero());
+        const Frame moved(over.r * turn.r, over.p + shift * random.direction());
+        const Manifold &m = kept.step(below, moved), &f = fresh.step(below, moved);
+        assert_int_equal(kept.report.kept_patches, 1);
+        assert_int_equal(fresh.report.kept_patches, 0);
+        // With the normal of the beginning: off by the turn, d / r at most, times the way along the surfaces.
+        const Real d = motion_bound(over, moved, a.bounding_radius, b.bounding_radius);
+        Real least = kInfinity;
+        for (int k = 0; k < f.count; ++k) least = std::min(least, f.point[k].separation);
+        assert_true(std::fabs(m.point[0].separation - least) < d * d / radius + 1e-12);
+      }
 }
 
 static void a_shape_that_fails_while_it_is_probed_is_reported(void**) {
@@ -571,6 +599,7 @@ int main() {
       cmocka_unit_test(sliding_and_turning_bodies_keep_their_points),
       cmocka_unit_test(a_patch_is_kept_while_little_moves_and_asked_for_again_after),
       cmocka_unit_test(kept_separations_are_what_asking_again_would_say),
+      cmocka_unit_test(edges_that_cross_are_kept_within_the_square_of_the_way),
       cmocka_unit_test(a_shape_that_fails_while_it_is_probed_is_reported),
   };
   return cmocka_run_group_tests_name("collision/patch", tests, nullptr, nullptr);

@@ -13,7 +13,7 @@ import numpy as np
 
 from .. import raw
 from . import turns
-from .bodies import OF_CAP, Bodies
+from .bodies import OF_CAP, Bodies, shares_of
 from .links import Move, name_of
 from .problems import Problems
 
@@ -120,7 +120,7 @@ class Actuators:
                 return {target: gear[0]}, -1, None
             out("it drives a ball or a free joint")
         elif through == "tendon":
-            shares = self._fixed(target)
+            shares = shares_of(self.model, target, self.at)
             if shares is not None:
                 return {joint: gear[0] * share for joint, share in shares.items()}, -1, None
             out("its tendon is spatial: the library has none")
@@ -133,17 +133,6 @@ class Actuators:
         else:
             out(f"it acts by a {through}: the library has none")
         return None, -1, None
-
-    def _fixed(self, tendon: int) -> dict[int, float] | None:
-        """Shares of joints in a fixed tendon's length; None: it is spatial."""
-        m = self.model
-        shares: dict[int, float] = {}
-        for row in range(int(m.tendon_adr[tendon]), int(m.tendon_adr[tendon] + m.tendon_num[tendon])):
-            if int(m.wrap_type[row]) != int(self.mujoco.mjtWrap.mjWRAP_JOINT) or int(m.wrap_objid[row]) not in self.at:
-                return None
-            joint = int(m.wrap_objid[row])
-            shares[joint] = shares.get(joint, 0.0) + float(m.wrap_prm[row])
-        return shares
 
     def _place(self) -> None:
         """Which are drives of the world's."""

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Container
 
 import numpy as np
 
@@ -199,6 +199,24 @@ def alone(joint: Joint, axis: int) -> float:
     return float(np.linalg.inv(inverse)[axis, axis])
 
 
+def shares_of(model: Any, tendon: int, known: Container[int]) -> dict[int, float] | None:
+    """Shares of joints in a fixed tendon's length; None: it is spatial, or of a joint that is not known."""
+    from .read import need_mujoco
+    of_joint, shares = int(need_mujoco().mjtWrap.mjWRAP_JOINT), {}
+    for row in range(int(model.tendon_adr[tendon]), int(model.tendon_adr[tendon] + model.tendon_num[tendon])):
+        joint = int(model.wrap_objid[row])
+        if int(model.wrap_type[row]) != of_joint or joint not in known:
+            return None
+        shares[joint] = shares.get(joint, 0.0) + float(model.wrap_prm[row])
+    return shares
+
+
+def _two_of(shares: dict[int, float] | None) -> list[tuple[int, float]] | None:
+    """Of a tendon of two joints, those; None: it has not two."""
+    some = [(joint, share) for joint, share in (shares or {}).items() if share]
+    return some if len(some) == 2 else None
+
+
 def close_loops(world: World, bodies: Bodies, problems: Problems) -> dict[str, Joint]:
     """Equalities that hold two bodies together."""
     m, links = bodies.model, bodies.links
@@ -239,7 +257,14 @@ def close_loops(world: World, bodies: Bodies, problems: Problems) -> dict[str, J
             axis.mode, axis.lower, axis.upper = raw.CAROM_AXIS_MODE_LIMITED, data[0], data[0]
             bodies.set_axis(move)
         elif kind == int(kinds.mjEQ_JOINT):
-            problems.add("equality", name, "a joint that follows another: the library has no such coupling")
+            pair = [bodies.joints.get(joint) for joint in (one, other)]
+            if one not in bodies.axes or other not in bodies.axes or None in pair:
+                problems.add("equality", name, "a joint that follows another, of which one is neither hinge nor slide")
+                continue
+            made[name] = world.couple(pair[0], pair[1], data[:5])  # both tell where they are from where the model was written
+        elif kind == int(kinds.mjEQ_TENDON) and other < 0 and (shares := _two_of(shares_of(m, one, bodies.axes))):
+            (follower, own), (leader, share) = shares  # a length that stays is a line between two coordinates
+            made[name] = world.couple(bodies.joints[follower], bodies.joints[leader], (data[0] / own, -share / own))
         else:
             word = next((w[len("mjEQ_"):].lower() for w, value in kinds.__members__.items() if int(value) == kind), str(kind))
             problems.add("equality", name, f"of kind {word}: the library has no such constraint")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 import numpy as np
 
 from . import turns
+from .bodies import shares_of
 from .links import name_of
 from .problems import Problems
 
@@ -92,7 +93,7 @@ class Sensors:
             move = next(move for move in self.links.moves if move.index == target)
             return (lambda: robot.qpos[move.name]) if kind == "jointpos" else (lambda: robot.qvel[move.name])
         if kind in ("tendonpos", "tendonvel"):
-            shares = robot._actuators._fixed(target)
+            shares = shares_of(m, target, robot._actuators.at)
             if shares is None:
                 return "of a spatial tendon: the library has none"
             at_of = robot._actuators.at

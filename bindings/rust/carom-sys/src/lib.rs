@@ -337,7 +337,9 @@ pub const CAROM_DIAL_ACCURACY_TURN: u32 = 42;
 pub const CAROM_DIAL_ACCURACY_SUBSTEPS: u32 = 43;
 /// likewise of islands in contact: contact points times substeps
 pub const CAROM_DIAL_ACCURACY_WORK: u32 = 44;
-pub const CAROM_DIAL_COUNT: u32 = 45;
+/// m: how far two bodies may move before contact points of theirs that lie in flat faces and edges are looked for anew; meanwhile they stay with the bodies, and separations are off by its square over the smaller radius at most; 0: looked for in each step
+pub const CAROM_DIAL_KEEP_DISTANCE: u32 = 45;
+pub const CAROM_DIAL_COUNT: u32 = 46;
 /// first order
 pub const CAROM_INTEGRATOR_EXPLICIT_EULER: u32 = 0;
 /// first order, symplectic
@@ -503,7 +505,9 @@ pub const CAROM_JOINT_PULLEY: u32 = 6;
 pub const CAROM_JOINT_GEAR: u32 = 7;
 /// each axis free, locked, limited, driven and sprung as carom_joint_set_axis() says; until then all are free
 pub const CAROM_JOINT_SIX_AXIS: u32 = 8;
-pub const CAROM_JOINT_COUNT: u32 = 9;
+/// the coordinate of one joint follows a polynomial of another's, as carom_joint_couple() says, which makes such joints
+pub const CAROM_JOINT_COUPLING: u32 = 9;
+pub const CAROM_JOINT_COUNT: u32 = 10;
 /// rad, of B about the x axes, whole turns counted: ball, hinge
 pub const CAROM_COORDINATE_TWIST: u32 = 0;
 /// rad, [0, pi], between the x axes: ball, universal
@@ -561,7 +565,7 @@ pub const CAROM_JOINT_ACCELERATIONS: u32 = 8;
 pub const CAROM_JOINT_BULK_COORDINATES: u32 = 0;
 /// 4: m/s or rad/s, their rates, from the present velocities; read only
 pub const CAROM_JOINT_BULK_SPEEDS: u32 = 1;
-/// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, six-axis
+/// 6: m and rad, by CAROM_AXIS_*; written: hinge, slider, ball, universal, six-axis
 pub const CAROM_JOINT_BULK_AXES: u32 = 2;
 /// 6: m/s and rad/s, their rates; written likewise
 pub const CAROM_JOINT_BULK_AXIS_SPEEDS: u32 = 3;
@@ -633,7 +637,17 @@ pub const CAROM_JOINT_BULK_ARMATURE: u32 = 35;
 pub const CAROM_JOINT_BULK_EFFORT_LIMIT: u32 = 36;
 /// 1: speed_limit, likewise
 pub const CAROM_JOINT_BULK_SPEED_LIMIT: u32 = 37;
-pub const CAROM_JOINT_BULK_COUNT: u32 = 38;
+/// 1: target of the drive of a hinge's or slider's axis, likewise: a servo's
+pub const CAROM_JOINT_BULK_DRIVE_TARGET: u32 = 38;
+/// 1: speed, likewise
+pub const CAROM_JOINT_BULK_DRIVE_VELOCITY: u32 = 39;
+/// 1: effort, likewise
+pub const CAROM_JOINT_BULK_DRIVE_EFFORT: u32 = 40;
+/// 1: max_force, likewise
+pub const CAROM_JOINT_BULK_DRIVE_MAX_FORCE: u32 = 41;
+/// 2: drive_stiffness and drive_damping, in its units, likewise
+pub const CAROM_JOINT_BULK_DRIVE_GAINS: u32 = 42;
+pub const CAROM_JOINT_BULK_COUNT: u32 = 43;
 /// gyroscopic term of bodies with unlike moments of inertia
 pub const CAROM_EFFECT_GYROSCOPIC: u32 = 0;
 /// damping of velocity
@@ -816,6 +830,12 @@ pub struct carom_batch {
 }
 #[repr(C)]
 pub struct carom_engine {
+    _opaque: [u8; 0],
+}
+/// What computes beside the host: a processor of OpenCL, which is loaded when the first is asked for. One call at a time
+/// uses it: a call on a device that another call uses is BUSY.
+#[repr(C)]
+pub struct carom_device {
     _opaque: [u8; 0],
 }
 #[repr(C)]
@@ -2071,6 +2091,34 @@ impl Default for carom_joint_transmission {
         }
     }
 }
+/// What a coupling makes follow what: a gear between two hinges on anything, a finger that closes with another, a rack.
+/// The coordinate of a hinge is its twist, whole turns counted, that of a slider its slide. With x that of the leader,
+/// the follower's is polynomial[0] + polynomial[1] x + ... + polynomial[4] x^4. Each pushes the other: where something
+/// holds the follower, it holds the leader. Fill with carom_joint_coupling_init().
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct carom_joint_coupling {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// a hinge or slider
+    pub follower: carom_joint,
+    /// another
+    pub leader: carom_joint,
+    /// m or rad over powers of m or rad, each [-1e9, 1e9]; 0, 1, 0, 0, 0 at first: as far
+    pub polynomial: [f64; 5],
+    /// yours
+    pub user: u64,
+}
+impl Default for carom_joint_coupling {
+    fn default() -> Self {
+        unsafe {
+            let mut it: Self = zeroed();
+            carom_joint_coupling_init(&mut it, size_of::<carom_joint_coupling>() as u32);
+            it
+        }
+    }
+}
 /// What one axis of a six-axis joint does, or that of a hinge or slider beside its own limit, motor and spring: a hinge
 /// has CAROM_AXIS_TURN_X, a slider CAROM_AXIS_X. Fill with carom_joint_axis_init(). A drive, a spring and stops act beside
 /// each other; of what is stiffer than (pi / 2 h)^2 m, h a substep, so much acts, and springs of one axis share it.
@@ -2284,6 +2332,74 @@ impl Default for carom_ledger_state {
         }
     }
 }
+/// Pairs in the caller's arrays, at any stride (0: tightly packed). struct_size set by the caller, what is not set
+/// zero.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct carom_pairs {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// pairs, at most 2^24
+    pub count: u64,
+    /// one each
+    pub shapes_a: *const carom_shape,
+    /// likewise
+    pub shapes_b: *const carom_shape,
+    /// 3 each, m, world
+    pub positions_a: *const f64,
+    /// 4 each: x, y, z, w
+    pub orientations_a: *const f64,
+    /// 3 each, m, world
+    pub positions_b: *const f64,
+    /// 4 each: x, y, z, w
+    pub orientations_b: *const f64,
+    /// bytes; 0: tightly packed
+    pub shape_a_stride: u64,
+    /// likewise
+    pub shape_b_stride: u64,
+    /// likewise
+    pub position_a_stride: u64,
+    /// likewise
+    pub orientation_a_stride: u64,
+    /// likewise
+    pub position_b_stride: u64,
+    /// likewise
+    pub orientation_b_stride: u64,
+}
+impl Default for carom_pairs {
+    fn default() -> Self {
+        unsafe {
+            let mut it: Self = zeroed();
+            it.struct_size = size_of::<carom_pairs>() as u32;
+            it
+        }
+    }
+}
+/// A device, and what it has done since it was opened.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct carom_device_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// as its driver says, zero-terminated
+    pub name: [c_char; 128],
+    /// of OpenCL and the driver, zero-terminated
+    pub version: [c_char; 128],
+    /// that it was asked for
+    pub pairs: u64,
+    /// of them, left to the host
+    pub host_pairs: u64,
+}
+impl Default for carom_device_info {
+    fn default() -> Self {
+        unsafe {
+            let mut it: Self = zeroed();
+            it.struct_size = size_of::<carom_device_info>() as u32;
+            it
+        }
+    }
+}
 /// What all particles of a set have in common. Fill with carom_particles_desc_init().
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -2460,6 +2576,8 @@ pub struct carom_shape_plugin {
     pub reserved: u32,
     /// handed to support: what a closure of the host holds, or NULL. The function must stay pure: same point for the same user, params and dir, as long as the plugin is there
     pub user: *mut c_void,
+    /// `support_text` of CAROM_SUPPORT_TEXT(), zero-terminated; NULL: devices cannot ask the shape
+    pub text: *const c_char,
 }
 impl Default for carom_shape_plugin {
     fn default() -> Self {
@@ -3756,7 +3874,7 @@ extern "C" {
     /// Make an engine. @param desc may be NULL: defaults.   @owns the caller: carom_engine_destroy()
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; LIMIT (65,535 engines and worlds in all); OUT_OF_MEMORY
     pub fn carom_engine_create(desc: *const carom_engine_desc, engine: *mut *mut carom_engine, error: *mut carom_error) -> i32;
-    /// Destroy an engine; its worlds and batches must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds first);
+    /// Destroy an engine; its worlds, batches and devices must be gone.   @status OK; NULL_ARGUMENT; IN_USE (destroy its worlds, batches and devices first);
     /// REENTRANT   @thread writer: no other call may use the engine
     pub fn carom_engine_destroy(engine: *mut carom_engine, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
@@ -3765,8 +3883,8 @@ extern "C" {
     /// functions are then called, and the allocator may be, on those threads; those of HOST_THREAD plugins are still called
     /// on the stepping one.
     /// @param desc may be NULL: the stepping thread alone
-    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds or batches are alive); LIMIT (the system has
-    /// no more threads); OUT_OF_MEMORY; REENTRANT
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; OUT_OF_RANGE; IN_USE (worlds, batches or devices are
+    /// alive, or carom_pairs_distance() is under way); LIMIT (the system has no more threads); OUT_OF_MEMORY; REENTRANT
     pub fn carom_engine_set_jobs(engine: *mut carom_engine, desc: *const carom_jobs_desc, error: *mut carom_error) -> i32;
     /// Load a shape plugin from a shared object. @param path absolute.
     /// The plugin is checked before anything is called, then by its support points in 256 directions, with parameters that
@@ -3913,13 +4031,15 @@ extern "C" {
     pub fn carom_joint_spring_init(spring: *mut carom_joint_spring, struct_size: u32) -> i32;
     /// Ratio 1, anchors at the origin, the rope as long as it is.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_transmission_init(transmission: *mut carom_joint_transmission, struct_size: u32) -> i32;
+    /// The follower goes as far as the leader.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
+    pub fn carom_joint_coupling_init(coupling: *mut carom_joint_coupling, struct_size: u32) -> i32;
     /// Free, without drive and spring, `max_force` and limits as large as may be.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_axis_init(axis: *mut carom_joint_axis, struct_size: u32) -> i32;
     /// No drive, the target as the frames are when they agree.   @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_joint_orientation_drive_init(drive: *mut carom_joint_orientation_drive, struct_size: u32) -> i32;
     /// Join two bodies, or one and the world. Their islands wake. A body that is destroyed takes its joints with it.
-    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity); UNKNOWN_ENUM; *_HANDLE;
-    /// NOT_UNIT;
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a newer field; solver severity; a coupling, which
+    ///         carom_joint_couple() makes); UNKNOWN_ENUM; *_HANDLE; NOT_UNIT;
     ///         NOT_FINITE; OUT_OF_RANGE (also: a body joined to itself, none that is dynamic, or places 1e15 m from a
     ///         body's origin or 8e15 m from each other, as of bodies that the next step will quarantine); BUSY; REENTRANT;
     ///         LIMIT; OUT_OF_MEMORY
@@ -3965,6 +4085,26 @@ extern "C" {
     /// @param transmission out: as it was set, with its length; ratio 0: not yet
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
     pub fn carom_joint_get_transmission(world: *mut carom_world, joint: carom_joint, transmission: *mut carom_joint_transmission, error: *mut carom_error) -> i32;
+    /// Couple two joints: makes a joint of kind CAROM_JOINT_COUPLING, whose bodies are one of each joint's. Their islands
+    /// wake. It goes with either joint that is destroyed, and holds nothing once one of them is broken. What it is off by,
+    /// as it is made or because a host moves joints, is led back. It has no frames and never breaks itself.
+    /// carom_joint_state of it: `gap` or `angle` is how far the follower is off; force is 0, torque[0] the N or N m along the
+    /// follower's coordinate that it pushes with, mean over the last step.
+    /// Accuracy: as of locks: second order in the substep, 1e-9 m or rad under the direct solver, rounding where dial
+    /// joint_order moves it. Oracle: tests/oracle/test_couplings.
+    /// @param joint out: the coupling
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (a joint that is neither hinge nor slider; a newer field; a
+    ///         reserved one; solver severity); *_HANDLE; NOT_FINITE; OUT_OF_RANGE (also: a joint that follows itself); BUSY;
+    ///         REENTRANT; LIMIT; OUT_OF_MEMORY
+    pub fn carom_joint_couple(world: *mut carom_world, coupling: *const carom_joint_coupling, joint: *mut carom_joint, error: *mut carom_error) -> i32;
+    /// Give a coupling another polynomial; its bodies wake.
+    /// @param coupling its follower and leader are CAROM_NULL_HANDLE or as they were, its user is not read
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED (the joint is no coupling; other joints than its own; a newer
+    ///         field; a reserved one); *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT
+    pub fn carom_joint_set_coupling(world: *mut carom_world, joint: carom_joint, coupling: *const carom_joint_coupling, error: *mut carom_error) -> i32;
+    /// @param coupling out: as it was made
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; UNSUPPORTED; *_HANDLE; BUSY
+    pub fn carom_joint_get_coupling(world: *mut carom_world, joint: carom_joint, coupling: *mut carom_joint_coupling, error: *mut carom_error) -> i32;
     /// Say what one axis of a six-axis joint, a hinge or a slider does; the bodies wake. Effect joint_limits has its limits, joint_motors its
     /// drives; springs and locks are of the joint. A target, a lock's place or a limit may be set anew before each step.
     /// Accuracy: what is locked errs in second order of the substep h, under the direct solver by 1e-9 m or rad. With w the
@@ -4028,6 +4168,39 @@ extern "C" {
     pub fn carom_world_get_ledger(world: *mut carom_world, dst: *mut carom_ledger_entry, stride: u64, capacity: u64, count: *mut u64, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY
     pub fn carom_world_get_ledger_state(world: *mut carom_world, state: *mut carom_ledger_state, error: *mut carom_error) -> i32;
+    /// Signed distance of each pair, on the engine's threads (carom_engine_set_jobs()). Each result has the bits that
+    /// carom_shape_distance() gives for its pair, for any number of threads. All pairs are checked before the first result
+    /// is written, and a message names the pair that is wrong. A pair whose support function misbehaves says so in its
+    /// status (CAROM_QUERY_FAULT), and spoils no other. Nothing is allocated per pair.
+    /// @param desc   may be NULL: defaults
+    /// @param dst    out, [pairs->count]; no array of pairs
+    /// @param stride sizeof(carom_distance) as the caller knows it; an older, shorter one gets its beginning. struct_size is
+    ///               written, too
+    /// @status OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNKNOWN_ENUM; UNSUPPORTED (a
+    ///         pair of half-spaces or sceneries); BUFFER_TOO_SMALL (a stride); OUT_OF_MEMORY; INTERNAL (a callback left its
+    ///         thread: some results were written)
+    /// @since 0.9
+    pub fn carom_pairs_distance(engine: *mut carom_engine, pairs: *const carom_pairs, desc: *const carom_distance_desc, dst: *mut carom_distance, stride: u64, error: *mut carom_error) -> i32;
+    /// Open a device. Its arithmetic is tried, and it is refused where a number is rounded otherwise than on the host.
+    /// @param index  among all devices of all platforms, in the order in which the system has them; 0 is the first
+    /// @param device out: to be destroyed before the engine   @owns the caller: carom_device_destroy()
+    /// @status OK; NULL_ARGUMENT; NOT_FOUND (no OpenCL, or no such device: the message says how many there are); UNSUPPORTED
+    ///         (it has no double precision, or rounds otherwise); OUT_OF_MEMORY
+    /// @since 0.9
+    pub fn carom_device_create(engine: *mut carom_engine, index: u32, device: *mut *mut carom_device, error: *mut carom_error) -> i32;
+    /// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; BUSY; REENTRANT   @since 0.9
+    pub fn carom_device_destroy(device: *mut carom_device, error: *mut carom_error) -> i32;
+    /// @param device from carom_device_create()   @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY   @since 0.9
+    pub fn carom_device_get_info(device: *mut carom_device, info: *mut carom_device_info, error: *mut carom_error) -> i32;
+    /// As carom_pairs_distance(), on a device: each result has the same bits. Shapes are of the device's engine.
+    /// @param device from carom_device_create()
+    /// @param desc   may be NULL: defaults
+    /// @param dst    out, [pairs->count]; no array of pairs
+    /// @param stride as carom_pairs_distance()
+    /// @status as carom_pairs_distance(); UNSUPPORTED (a shape that a device cannot ask; CAROM_SIMPLEX_JOHNSON and routines of
+    ///         pairs, which devices have not; a driver that failed: some results may be written); BUSY; REENTRANT
+    /// @since 0.9
+    pub fn carom_device_pairs_distance(device: *mut carom_device, pairs: *const carom_pairs, desc: *const carom_distance_desc, dst: *mut carom_distance, stride: u64, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_particles_desc_init(desc: *mut carom_particles_desc, struct_size: u32) -> i32;
     /// Make an empty set.
@@ -4800,6 +4973,13 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_joint_transmission.anchor_a", offset_of!(carom_joint_transmission, anchor_a), size_of::<f64>() * 3, "f64[3]"),
     ("carom_joint_transmission.anchor_b", offset_of!(carom_joint_transmission, anchor_b), size_of::<f64>() * 3, "f64[3]"),
     ("carom_joint_transmission.length", offset_of!(carom_joint_transmission, length), size_of::<f64>(), "f64"),
+    ("carom_joint_coupling", 0, size_of::<carom_joint_coupling>(), "struct"),
+    ("carom_joint_coupling.struct_size", offset_of!(carom_joint_coupling, struct_size), size_of::<u32>(), "u32"),
+    ("carom_joint_coupling.reserved", offset_of!(carom_joint_coupling, reserved), size_of::<u32>(), "u32"),
+    ("carom_joint_coupling.follower", offset_of!(carom_joint_coupling, follower), size_of::<carom_joint>(), "u64"),
+    ("carom_joint_coupling.leader", offset_of!(carom_joint_coupling, leader), size_of::<carom_joint>(), "u64"),
+    ("carom_joint_coupling.polynomial", offset_of!(carom_joint_coupling, polynomial), size_of::<f64>() * 5, "f64[5]"),
+    ("carom_joint_coupling.user", offset_of!(carom_joint_coupling, user), size_of::<u64>(), "u64"),
     ("carom_joint_axis", 0, size_of::<carom_joint_axis>(), "struct"),
     ("carom_joint_axis.struct_size", offset_of!(carom_joint_axis, struct_size), size_of::<u32>(), "u32"),
     ("carom_joint_axis.mode", offset_of!(carom_joint_axis, mode), size_of::<u32>(), "u32"),
@@ -4876,6 +5056,29 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_ledger_state.total_rounding_energy", offset_of!(carom_ledger_state, total_rounding_energy), size_of::<f64>(), "f64"),
     ("carom_ledger_state.total_rounding_linear", offset_of!(carom_ledger_state, total_rounding_linear), size_of::<f64>(), "f64"),
     ("carom_ledger_state.total_rounding_angular", offset_of!(carom_ledger_state, total_rounding_angular), size_of::<f64>(), "f64"),
+    ("carom_pairs", 0, size_of::<carom_pairs>(), "struct"),
+    ("carom_pairs.struct_size", offset_of!(carom_pairs, struct_size), size_of::<u32>(), "u32"),
+    ("carom_pairs.reserved", offset_of!(carom_pairs, reserved), size_of::<u32>(), "u32"),
+    ("carom_pairs.count", offset_of!(carom_pairs, count), size_of::<u64>(), "u64"),
+    ("carom_pairs.shapes_a", offset_of!(carom_pairs, shapes_a), size_of::<*const carom_shape>(), "ptr"),
+    ("carom_pairs.shapes_b", offset_of!(carom_pairs, shapes_b), size_of::<*const carom_shape>(), "ptr"),
+    ("carom_pairs.positions_a", offset_of!(carom_pairs, positions_a), size_of::<*const f64>(), "ptr"),
+    ("carom_pairs.orientations_a", offset_of!(carom_pairs, orientations_a), size_of::<*const f64>(), "ptr"),
+    ("carom_pairs.positions_b", offset_of!(carom_pairs, positions_b), size_of::<*const f64>(), "ptr"),
+    ("carom_pairs.orientations_b", offset_of!(carom_pairs, orientations_b), size_of::<*const f64>(), "ptr"),
+    ("carom_pairs.shape_a_stride", offset_of!(carom_pairs, shape_a_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.shape_b_stride", offset_of!(carom_pairs, shape_b_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.position_a_stride", offset_of!(carom_pairs, position_a_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.orientation_a_stride", offset_of!(carom_pairs, orientation_a_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.position_b_stride", offset_of!(carom_pairs, position_b_stride), size_of::<u64>(), "u64"),
+    ("carom_pairs.orientation_b_stride", offset_of!(carom_pairs, orientation_b_stride), size_of::<u64>(), "u64"),
+    ("carom_device_info", 0, size_of::<carom_device_info>(), "struct"),
+    ("carom_device_info.struct_size", offset_of!(carom_device_info, struct_size), size_of::<u32>(), "u32"),
+    ("carom_device_info.reserved", offset_of!(carom_device_info, reserved), size_of::<u32>(), "u32"),
+    ("carom_device_info.name", offset_of!(carom_device_info, name), size_of::<c_char>() * 128, "char[128]"),
+    ("carom_device_info.version", offset_of!(carom_device_info, version), size_of::<c_char>() * 128, "char[128]"),
+    ("carom_device_info.pairs", offset_of!(carom_device_info, pairs), size_of::<u64>(), "u64"),
+    ("carom_device_info.host_pairs", offset_of!(carom_device_info, host_pairs), size_of::<u64>(), "u64"),
     ("carom_particles_desc", 0, size_of::<carom_particles_desc>(), "struct"),
     ("carom_particles_desc.struct_size", offset_of!(carom_particles_desc, struct_size), size_of::<u32>(), "u32"),
     ("carom_particles_desc.reserved", offset_of!(carom_particles_desc, reserved), size_of::<u32>(), "u32"),
@@ -4933,6 +5136,7 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_shape_plugin.rule_count", offset_of!(carom_shape_plugin, rule_count), size_of::<u32>(), "u32"),
     ("carom_shape_plugin.reserved", offset_of!(carom_shape_plugin, reserved), size_of::<u32>(), "u32"),
     ("carom_shape_plugin.user", offset_of!(carom_shape_plugin, user), size_of::<*mut c_void>(), "ptr"),
+    ("carom_shape_plugin.text", offset_of!(carom_shape_plugin, text), size_of::<*const c_char>(), "ptr"),
     ("carom_distance_desc", 0, size_of::<carom_distance_desc>(), "struct"),
     ("carom_distance_desc.struct_size", offset_of!(carom_distance_desc, struct_size), size_of::<u32>(), "u32"),
     ("carom_distance_desc.simplex", offset_of!(carom_distance_desc, simplex), size_of::<u32>(), "u32"),

@@ -174,8 +174,31 @@ RattleJoint joint_at(const World& world, std::uint32_t slot, Array<RattleDrive>&
   return j;
 }
 
+/// Which joints couplings couple, and on which bodies they act: all are of their island.
+void find_coupled(const World& world, Rattle& r, const RattleIsland& island) {
+  const auto begin = r.joints.begin() + island.joint, end = begin + island.joints;
+  for (auto j = begin; j != end; ++j) {
+    const Joint& joint = world.joints.joint[j->slot];
+    if (!joint.coupling) continue;
+    const Coupling& coupling = world.joints.coupling_of(joint);
+    RattleCoupling& c = r.couplings.emplace_back();
+    c = {};
+    j->coupling = static_cast<std::uint32_t>(r.couplings.size());
+    const auto find = [&](std::uint32_t slot) {
+      const auto at =
+          std::lower_bound(begin, end, slot, [](const RattleJoint& i, std::uint32_t s) { return i.slot < s; });
+      at->is_counted = true;
+      for (const std::uint32_t body : {at->a, at->b})
+        if (body != 0 && std::find(c.body, c.body + c.count, body) == c.body + c.count) c.body[c.count++] = body;
+      return static_cast<std::uint32_t>(at - r.joints.begin());
+    };
+    c.follower = find(coupling.follower), c.leader = find(coupling.leader);
+  }
+}
+
 /// Bodies and joints of the islands, side by side; who does not move stands behind those who do, once for each joint.
 void lay_out(const World& world, Rattle& r) {
+  r.couplings.clear();
   r.bodies.clear(), r.joints.clear(), r.rows.clear(), r.drives.clear(), r.by_slot.clear();
   r.bodies.push_back(body_at(world, kInvalid));
   std::uint32_t body = 1, joint = 0;
@@ -206,12 +229,18 @@ void lay_out(const World& world, Rattle& r) {
       r.bodies[island.body + island.bodies] = body_at(world, at);
       return island.body + island.bodies++;
     };
-    j.a = end(def.body_a), j.b = end(def.body_b);
+    if (world.joints.joint[slot].coupling)
+      j.a = j.b = 0, j.locks = j.rows = j.most_rows = 1;
+    else
+      j.a = end(def.body_a), j.b = end(def.body_b);
     island.reach = std::max({island.reach, j.arm_a.norm(), j.arm_b.norm()});
     island.least_block =
         std::max({island.least_block, 1, static_cast<int>(j.rows)});  // a spring alone holds nothing: 1
     island.block = std::max({island.block, 1, static_cast<int>(j.most_rows)});
   }
+  if (!world.joints.couplings.empty())
+    for (const RattleIsland& island : r.islands)
+      if (island.is_held) find_coupled(world, r, island);
   for (RattleJoint& j : r.joints) {
     j.row = static_cast<std::uint32_t>(r.rows.size());
     r.rows.resize(r.rows.size() + j.most_rows);
@@ -260,6 +289,13 @@ void couple(Rattle& r) {
     }
     std::sort(r.seats.begin(), r.seats.end());
     weigh_swings(r, r.seats);
+    for (std::uint32_t j = island.joint; j < island.joint + island.joints; ++j) {
+      if (!r.joints[j].coupling) continue;
+      const RattleCoupling& c = r.couplings[r.joints[j].coupling - 1];
+      for (std::uint32_t k = 0; k < c.count; ++k)
+        if (r.bodies[c.body[k]].inv_mass > 0) r.seats.push_back({c.body[k], j, false, static_cast<std::uint8_t>(k)});
+    }
+    std::sort(r.seats.begin(), r.seats.end());
     std::size_t most = 0;
     for (std::size_t i = 0, end; i < r.seats.size(); i = end) {
       for (end = i + 1; end < r.seats.size() && r.seats[end].body == r.seats[i].body;) ++end;
@@ -285,7 +321,8 @@ void couple(Rattle& r) {
         const auto begin = order.rows.begin() + order.column[order.place[low.joint]],
                    end = order.rows.begin() + order.column[order.place[low.joint] + 1];
         const auto at = std::lower_bound(begin, end, order.place[high.joint]) - order.rows.begin();
-        r.pairs.push_back({high.joint, low.joint, static_cast<std::uint32_t>(at), one.body, high.is_a, low.is_a});
+        r.pairs.push_back(
+            {high.joint, low.joint, static_cast<std::uint32_t>(at), one.body, high.is_a, low.is_a, high.end, low.end});
       }
     island.pairs = static_cast<std::uint32_t>(r.pairs.size()) - island.pair;
     island.diagonal = diagonal, island.beside = beside;

@@ -12,6 +12,7 @@ Rattle::Rattle(Memory* m)
       bodies(m),
       joints(m),
       rows(m),
+      couplings(m),
       drives(m),
       pairs(m),
       by_slot(m),

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "dynamics/joint/coupling.h"
 #include "dynamics/joint/rattle/blocks.h"
 #include "dynamics/joint/rattle/driving.h"
 
@@ -267,6 +268,13 @@ class Mover {
   template <class V, class L>
   void act(V&& v, L&& l) const {
     for (const RattleJoint& j : joints()) {
+      if (j.coupling) {
+        const Real pushed = r_.rows[j.row].p;
+        each_end(j, [&](RattleBody& b, const RattleCoupling::End& end) {
+          if (b.inv_mass > 0) v(b) += speed_of(b, end.d, pushed), l(b) += pushed * end.w;
+        });
+        continue;
+      }
       Vec3 p = Vec3::zero(), on_a = Vec3::zero(), on_b = Vec3::zero();
       Real sum = 0;
       for (std::uint32_t k = 0; k < j.rows; ++k) {
@@ -310,6 +318,12 @@ class Mover {
     for (const RattleJoint& j : joints()) {
       Real* to = of(r_.right, index(j));
       Real* const end = to + n;
+      if (j.coupling) {
+        *to++ = lay_coupling(j, true);
+        most = std::max(most, finite(to[-1]) ? std::fabs(to[-1]) : kInfinity);
+        std::fill(to, end, 0);
+        continue;
+      }
       const Placed placed = placed_next(j);
       const auto add = [&](Real error, const Vec3&, const Vec3&, const Vec3&) {
         *to++ = error;
@@ -363,8 +377,46 @@ class Mover {
            half);
     for (RattleJoint& j : joints()) j.rows -= j.soft_rows;
   }
+  /// The ends of a coupling's row where bodies are, or where the stage may lead.   @return m or rad, by how much it is off
+  Real lay_coupling(const RattleJoint& j, bool ahead) const {
+    RattleCoupling& c = r_.couplings[j.coupling - 1];
+    RattleCoupling::End* const ends = ahead ? c.ahead : c.now;
+    for (std::uint32_t k = 0; k < c.count; ++k) ends[k] = {Vec3::zero(), Vec3::zero(), Vec3::zero()};
+    const auto look = [&](std::uint32_t joint) {
+      const RattleJoint& of = r_.joints[joint];
+      const RattleBody &a = r_.bodies[of.a], &b = r_.bodies[of.b];
+      const Stand at_a = ahead ? next(a) : now(a), at_b = ahead ? next(b) : now(b);
+      return Placed(of, at_a, at_b).coordinate(is_slide(world_, of.slot) ? Coordinate::slide : Coordinate::twist);
+    };
+    const auto add = [&](std::uint32_t joint, const Placed::Along& along, Real share) {
+      const RattleJoint& of = r_.joints[joint];
+      for (std::uint32_t k = 0; k < c.count; ++k) {
+        if (c.body[k] == of.a) ends[k].d -= share * along.d, ends[k].w -= share * along.w_a;
+        if (c.body[k] == of.b) ends[k].d += share * along.d, ends[k].w += share * along.w_b;
+      }
+    };
+    const Placed::Along follows = look(c.follower), leads = look(c.leader);
+    const PolynomialAt f = polynomial_at(world_.joints.coupling_of(world_.joints.joint[j.slot]), leads.at);
+    add(c.follower, follows, 1), add(c.leader, leads, -f.slope);
+    if (!ahead)
+      for (std::uint32_t k = 0; k < c.count; ++k) ends[k].i = r_.bodies[c.body[k]].inv_world * ends[k].w;
+    return follows.at - f.value;
+  }
+  /// f(body, end) of a coupling, where bodies are.
+  template <class F>
+  void each_end(const RattleJoint& j, F&& f) const {
+    const RattleCoupling& c = r_.couplings[j.coupling - 1];
+    for (std::uint32_t k = 0; k < c.count; ++k) f(r_.bodies[c.body[k]], c.now[k]);
+  }
+
   void lay_rows() const {
     for (RattleJoint& j : joints()) {
+      if (j.coupling) {
+        lay_coupling(j, false);
+        RattleRow& own = r_.rows[j.row];
+        own.d = own.w_a = own.w_b = own.i_a = own.i_b = Vec3::zero();
+        continue;
+      }
       const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
       const Stand at_a = now(a), at_b = now(b);
       const Placed placed(j, at_a, at_b);
@@ -392,6 +444,10 @@ class Mover {
   void aim() const {
     const auto at = [&](const RattleJoint& j) {
       std::array<RattleRow, kMostRows> rows;
+      if (j.coupling) {
+        lay_coupling(j, true);
+        return rows;
+      }
       const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
       const Stand at_a = next(a), at_b = next(b);
       RattleRow* row = rows.data();
@@ -410,6 +466,16 @@ class Mover {
     couple(at, false);
   }
 
+  Real response_of_coupling(const RattleJoint& j, bool is_symmetric) const {
+    const RattleCoupling& c = r_.couplings[j.coupling - 1];
+    Real sum = 0;
+    for (std::uint32_t k = 0; k < c.count; ++k) {
+      const RattleCoupling::End& rate = is_symmetric ? c.now[k] : c.ahead[k];
+      sum += rate.d.dot(speed_of(r_.bodies[c.body[k]], c.now[k].d)) + rate.w.dot(c.now[k].i);
+    }
+    return sum;
+  }
+
   /// J1 M^-1 J0^T and its factors.   @param rates  joint -> its rows of J1
   /// @param half  s, of a stage, where soft rows are among these; else 0
   template <class Rates>
@@ -426,7 +492,8 @@ class Mover {
             block[n * k + l] = k == l;
             continue;
           }
-          block[n * k + l] = response(j, rows[k], r_.rows[j.row + l], a, b);
+          block[n * k + l] =
+              j.coupling ? response_of_coupling(j, is_symmetric) : response(j, rows[k], r_.rows[j.row + l], a, b);
         }
       if (half != 0) {
         std::uint32_t k = j.rows - j.soft_rows;
@@ -447,6 +514,36 @@ class Mover {
       const auto rates_high = rates(high), rates_low = rates(low);
       const Real sign = pair.is_a_of_high == pair.is_a_of_low ? 1 : -1, m = r_.bodies[pair.body].inv_mass;
       const Vec3 free = free_axes(r_.bodies[pair.body].locks);
+      if (high.coupling || low.coupling) {
+        // Of a joint's row at one of its bodies: what its rate is there, and what its impulse does there.
+        const auto rate_at = [&](const RattleJoint& j, const auto& rows, std::uint32_t k, bool is_a, std::uint8_t end) {
+          if (j.coupling) {
+            const RattleCoupling& c = r_.couplings[j.coupling - 1];
+            return is_symmetric ? c.now[end] : c.ahead[end];
+          }
+          return is_a ? RattleCoupling::End{-way_at_a(j, rows[k].d), -rows[k].w_a, Vec3::zero()}
+                      : RattleCoupling::End{rows[k].d, rows[k].w_b, Vec3::zero()};
+        };
+        const auto push_at = [&](const RattleJoint& j, std::uint32_t l, bool is_a, std::uint8_t end) {
+          if (j.coupling) return r_.couplings[j.coupling - 1].now[end];
+          const RattleRow& row = r_.rows[j.row + l];
+          return is_a ? RattleCoupling::End{-way_at_a(j, row.d), -row.w_a, -row.i_a}
+                      : RattleCoupling::End{row.d, row.w_b, row.i_b};
+        };
+        const auto add_one = [&](Real* block, const RattleJoint& of, const auto& rows, bool is_a, std::uint8_t end,
+                                 const RattleJoint& by, bool by_a, std::uint8_t by_end) {
+          for (std::uint32_t k = 0; k < of.rows; ++k)
+            for (std::uint32_t l = 0; l < by.rows; ++l) {
+              const RattleCoupling::End at = rate_at(of, rows, k, is_a, end), push = push_at(by, l, by_a, by_end);
+              block[n * k + l] += m * at.d.dot(free.times(push.d)) + at.w.dot(push.i);
+            }
+        };
+        add_one(blocks_.at_below(pair.at), high, rates_high, pair.is_a_of_high, pair.end_of_high, low, pair.is_a_of_low,
+                pair.end_of_low);
+        add_one(blocks_.at_above(pair.at), low, rates_low, pair.is_a_of_low, pair.end_of_low, high, pair.is_a_of_high,
+                pair.end_of_high);
+        continue;
+      }
       const auto add = [&](Real* block, const RattleJoint& of, const auto& rows, bool is_a, const RattleJoint& by,
                            bool by_a) {
         for (std::uint32_t k = 0; k < of.rows; ++k)
@@ -477,6 +574,15 @@ class Mover {
       const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
       Real* to = of(r_.right, index(j));
       Real* const end = to + n;
+      if (j.coupling) {
+        Real u = 0;
+        each_end(j, [&](const RattleBody& of_it, const RattleCoupling::End& at) {
+          u += at.d.dot(of_it.v) + at.w.dot(of_it.omega);
+        });
+        *to++ = u;
+        std::fill(to, end, 0);
+        continue;
+      }
       for (std::uint32_t k = 0; k < j.rows; ++k) {
         const RattleRow& row = r_.rows[j.row + k];
         *to++ = rate_of(j, row, a, b);
@@ -529,6 +635,10 @@ class Mover {
   void tell(bool softly) const {
     for (RattleJoint& j : joints())
       for (std::uint32_t k = 0; k < j.locks; ++k) {
+        if (j.coupling) {
+          j.torque.x() += r_.rows[j.row].p;
+          continue;
+        }
         const RattleRow& row = r_.rows[j.row + k];
         j.force += row.p * row.d;
         j.torque += row.p * (row.w_b - j.r_b.cross(row.d));

@@ -84,6 +84,7 @@ struct RattlePair {
   std::uint32_t at;         // in Elimination::rows
   std::uint32_t body;
   bool is_a_of_high, is_a_of_low;
+  std::uint8_t end_of_high, end_of_low;  // of a coupling: which of its bodies
 };
 
 struct RattleBody {
@@ -151,7 +152,8 @@ struct RattleJoint {
   Real twist;        // rad: where it is locked, beside one swing
   bool two_ways;     // a pulley: its rows act along d at B, along d_a at A
   bool is_gear;
-  Transmission over;  // of both; the phase of a gear as a stage begins
+  std::uint32_t coupling;  // in Rattle::couplings, from 1; 0: it is none
+  Transmission over;       // of both; the phase of a gear as a stage begins
   Vec3 d_a;
   Real length;            // m, of a rod
   Real swing_a, swing_b;  // 1/(kg m): of a newton, how fast it swings the bodies, squared
@@ -161,6 +163,17 @@ struct RattleJoint {
   Vec3 r_b;               // m, world: where its torque is told
   Vec3 turned;            // rad, as Joint::turned, where it has a limit or a spring
   Vec3 force, torque;     // N s, N m s, world, on B, about its point: since the step began
+};
+
+/// What a coupling has beside: its row acts on up to four bodies, u = sum of d.v + w.omega.
+struct RattleCoupling {
+  static constexpr std::size_t kMostBodies = 4;
+  std::uint32_t follower, leader;  // joints of this module
+  std::uint32_t count, body[kMostBodies];
+  struct End {
+    Vec3 d, w, i;  // world; i: w over the inertia
+  };
+  End now[kMostBodies], ahead[kMostBodies];  // where bodies are, and where the stage may lead
 };
 
 struct RattleIsland {
@@ -210,6 +223,7 @@ struct Rattle {
   Array<RattleBody> bodies;   // by island; the first is the world
   Array<RattleJoint> joints;  // by island
   Array<RattleRow> rows;      // by joint
+  Array<RattleCoupling> couplings;
   Array<RattleDrive> drives;  // by joint
   Array<RattlePair> pairs;
   Array<std::uint32_t> by_slot;  // islands' bodies that are moved, ascending by slot
@@ -218,6 +232,7 @@ struct Rattle {
   struct Seat {
     std::uint32_t body, joint;
     bool is_a;
+    std::uint8_t end = 0;  // of a coupling
     bool operator<(const Seat& o) const { return body != o.body ? body < o.body : joint < o.joint; }
   };
   Array<Seat> seats;  // scratch

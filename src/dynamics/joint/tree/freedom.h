@@ -61,7 +61,9 @@ inline bool is_held(const World& world, std::uint32_t body) {
 }
 
 /// Whether a kind has speeds.
-inline bool has_freedom(JointKind kind) { return kind != JointKind::distance && !has_transmission(kind); }
+inline bool has_freedom(JointKind kind) {
+  return kind != JointKind::distance && !has_transmission(kind) && !is_coupling(kind);
+}
 
 /// Of a joint that has speeds.
 /// @accuracy  rounding of poses; where all locks hold, what they are off by counts as a fixed place

@@ -2,7 +2,9 @@
 #include "dynamics/joint/tree/joint_moves.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/wide_angle.h"
 #include "dynamics/joint/axis_parts.h"
 #include "dynamics/joint/parts.h"
 #include "dynamics/joint/speeds.h"
@@ -23,6 +25,8 @@ bool is_free(const World& world, const Joint& joint, std::uint32_t axis) {
         return axis == 0;
       case JointKind::ball:
         return axis >= kPlaces;
+      case JointKind::universal:
+        return axis > kPlaces;  // its twist follows
       default:
         return true;
     }
@@ -53,6 +57,24 @@ Vec3 turning_of(const Numbers& at, const Numbers& rates) {
   return omega_of_angles({0, at[4], at[5]}, Vec3(rates[3], rates[4], rates[5]));
 }
 
+/// Of a universal joint, whose B is turned about A's y axis, then about its own z axis: the twist that goes with a swing, and
+/// how fast where that changes. Alone where B's x axis lies along A's y, any twist does: then it is 0.
+void twist_universal(Numbers& at, Numbers& rates) {
+  const Quat swing = exp_map(Vec3(0, at[4], at[5]));
+  const Vec3 x = swing * Vec3::unit_x();
+  const Real across = std::sqrt(x.x() * x.x() + x.z() * x.z());
+  const Quat pins = exp_map(Vec3(0, across > 0 ? angle_of<double>(-x.z(), x.x()) : Real(0), 0)) *
+                    exp_map(Vec3(0, 0, angle_of<double>(x.y(), across)));
+  const Quat twist = swing.conjugate() * pins;
+  const Real sign = twist.w() < 0 ? -1 : 1;
+  at[3] = 2 * angle_of<double>(sign * twist.x(), sign * twist.w());
+  // Nothing turns about what is at right angles to both pins.
+  const Vec3 locked = Vec3(0, 1, 0).cross(pins * Vec3(0, 0, 1));
+  const Real by_twist = x.dot(locked);
+  rates[3] = 0;
+  if (by_twist != 0) rates[3] = -turning_of(at, rates).dot(locked) / by_twist;
+}
+
 }  // namespace
 
 std::uint32_t JointMoves::node(const World& world, std::uint32_t body) const {
@@ -81,7 +103,7 @@ void JointMoves::join_parts(const World& world) {
     next += is_asked;
     if (!world.joints.alive(j)) continue;
     const Joint& joint = world.joints.joint[j];
-    if (joint.broken || joint.def.kind == JointKind::gear) continue;
+    if (joint.broken || joint.def.kind == JointKind::gear || is_coupling(joint.def.kind)) continue;
     if (joint.def.body_b != kInvalid) is_b_[joint.def.body_b] = 1;
     if (is_asked) continue;
     join(part_, node(world, joint.def.body_a), node(world, joint.def.body_b));
@@ -131,12 +153,13 @@ JointMoves::PartMove JointMoves::led(const World& world, const JointMove& asked,
   const Vec3 arm = parent == kInvalid ? Vec3(Vec3::zero()) : held.q * (frame.p - world.scene.center[parent]);
   const Pose at = parent == kInvalid ? frame : Pose{held.q * frame.q, held.x + arm};
   const Numbers now = numbers_now(world, joint, false), rates_now = numbers_now(world, joint, true);
-  const Numbers& places = speeds_ ? now : asked.to;
+  Numbers places = speeds_ ? now : asked.to;
 
   Vec3 turning;  // rad/s, A's frame
   Numbers rates = speeds_ ? asked.to : rates_now;
   for (std::uint32_t k = 0; k < kAxes; ++k)
     if (!is_free(world, joint, k)) rates[k] = 0;
+  if (def.kind == JointKind::universal) twist_universal(places, rates);
   const bool any_way = is_free(world, joint, 3) && is_free(world, joint, 4) && is_free(world, joint, 5);
   if (any_way && !speeds_) {
     const auto spin = [&](std::uint32_t body) {

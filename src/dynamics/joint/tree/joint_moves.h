@@ -53,7 +53,7 @@ class JointMoves {
   /// Whether a kind can be moved so.
   static bool can_move(JointKind kind) {
     return kind == JointKind::hinge || kind == JointKind::slider || kind == JointKind::ball ||
-           kind == JointKind::six_axis;
+           kind == JointKind::universal || kind == JointKind::six_axis;
   }
 
  private:

@@ -78,7 +78,7 @@ TreeFault JointTree::walk(const World& world, std::uint32_t root) {
     if (world.scene.locks_of(body) || !rotates(world.scene, body)) fail(TreeFault::locked, body_at_fault_, body);
     world.joints.each_of(body, [&](std::uint32_t slot, std::uint32_t other) {
       const Joint& joint = world.joints.joint[slot];
-      if (joint.broken || slot == came_by || fault != TreeFault::none) return;
+      if (joint.broken || is_coupling(joint.def.kind) || slot == came_by || fault != TreeFault::none) return;
       if (!has_freedom(joint.def.kind)) return fail(TreeFault::kind, joint_at_fault_, slot);
       const bool is_a = joint.def.body_a == body;
       if (!is_held(world, other)) {

@@ -59,6 +59,7 @@ class ConeGroup {
   Real start(Real h);
   void follow_bodies();
   void bend_ways(Real h);
+  void bend_arms(Real h);
   Real loaded_speed2(const ConeBody& b) const;
   bool find_leads();
   /// The record of a row's pair, if its ground leads bodies of the group; else null.

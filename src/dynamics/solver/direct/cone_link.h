@@ -12,6 +12,13 @@
 
 namespace carom::dynamics {
 
+/// What a row acts on beside its two bodies: u += d.v + w.omega.
+struct LinkMore {
+  static constexpr std::size_t kMost = 2;
+  std::uint32_t body[kMost] = {kInvalid, kInvalid};  // of the problem
+  Vec3 d[kMost], w[kMost];                           // world
+};
+
 struct ConeLink {
   std::uint32_t a, b;    // bodies of the problem, or kInvalid
   std::uint32_t beside;  // as of a contact
@@ -34,7 +41,18 @@ struct ConeLink {
   // Of a limit or drive of a joint of the forest: S^T of its row, @see TreeNode.
   bool is_of_child = false;
   Vec6 of_child;
-  bool bends = false;  // a lock whose target is the bend of its arm over the substep
+  const LinkMore* more = nullptr;  // of a coupling of joints
+  Real curve;                      // m/s or rad/s, of a lock: how its arm bends over the substep
+  bool bends = false;              // that is asked of it
+
+  /// f(body, d, w) of what it acts on beside A and B.
+  template <class F>
+  void each_more(F&& f) const {
+    if (!more) [[likely]]
+      return;
+    for (std::size_t i = 0; i < LinkMore::kMost; ++i)
+      if (more->body[i] != kInvalid) f(more->body[i], more->d[i], more->w[i]);
+  }
 
   /// Its impulse is whatever holds it: linear.
   bool is_lock() const { return k > 0 && low == high && give == 0 && most == kInfinity; }

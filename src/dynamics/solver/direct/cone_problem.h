@@ -171,6 +171,9 @@ void add_impulse(const ConeProblem& problem, const ConeLink& c, Real p) {
     Vec6& m = problem.bodies[c.b].*kMomentum;
     m += {p * c.d_b, p * c.w_b};
   }
+  c.each_more([&](std::uint32_t body, const Vec3& d, const Vec3& w) {
+    problem.bodies[body].*kMomentum += {p * d, p * w};
+  });
 }
 
 template <Vec6 ConeBody::*kVelocity>
@@ -184,6 +187,10 @@ Real relative(const ConeBody* bodies, const ConeLink& c) {
     const Vec6& v = bodies[c.a].*kVelocity;
     u -= c.d_a.dot(v.linear()) + c.w_a.dot(v.angular());
   }
+  c.each_more([&](std::uint32_t body, const Vec3& d, const Vec3& w) {
+    const Vec6& v = bodies[body].*kVelocity;
+    u += d.dot(v.linear()) + w.dot(v.angular());
+  });
   return u;
 }
 

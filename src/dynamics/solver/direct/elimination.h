@@ -44,7 +44,9 @@ struct Elimination {
           node_at(m),
           joint_at(m),
           ordered_edges(m),
-          ordered_begin(m) {}
+          ordered_begin(m),
+          edges(m),
+          products(m) {}
     Array<std::uint32_t> neighbour_begin, neighbour, degree, mark, first, link, begin, member;
     Array<std::uint32_t> joints,
         joint;  // by node: joints of the forest that are left, and all of their numbers by exclusive or
@@ -53,12 +55,19 @@ struct Elimination {
     Array<std::uint32_t> node_at, joint_at;
     Array<Edge> ordered_edges;           // of all systems, as they were ordered last
     Array<std::uint32_t> ordered_begin;  // where those of a system begin
+    Array<Edge> edges;                   // of all systems, as they are now
+    Array<std::uint64_t> products;       // of blocks, of a factorisation, by system
   };
   /// Made when first asked for: most worlds eliminate nothing.
   Scratch& scratch() {
     if (!scratch_) scratch_ = make_owned<Scratch>(memory_, memory_);
     return *scratch_;
   }
+
+  void forget_edges() {
+    if (scratch_) scratch_->edges.clear();
+  }
+  const Scratch& scratch() const { return *scratch_; }  // of one that has ordered a system
 
   /// Whether nothing is below the diagonal of a place: of a joint's child that none but its parent takes along.
   bool is_bare(std::uint32_t at) const { return column[at] == column[at + 1]; }

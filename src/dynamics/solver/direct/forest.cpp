@@ -162,8 +162,12 @@ void respond(ConeProblem& problem) {
   spread_velocities(problem, kNoShift);
 }
 
-void obey_locks(ConeProblem& problem) {
-  if (problem.tree.empty()) return;
+namespace {
+
+/// ConeBody::step: the least velocities, by the bodies' masses, at which locks have what is asked.
+/// @param asked  (lock) -> m/s or rad/s
+template <class Asked>
+void lead_to(ConeProblem& problem, const Asked& asked) {
   for (std::uint32_t j = 0; j < problem.tree.size(); ++j) {
     const TreeNode& node = problem.tree[j];
     problem.scratch[problem.first + j].set_zero();
@@ -171,14 +175,31 @@ void obey_locks(ConeProblem& problem) {
     shift.set_zero();
     if (!node.is_held()) continue;
     const std::span<const ConeLink> locks = locks_of(problem, node);
-    const RowOfTwos asked = node.locks.velocity([&](std::uint32_t i) {
-      return locks[i].low - locks[i].surface - relative<&ConeBody::v>(problem.bodies, locks[i]);
-    });
-    asked.store(shift.at);
+    node.locks.velocity([&](std::uint32_t i) { return asked(locks[i]); }).store(shift.at);
   }
   const auto shift = [&](std::uint32_t j) { return &problem.bodies[problem.body_at(j)].change; };
   gather_momentum(problem, shift);
   spread_velocities(problem, shift);
+}
+
+}  // namespace
+
+// With a the acceleration and w the spin, way = h^2 a / 2 + h^3 w x a / 6 + h^4 w x (w x a) / 24 + ...: what locks ask of
+// the first term is known, and of the others it is that of bodies that go round as the first term says.
+void find_bends(ConeProblem& problem, Real h) {
+  for (ConeBody& b : bodies_of(problem)) b.step.set_zero();
+  lead_to(problem, [](const ConeLink& lock) { return -lock.curve; });
+  for (ConeBody& b : bodies_of(problem)) {
+    const Vec3 turn = h * b.v.angular(), next = turn.cross(b.step.linear());
+    b.start = {next / 3 + turn.cross(next) / 12, Vec3::zero()};
+  }
+  lead_to(problem, [&](const ConeLink& lock) { return relative<&ConeBody::start>(problem.bodies, lock) - lock.curve; });
+}
+
+void obey_locks(ConeProblem& problem) {
+  if (problem.tree.empty()) return;
+  lead_to(problem,
+          [&](const ConeLink& lock) { return lock.low - lock.surface - relative<&ConeBody::v>(problem.bodies, lock); });
   for (std::uint32_t j = 0; j < problem.tree.size(); ++j)
     if (ConeBody& b = problem.bodies[problem.body_at(j)]; !problem.tree[j].is_alone()) b.v += b.step;
 }

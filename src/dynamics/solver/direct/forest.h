@@ -18,6 +18,10 @@ void free_drives(ConeProblem& problem);
 /// Lead velocities of bodies to the nearest, by their masses, at which all locks of the forest have what is asked.
 void obey_locks(ConeProblem& problem);
 
+/// ConeBody::step: how arms of the forest's locks bend over the substep: where bodies are displaced to after the move, over
+/// its length. Of what goes round evenly to the fourth order in its turn.   @param h  s, substep
+void find_bends(ConeProblem& problem, Real h);
+
 /// ConeBody::step: the velocities that the momentum in ConeBody::gradient gives.
 void respond(ConeProblem& problem);
 

@@ -18,11 +18,11 @@ void reserve_groups(DirectGroups& d) {
   if (d.contacts.capacity() >= kSome) return;
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
   Elimination& e = d.elimination;
-  reserve(d.contacts, d.row, d.begin, d.bodies, d.edges, d.scratch, d.products, d.solution, d.rest, d.factor.diagonal,
-          d.factor.beside, d.factor.is_filled, e.place, e.column, e.rows);
+  reserve(d.contacts, d.row, d.begin, d.bodies, d.scratch, d.solution, d.rest, d.factor.diagonal, d.factor.beside,
+          d.factor.is_filled, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch();
   reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.member, s.joints, s.joint, s.node_at, s.joint_at,
-          s.ordered_edges, s.ordered_begin);
+          s.ordered_edges, s.ordered_begin, s.edges, s.products);
   s.link.reserve(2 * kSome), s.begin.reserve(2 * kSome);
 }
 
@@ -44,7 +44,7 @@ void gather(const World& world, DirectGroups& d) {
     d.begin.push_back({.contact = size(d.row),
                        .body = size(d.bodies),
                        .link = size(d.links),
-                       .edge = size(d.edges),
+                       .edge = size(d.elimination.scratch().edges),
                        .forest = d.has_forest() ? size(d.forest().joints) : 0,
                        .tree = 0,
                        .lock = size(d.links)});
@@ -63,8 +63,9 @@ void gather(const World& world, DirectGroups& d) {
       contact.a = d.node(row.moves_a, row.a);
       contact.b = d.node(row.moves_b, row.b);
       const bool coupled = contact.a != kInvalid && contact.b != kInvalid;
-      if (coupled && (d.edges.size() == d.begin.back().edge || d.edges.back() != Edge{contact.a, contact.b}))
-        d.edges.push_back({contact.a, contact.b});
+      if (coupled && (d.elimination.scratch().edges.size() == d.begin.back().edge ||
+                      d.elimination.scratch().edges.back() != Edge{contact.a, contact.b}))
+        d.elimination.scratch().edges.push_back({contact.a, contact.b});
       d.row.push_back(i);
     }
     gather_links(world, d, g);
@@ -75,18 +76,18 @@ void gather(const World& world, DirectGroups& d) {
 /// Find an order of elimination, unless the bodies hang together as they did in the last step.
 void order(DirectGroups& d, std::uint64_t most_factor) {
   Elimination::Scratch& last = d.elimination.scratch();
-  if (d.edges == last.ordered_edges &&
+  if (last.edges == last.ordered_edges &&
       std::ranges::equal(d.begin, last.ordered_begin, {}, &DirectGroups::Begin::edge) &&
       (!d.has_forest() || d.forest().joints == d.forest().ordered) && d.bodies.size() == d.elimination.place.size())
     return;
   d.elimination.clear();
-  d.products.resize(d.groups());
+  last.products.resize(d.groups());
   for (std::size_t g = 0; g < d.groups(); ++g)
-    d.products[g] = eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
-                              {d.edges.data() + d.begin[g].edge, d.begin[g + 1].edge - d.begin[g].edge}, d.forest_of(g),
-                              most_factor, d.elimination);
+    last.products[g] = eliminate(d.begin[g].body, d.begin[g + 1].body - d.begin[g].body,
+                                 {last.edges.data() + d.begin[g].edge, d.begin[g + 1].edge - d.begin[g].edge},
+                                 d.forest_of(g), most_factor, d.elimination);
   d.scratch.resize(d.bodies.size());
-  last.ordered_edges = d.edges, last.ordered_begin.resize(d.begin.size());
+  last.ordered_edges = last.edges, last.ordered_begin.resize(d.begin.size());
   std::ranges::transform(d.begin, last.ordered_begin.begin(), &DirectGroups::Begin::edge);
   if (d.has_forest()) d.forest().ordered = d.forest().joints;
 }
@@ -133,8 +134,8 @@ void DirectGroups::forget() {
     if (b.slot < body.size()) body[b.slot] = kInvalid;
   links.clear(), link_row.clear();
   rest.clear(), row.clear(), begin.clear();
-  bodies.clear(), edges.clear();
-  if (has_forest()) forest().joints.clear(), forest().nodes.clear();
+  bodies.clear(), elimination.forget_edges();
+  if (has_forest()) forest().joints.clear(), forest().nodes.clear(), forest().more.clear();
 }
 
 void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor) {

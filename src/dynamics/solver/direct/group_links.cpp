@@ -2,6 +2,7 @@
 #include "dynamics/solver/direct/group_links.h"
 
 #include <algorithm>
+#include <array>
 
 #include "dynamics/force/force.h"
 #include "dynamics/joint/rattle/rattle.h"
@@ -118,6 +119,33 @@ Real locked_response(const ConeBody& b, const Vec3& d, const Vec3& turn) {
   return moves + turns > kRounding * whole ? moves + turns : 0;
 }
 
+/// The row of a coupling, from the bodies of the problem that it acts on: the first two are A and B.
+void load_coupling(const World& world, ConeProblem& problem, const CoupledRow& from, LinkMore& more, ConeLink& c) {
+  const BodyVelocity* const velocity = world.wide->velocity.data();
+  std::uint32_t met = 0;
+  c.surface = c.k = 0;
+  c.d_a = c.d_b = c.w_a = c.w_b = Vec3::zero();
+  for (const CoupledBody& b : from.ends()) {
+    if (!b.moves) {
+      const BodyVelocity& v = velocity[b.solver];
+      c.surface += b.d.dot(Vec3(v.v[0], v.v[1], v.v[2])) + b.w.dot(Vec3(v.omega[0], v.omega[1], v.omega[2]));
+      continue;
+    }
+    const Vec3 w = rotates(world.scene, b.body) ? b.w : Vec3(Vec3::zero());
+    const std::uint32_t k = met++;
+    const std::uint32_t body = k == 0 ? c.a : k == 1 ? c.b : more.body[k - 2];
+    if (k == 0)
+      c.d_a = -b.d, c.w_a = -w;
+    else if (k == 1)
+      c.d_b = b.d, c.w_b = w;
+    else
+      more.d[k - 2] = b.d, more.w[k - 2] = w;
+    const ConeBody& own = problem.bodies[body];
+    c.k += own.locks ? locked_response(own, b.d, w) : response_of(own, b.d, w);
+  }
+  c.more = met > 2 ? &more : nullptr;
+}
+
 }  // namespace
 
 namespace {
@@ -158,7 +186,7 @@ class Roots {
 
 void gather_links(const World& world, DirectGroups& d, std::size_t group) {
   const Contacts& c = *world.contacts;
-  const WideJoints& w = *world.wide_joints;
+  WideJoints& w = *world.wide_joints;
   DirectGroups::Begin& begin = d.begin.back();
   if (c.group_link_begin.empty()) return;
   const std::span<const std::uint32_t> joints(c.group_links.data() + c.group_link_begin[group],
@@ -173,6 +201,23 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
       d.link_row.push_back(
           {first + r, place.lane, place.lanes, drives, drives ? lanes_of(i).layout.drive[r].kind : DriveKind::limit});
     }
+  };
+  // All bodies of a coupling are of the group: its joints are.
+  const auto add_coupling = [&](std::uint32_t i) {
+    d.forest().more.resize(w.coupled().size());
+    const auto at = static_cast<std::uint32_t>(&coupled_at(w, i) - w.coupled().data());
+    d.link_row.push_back({at, w.place[i].lane, w.place[i].lanes, false, DriveKind::limit, true});
+    ConeLink& to = d.links.emplace_back();
+    LinkMore& more = d.forest().more[at];
+    more = {};
+    std::array<std::uint32_t, CoupledRow::kMostBodies> nodes;
+    std::uint32_t count = 0;
+    for (const CoupledBody& b : w.coupled()[at].ends())
+      if (b.moves) nodes[count++] = d.node(true, b.body);
+    to.a = count > 0 ? nodes[0] : kInvalid, to.b = count > 1 ? nodes[1] : kInvalid;
+    for (std::uint32_t k = 2; k < count; ++k) more.body[k - 2] = nodes[k];
+    for (std::uint32_t k = 0; k < count; ++k)
+      for (std::uint32_t l = 0; l < k; ++l) d.elimination.scratch().edges.push_back({nodes[l], nodes[k]});
   };
   for (const std::uint32_t i : joints)
     d.node(c.links[i].moves_a, c.links[i].a), d.node(c.links[i].moves_b, c.links[i].b);
@@ -193,10 +238,14 @@ void gather_links(const World& world, DirectGroups& d, std::size_t group) {
     const JointLanes& joint = lanes_of(i);
     const Link& link = c.links[i];
     const bool is_of_forest = std::ranges::binary_search(of_forest, i);
+    if (world.joints.joint[w.active[i]].coupling) {
+      add_coupling(i);
+      continue;
+    }
     if (!is_of_forest) {
       add_rows(i, joint.first, joint.layout.equalities, false);
       const std::uint32_t a = d.node(link.moves_a, link.a), b = d.node(link.moves_b, link.b);
-      if (a != kInvalid && b != kInvalid) d.edges.push_back({a, b});
+      if (a != kInvalid && b != kInvalid) d.elimination.scratch().edges.push_back({a, b});
     } else {
       d.forest().joints.push_back({.a = d.node(link.moves_a, link.a),
                                    .b = d.node(link.moves_b, link.b),
@@ -228,6 +277,15 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
     ConeLink& c = problem.joint_rows()[i];
     const DirectGroups::LinkRow& at_row = rows[i];
+    if (at_row.is_coupling) {
+      const CoupledRow& from = w.coupled()[at_row.row];
+      load_coupling(world, problem, from, world.direct->forest().more[at_row.row], c);
+      if (phase == LinkPhase::part) c.surface = 0;
+      c.p = c.start_p = phase == LinkPhase::move ? from.p : 0;
+      lock(c, phase == LinkPhase::part ? std::clamp(-from.error, -most, most) : bends ? -from.curve : 0);
+      c.bends = bends;
+      continue;
+    }
     const JointRowLanes& row = row_at(w, at_row);
     const JointLanes& joint = w.joints[at_row.joint];
     const std::uint32_t lane = at_row.lane;
@@ -256,14 +314,14 @@ void load_links(const World& world, ConeProblem& problem, const DirectGroups::Li
     const bool is_of_forest = i >= problem.links.size();
     c.k = is_of_forest ? 1
                        : response(c.a, c.d_a, c.w_a) + response(c.b, c.d_b, c.w_b);  // locks there hold, whatever it is
-    c.bends = false;
+    c.bends = false, c.curve = 0;
     c.p = c.start_p = phase == LinkPhase::move ? get(row.p, lane) : 0;
     if (at_row.is_drive)
       ask(c, w.drives[at_row.row], at_row, phase, h, most, halved);
     else if (phase == LinkPhase::part)
       lock(c, std::clamp(-get(row.error, lane), -most, most));
     else
-      lock(c, bends ? -get(row.curve, lane) : 0), c.bends = bends;
+      c.curve = phase == LinkPhase::move ? get(row.curve, lane) : 0, lock(c, bends ? -c.curve : 0), c.bends = bends;
     const bool leads =
         at_row.is_drive && phase == LinkPhase::move && c.d_b == Vec3::zero() &&
         (at_row.kind == DriveKind::spring ? is_far || !bends : at_row.kind == DriveKind::motor && is_far);
@@ -304,6 +362,7 @@ std::pair<Real, Real> sum_of(const WideJoints& w, const DirectGroups::LinkRow* r
                              std::size_t last, F&& impulse) {
   Vec3 p_a = Vec3::zero(), p_b = Vec3::zero();
   for (std::size_t i = first; i < last; ++i) {
+    if (rows[i].is_coupling) continue;  // it is told what its joints bear
     const JointRowLanes& row = row_at(w, rows[i]);
     const Real p = impulse(i, row);
     p_a += p * get(pull_at_a(w, w.joints[rows[i].joint], row), rows[i].lane);
@@ -353,6 +412,10 @@ void accumulate_links(const World& world, const ConeProblem& problem, const Dire
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
     if (is_rotor(rows[i])) continue;  // what turns with an axis is on neither side of the joint
     const ConeLink& c = problem.joint_rows()[i];
+    if (rows[i].is_coupling) {
+      w.coupled()[rows[i].row].effort += c.p;
+      continue;
+    }
     JointLanes& joint = w.joints[rows[i].joint];
     const std::uint32_t lane = rows[i].lane;
     const Vec3 turn = get(row_at(w, rows[i]).w_b, lane) - get(joint.r_b, lane).cross(c.d_b);
@@ -364,7 +427,8 @@ void accumulate_links(const World& world, const ConeProblem& problem, const Dire
 void keep_links(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
   WideJoints& w = *world.wide_joints;
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i)
-    at(row_at(w, rows[i]).p, rows[i].lane) = problem.joint_rows()[i].next_p;
+    (rows[i].is_coupling ? w.coupled()[rows[i].row].p : at(row_at(w, rows[i]).p, rows[i].lane)) =
+        problem.joint_rows()[i].next_p;
 }
 
 void turn_rotors(const World& world, const ConeProblem& problem, const DirectGroups::LinkRow* rows) {
@@ -382,6 +446,10 @@ Real worst_error(const World& world, const ConeProblem& problem, const DirectGro
   const WideJoints& w = *world.wide_joints;
   Real worst = 0;
   for (std::size_t i = 0; i < problem.joint_rows().size(); ++i) {
+    if (rows[i].is_coupling) {
+      worst = std::max(worst, std::fabs(w.coupled()[rows[i].row].error));
+      continue;
+    }
     const Real x = get(row_at(w, rows[i]).error, rows[i].lane);
     if (!rows[i].is_drive) {
       worst = std::max(worst, std::fabs(x));

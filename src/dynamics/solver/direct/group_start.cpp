@@ -44,15 +44,41 @@ void ConeGroup::bend_ways(Real h) {
   };
   each([&](ConeContact& contact, std::uint32_t i) {
     const TurningPair* const turning_pairs = led_by(i);
-    if (!c_.rows[i].rolls && !turning_pairs) return;
     contact.surface -= contact.curve;
     contact.curve.set_zero();
+    if (!c_.rows[i].rolls && !turning_pairs) return;
     if (turning_pairs && turning_pairs != of) lead = lead_of(world_, *turning_pairs, h);
     of = turning_pairs;
     if (c_.rows[i].rolls) contact.curve = bends(contact.b, c_.geometry[i].l_b) - bends(contact.a, c_.geometry[i].l_a);
     if (turning_pairs) contact.curve += lead.along(contact.apart, contact.n);
     contact.surface += contact.curve;
   });
+}
+
+/// What hangs on an arm that swings leaves its circle by the tangent, and is displaced back onto it after the move: in
+/// contact locks are not asked for that bend (load_links()). Friction's target is where that leads the surface, else
+/// what is gripped creeps outwards by half (omega h)^2 of its arm in each substep. Of what sticks. Where a joint closes a
+/// loop its row leads bodies elsewhere than the forest alone: a track on sprockets gained energy.
+void ConeGroup::bend_arms(Real h) {
+  if (!shares() || problem_.tree.empty() || std::ranges::any_of(problem_.links, &ConeLink::is_lock)) return;
+  find_bends(problem_, h);
+  const auto sticks = [](const ConeContact& c) {  // since the substep before
+    const Real n = c.p.dot(c.n);
+    return n > 0 && (c.p - n * c.n).norm() < c.friction * n;
+  };
+  // What is gripped goes round with its gripper. A limb that rocks on the ground does not, and would never come to rest.
+  const auto go_round_together = [&](std::uint32_t a, std::uint32_t b) {
+    constexpr Real kAlike = 0.1;  // of their spin
+    if (a == kInvalid || b == kInvalid) return false;
+    const Vec3 w_a = problem_.bodies[a].v.angular(), w_b = problem_.bodies[b].v.angular();
+    const Real spin2 = std::max(w_a.squared_norm(), w_b.squared_norm());
+    return spin2 * h * h < kBends * kBends && (w_a - w_b).squared_norm() <= kAlike * kAlike * spin2;
+  };
+  for (ConeContact& c : problem_.contacts) {
+    if (!sticks(c) || !go_round_together(c.a, c.b)) continue;
+    const Vec3 bend = relative<&ConeBody::step>(problem_.bodies, c), along = bend - bend.dot(c.n) * c.n;
+    c.curve += along, c.surface += along;
+  }
 }
 
 const TurningPair* ConeGroup::led_by(std::uint32_t row) const { return is_led_ ? turning_pair_at(c_, row) : nullptr; }
@@ -188,6 +214,7 @@ Real ConeGroup::start(Real h) {
   if (is_joined()) stiffen(world_, problem_, link_row_, h, Borne::in_substep);
   load_links(world_, problem_, link_row_, LinkPhase::move, h);
   hold_forest(Forest::anew);
+  bend_arms(h);
   for (ConeLink& link : problem_.links)  // `gained` is, as yet, minus what the substep before ended with
     if (link.is_spring()) link.p = link.start_p = link.given(-relative<&ConeBody::gained>(problem_.bodies, link));
   for (const ConeLink& link : problem_.links) add_impulse<&ConeBody::gradient>(problem_, link, link.p);

@@ -21,6 +21,9 @@ void push(ConeProblem& problem, const ConeContact& c, const Vec3& p) {
 void push(ConeProblem& problem, const ConeLink& c, Real p) {
   if (c.a != kInvalid) problem.bodies[c.a].v -= velocity_of(problem.bodies[c.a], {p * c.d_a, p * c.w_a});
   if (c.b != kInvalid) problem.bodies[c.b].v += velocity_of(problem.bodies[c.b], {p * c.d_b, p * c.w_b});
+  c.each_more([&](std::uint32_t body, const Vec3& d, const Vec3& w) {
+    problem.bodies[body].v += velocity_of(problem.bodies[body], {p * d, p * w});
+  });
 }
 
 /// 1/kg, along the normal; and what no direction exceeds.
@@ -43,7 +46,9 @@ Real response(const ConeProblem& problem, const ConeLink& c) {
   const auto of = [&](std::uint32_t body, const Vec3& d, const Vec3& w) {
     return body == kInvalid ? 0 : response_of(problem.bodies[body], d, w);
   };
-  return of(c.a, c.d_a, c.w_a) + of(c.b, c.d_b, c.w_b);
+  Real sum = of(c.a, c.d_a, c.w_a) + of(c.b, c.d_b, c.w_b);
+  c.each_more([&](std::uint32_t body, const Vec3& d, const Vec3& w) { sum += of(body, d, w); });
+  return sum;
 }
 
 void visit(ConeProblem& problem, ConeContact& c, Real give_share) {

@@ -139,7 +139,10 @@ bool Round::find_curvatures(Real still) {
   }
   for (ConeLink& c : problem_.links) {
     const bool is_held = c.k > 0 && c.follows(c.u, resistance(c), c.p0);
-    if (is_held != c.is_held) change(c);
+    if (is_held != c.is_held) {
+      change(c);
+      if (!problem_.tree.empty()) c.each_more([&](std::uint32_t body, const Vec3&, const Vec3&) { mark_stale(body); });
+    }
     c.is_held = is_held;
   }
   return is_same;

@@ -1,5 +1,6 @@
 // Newton's matrix: masses, and what joints and contacts add to them.
 #include <algorithm>
+#include <array>
 
 #include "dynamics/solver/direct/cone.h"
 #include "dynamics/solver/direct/round.h"
@@ -83,6 +84,32 @@ bool is_stale_beside(const ConeProblem& problem, const C& c) {
   return c.beside != kInvalid && problem.is_stale(problem.elimination->place[c.a_later ? c.b : c.a]);
 }
 
+/// A body of a row, and how that acts there: u = d.v + w.omega.
+struct LinkEnd {
+  std::uint32_t body;
+  Vec3 d, w;
+};
+/// f(one, other, block) for each block beside the diagonal that a row has beyond that of A and B; one is eliminated first.
+template <class F>
+void each_more_beside(const ConeProblem& problem, const ConeLink& c, F&& f) {
+  if (!c.more) [[likely]]
+    return;
+  std::array<LinkEnd, 2 + LinkMore::kMost> ends;
+  std::size_t count = 0;
+  if (c.a != kInvalid) ends[count++] = {c.a, -c.d_a, -c.w_a};
+  if (c.b != kInvalid) ends[count++] = {c.b, c.d_b, c.w_b};
+  const std::size_t own = count;
+  c.each_more([&](std::uint32_t body, const Vec3& d, const Vec3& w) { ends[count++] = {body, d, w}; });
+  const Array<std::uint32_t>& place = problem.elimination->place;
+  for (std::size_t k = own; k < count; ++k)
+    for (std::size_t i = 0; i < k; ++i) {
+      const bool is_first = place[ends[i].body] < place[ends[k].body];
+      const LinkEnd &one = ends[is_first ? i : k], &other = ends[is_first ? k : i];
+      if (problem.is_stale(place[one.body]))
+        f(one, other, problem.factor->at(*problem.elimination, place[other.body], place[one.body]));
+    }
+}
+
 /// J^T w J of a row.
 void add_link(const ConeProblem& problem, const Blocks& f, const ConeLink& c, Real w) {
   const Array<std::uint32_t>& place = problem.elimination->place;
@@ -90,6 +117,12 @@ void add_link(const ConeProblem& problem, const Blocks& f, const ConeLink& c, Re
   if (c.a != kInvalid && problem.is_stale(place[c.a])) add_outer(f.diagonal[place[c.a]], w, a, a);
   if (c.b != kInvalid && problem.is_stale(place[c.b])) add_outer(f.diagonal[place[c.b]], w, b, b);
   if (is_stale_beside(problem, c)) add_outer(f.filled(c.beside), -w, c.a_later ? b : a, c.a_later ? a : b);
+  c.each_more([&](std::uint32_t body, const Vec3& d, const Vec3& turn) {
+    if (problem.is_stale(place[body])) add_outer(f.diagonal[place[body]], w, {d, turn}, {d, turn});
+  });
+  each_more_beside(problem, c, [&](const LinkEnd& one, const LinkEnd& other, std::size_t at) {
+    add_outer(f.filled(at), w, {one.d, one.w}, {other.d, other.w});
+  });
 }
 
 }  // namespace
@@ -137,6 +170,10 @@ void hold_locked(ConeProblem& problem) {
   };
   std::ranges::for_each(problem.contacts, hold_beside);
   std::ranges::for_each(problem.links, hold_beside);
+  for (const ConeLink& c : problem.links)
+    each_more_beside(problem, c, [&](const LinkEnd& one, const LinkEnd& other, std::size_t at) {
+      if (f.is_filled[at]) strike_out(f.beside[at], problem.bodies[one.body].locks, problem.bodies[other.body].locks);
+    });
 }
 
 void solve_for_steps(ConeProblem& problem, Real sign) {

@@ -63,6 +63,13 @@ Setting solved(const char* solver, int substeps, unsigned matters_to, const std:
   return setting;
 }
 
+/// @param tolerance  m and rad per second of motion
+Setting asked(const std::string& tolerance) {
+  return {"asked for " + tolerance,
+          {"accuracy_place=" + tolerance, "accuracy_turn=" + tolerance},
+          kTouches | kJoined | kFlies | kTurns};
+}
+
 }  // namespace
 
 SceneTraits traits_of(const Challenge& challenge) {
@@ -110,12 +117,18 @@ const std::vector<Setting>& carom_settings() {
       solved("soft_step", 4, kLasts),
       solved("soft_step", 4, kTouches, ", floats", {"precision=float"}),
       solved("soft_step", 16, kLasts),
+      solved("auto", 4, kTouches, ", points kept for 3 mm", {"keep_distance=3e-3"}),
+      solved("auto", 4, kTouches, ", points kept for 0.1 mm", {"keep_distance=1e-4"}),
+      solved("auto", 4, kTouches, ", points asked in each step", {"keep_distance=0"}),
       solved("sequential", 1, kLasts),
       solved("sequential", 4, kLasts),
       solved("severity", 1, kLasts),
       solved(
           "severity", 4, kLasts, ", to the end",
           {"velocity_tolerance=1e-9", "velocity_iterations=100", "position_iterations=50", "position_tolerance=1e-5"}),
+      asked("1e-2"),
+      asked("1e-3"),
+      asked("1e-4"),
       solved("auto", 4, kFlies, ", explicit Euler", {"integrator=explicit_euler"}),
       solved("auto", 4, kFlies, ", semi-implicit Euler", {"integrator=semi_implicit_euler"}),
       solved("auto", 4, kFlies | kTurns, ", Runge-Kutta 4", {"integrator=rk4"}),
