@@ -9,17 +9,6 @@ namespace device_checks {
 
 using namespace pair_draws;
 
-inline carom_engine* engine_of(uint32_t threads) {
-  carom_engine* engine = nullptr;
-  setenv("CAROM_PLUGIN_PATH", CAROM_PLUGIN_DIR, 1);
-  assert_int_equal(carom_engine_create(nullptr, &engine, nullptr), CAROM_OK);
-  carom_jobs_desc jobs;
-  carom_jobs_desc_init(&jobs, sizeof jobs);
-  jobs.threads = threads;
-  assert_int_equal(carom_engine_set_jobs(engine, &jobs, nullptr), CAROM_OK);
-  return engine;
-}
-
 /// Null if there is none: `error` says why.
 inline carom_device* device_of(carom_engine* engine, carom_error& error) {
   carom_device* device = nullptr;

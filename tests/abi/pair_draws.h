@@ -14,6 +14,18 @@
 
 namespace pair_draws {
 
+/// With the shapes that ship.
+inline carom_engine* engine_of(uint32_t threads) {
+  carom_engine* engine = nullptr;
+  setenv("CAROM_PLUGIN_PATH", CAROM_PLUGIN_DIR, 1);
+  assert_int_equal(carom_engine_create(nullptr, &engine, nullptr), CAROM_OK);
+  carom_jobs_desc jobs;
+  carom_jobs_desc_init(&jobs, sizeof jobs);
+  jobs.threads = threads;
+  assert_int_equal(carom_engine_set_jobs(engine, &jobs, nullptr), CAROM_OK);
+  return engine;
+}
+
 inline double uniform(uint64_t& state, double lo, double hi) {
   state = state * 6364136223846793005ull + 1442695040888963407ull;
   const uint64_t mixed = (state ^ (state >> 29)) * 0xBF58476D1CE4E5B9ull;

@@ -11,17 +11,6 @@ namespace {
 
 using namespace pair_draws;
 
-carom_engine* engine_of(uint32_t threads) {
-  carom_engine* engine = nullptr;
-  setenv("CAROM_PLUGIN_PATH", CAROM_PLUGIN_DIR, 1);
-  assert_int_equal(carom_engine_create(nullptr, &engine, nullptr), CAROM_OK);
-  carom_jobs_desc jobs;
-  carom_jobs_desc_init(&jobs, sizeof jobs);
-  jobs.threads = threads;
-  assert_int_equal(carom_engine_set_jobs(engine, &jobs, nullptr), CAROM_OK);
-  return engine;
-}
-
 std::vector<carom_distance> at_once(carom_engine* engine, const Pairs& pairs, const carom_distance_desc* desc) {
   std::vector<carom_distance> out(pairs.size());
   const carom_pairs view = pairs.view();

@@ -24,37 +24,12 @@ CAROM_LANES_INLINE Lanes rope_bend(const JointRun& run, const std::uint32_t* bod
 /// Of a velocity of B's point at A's, what locks along A's axes leave: they undo the rest in the same substep.
 CAROM_LANES_INLINE LaneVec as_locks_let(const JointRun& run, const JointLanes& joint, LaneVec parting) {
   const JointRowLanes* r = run.rows + joint.first;
-  const auto undo = [&](int rows) {
-    for (; rows > 0; --rows, ++r) parting = parting - dot(r->d, parting) * r->d;
-  };
   for (std::uint32_t k = 0; k < joint.layout.parts; ++k) {
-    switch (joint.layout.part[k]) {
-      case JointPart::line:
-        undo(2);
-        break;
-      case JointPart::place_x:
-      case JointPart::place_y:
-      case JointPart::place_z:
-        undo(1);
-        break;
-      case JointPart::point:
-      case JointPart::orientation:
-        r += 3;
-        break;
-      case JointPart::direction:
-        r += 2;
-        break;
-      case JointPart::rod:
-      case JointPart::pins:
-      case JointPart::ropes:
-      case JointPart::gears:
-      case JointPart::turn_x:
-      case JointPart::turn_y:
-      case JointPart::turn_z:
-      case JointPart::across_y:
-      case JointPart::across_z:
-        r += 1;
-    }
+    const JointPart part = joint.layout.part[k];
+    const bool undoes = part == JointPart::line || part == JointPart::place_x || part == JointPart::place_y ||
+                        part == JointPart::place_z;
+    for (std::uint32_t rows = rows_of(part); rows > 0; --rows, ++r)
+      if (undoes) parting = parting - dot(r->d, parting) * r->d;
   }
   return parting;
 }

@@ -29,6 +29,31 @@ enum class JointPart : std::uint8_t {
   across_y,     // 1: B's x axis stays at right angles to A's y axis: no swing about z
   across_z      // 1: to A's z axis: no swing about y
 };
+/// How many of them.
+CAROM_LANES_INLINE constexpr std::uint32_t rows_of(JointPart part) {
+  switch (part) {
+    case JointPart::point:
+    case JointPart::orientation:
+      return 3;
+    case JointPart::line:
+    case JointPart::direction:
+      return 2;
+    case JointPart::rod:
+    case JointPart::pins:
+    case JointPart::ropes:
+    case JointPart::gears:
+    case JointPart::place_x:
+    case JointPart::place_y:
+    case JointPart::place_z:
+    case JointPart::turn_x:
+    case JointPart::turn_y:
+    case JointPart::turn_z:
+    case JointPart::across_y:
+    case JointPart::across_z:
+      return 1;
+  }
+  return 0;
+}
 enum class DriveKind : std::uint8_t {
   motor,
   spring,

@@ -27,31 +27,6 @@ constexpr std::array<KindRow, static_cast<std::size_t>(JointKind::count)> kKinds
     {"coupling", 0, {}, 0},  // @see coupling.h
 }};
 
-constexpr std::uint32_t rows_of(JointPart part) {
-  switch (part) {
-    case JointPart::point:
-    case JointPart::orientation:
-      return 3;
-    case JointPart::line:
-    case JointPart::direction:
-      return 2;
-    case JointPart::rod:
-    case JointPart::pins:
-    case JointPart::ropes:
-    case JointPart::gears:
-    case JointPart::place_x:
-    case JointPart::place_y:
-    case JointPart::place_z:
-    case JointPart::turn_x:
-    case JointPart::turn_y:
-    case JointPart::turn_z:
-    case JointPart::across_y:
-    case JointPart::across_z:
-      return 1;
-  }
-  return 0;
-}
-
 /// Whether a drive is told by an angle that counts turns. A motor knows of no angle.
 bool counts_turns(const DriveRow& row) {
   const std::uint32_t first = kFirstAxis + kPlaces;

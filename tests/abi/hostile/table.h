@@ -381,6 +381,27 @@ Argument hits(Context& c) {
   h.times = c.take(8 * kQuestions), h.normals = c.take(24 * kQuestions), h.points = c.take(24 * kQuestions);
   return in_struct(c, h, {HOSTILE_CHOICE(Hits, scalar, 2u)});
 }
+/// Questions whose last shape, or the last number of whose last position, is wrong.
+template <class Questions, class Positions>
+void add_wrong_lasts(Context& c, Argument& a, const Questions& q, const carom_shape* Questions::*shapes,
+                     Positions Questions::*positions, bool may_be_null) {
+  for (const Wrong& w : wrong_handles(c, kShape, may_be_null)) {
+    Questions bad = q;
+    auto* some = static_cast<carom_shape*>(c.take(8 * kQuestions));
+    std::memcpy(some, q.*shapes, 8 * kQuestions);
+    some[kQuestions - 1] = w.value.u;
+    bad.*shapes = some;
+    a.wrong.push_back({"last shape: " + w.what, of(c.keep(bad)), w.codes});
+  }
+  for (const double x : {kNan, kInf}) {
+    Questions bad = q;
+    auto* some = static_cast<double*>(c.take(8 * 3 * kQuestions));
+    std::memcpy(some, q.*positions, 8 * 3 * kQuestions);
+    some[3 * kQuestions - 1] = x;
+    bad.*positions = some;
+    a.wrong.push_back({"last position: " + shown(x), of(c.keep(bad)), kNotFinite});
+  }
+}
 inline Argument query_shapes(Context& c, bool move, bool& half_space) {
   carom_query_shapes q = {};
   q.struct_size = sizeof q, q.scalar = CAROM_SCALAR_F64, q.count = kQuestions;
@@ -401,22 +422,7 @@ inline Argument query_shapes(Context& c, bool move, bool& half_space) {
   if (move) q.motions = m;
   Argument a =
       in_struct(c, q, {HOSTILE_CHOICE(carom_query_shapes, scalar, 2u), HOSTILE_POINTER(carom_query_shapes, positions)});
-  for (const Wrong& w : wrong_handles(c, kShape, true)) {
-    carom_query_shapes bad = q;
-    auto* some = static_cast<carom_shape*>(c.take(8 * kQuestions));
-    std::memcpy(some, shapes, 8 * kQuestions);
-    some[kQuestions - 1] = w.value.u;
-    bad.shapes = some;
-    a.wrong.push_back({"last shape: " + w.what, of(c.keep(bad)), w.codes});
-  }
-  for (const double x : {kNan, kInf}) {
-    carom_query_shapes bad = q;
-    auto* some = static_cast<double*>(c.take(8 * 3 * kQuestions));
-    std::memcpy(some, p, 8 * 3 * kQuestions);
-    some[3 * kQuestions - 1] = x;
-    bad.positions = some;
-    a.wrong.push_back({"last position: " + shown(x), of(c.keep(bad)), kNotFinite});
-  }
+  add_wrong_lasts(c, a, q, &carom_query_shapes::shapes, &carom_query_shapes::positions, true);
   return a;
 }
 
@@ -441,22 +447,7 @@ inline Argument shape_pairs(Context& c) {
                           HOSTILE_POINTER(carom_pairs, positions_b), HOSTILE_POINTER(carom_pairs, orientations_a),
                           HOSTILE_POINTER(carom_pairs, orientations_b)});
   a.impossible = none;
-  for (const Wrong& w : wrong_handles(c, kShape, false)) {
-    carom_pairs bad = q;
-    auto* some = static_cast<carom_shape*>(c.take(8 * kQuestions));
-    std::memcpy(some, shapes, 8 * kQuestions);
-    some[kQuestions - 1] = w.value.u;
-    bad.shapes_b = some;
-    a.wrong.push_back({"last shape: " + w.what, of(c.keep(bad)), w.codes});
-  }
-  for (const double x : {kNan, kInf}) {
-    carom_pairs bad = q;
-    auto* some = static_cast<double*>(c.take(8 * 3 * kQuestions));
-    std::memcpy(some, p, 8 * 3 * kQuestions);
-    some[3 * kQuestions - 1] = x;
-    bad.positions_a = some;
-    a.wrong.push_back({"last position: " + shown(x), of(c.keep(bad)), kNotFinite});
-  }
+  add_wrong_lasts(c, a, q, &carom_pairs::shapes_b, &carom_pairs::positions_a, false);
   return a;
 }
 
