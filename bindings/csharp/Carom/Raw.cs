@@ -2100,6 +2100,8 @@ namespace Carom
         public ulong WedgedGroups;
         /// <summary>solutions of the direct solver by which contacts would have added energy, counted a substep: contacts yield there, which cannot</summary>
         public ulong RejectedSolutions;
+        /// <summary>J, kinetic, that islands with joints and contacts, or whose contacts yield, have beyond what their rows may give, summed over substeps; above 0 only where the work of a step did not suffice to solve one</summary>
+        public double ExcessEnergy;
 
         /// <summary>With its size set.</summary>
         public static StepReport New() { return new StepReport { StructSize = (uint)sizeof(StepReport) }; }
@@ -5566,7 +5568,7 @@ carom_world_desc.struct_size 0 4 u32
 carom_world_desc.reserved 4 4 u32
 carom_world_desc.gravity 8 24 f64[3]
 carom_world_desc.body_capacity 32 8 u64
-carom_step_report 0 408 struct
+carom_step_report 0 416 struct
 carom_step_report.struct_size 0 4 u32
 carom_step_report.stage_count 4 4 u32
 carom_step_report.stage_seconds 8 128 f64[16]
@@ -5604,6 +5606,7 @@ carom_step_report.swept_bodies 376 8 u64
 carom_step_report.sweep_hits 384 8 u64
 carom_step_report.wedged_groups 392 8 u64
 carom_step_report.rejected_solutions 400 8 u64
+carom_step_report.excess_energy 408 8 f64
 carom_contact 0 104 struct
 carom_contact.collider_a 0 8 u64
 carom_contact.collider_b 8 8 u64

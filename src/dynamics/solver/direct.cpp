@@ -98,6 +98,7 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
     if (d.rest[g].repeats > 0 || d.rest[g].in_lanes) continue;
     report.velocity_impulses += d.solution[g].factorisations;
     report.wedged_groups += d.solution[g].is_wedged, report.rejected_solutions += d.solution[g].is_rejected;
+    report.excess_energy += d.solution[g].excess_energy;
     report.solver_residual = std::max<double>(report.solver_residual, d.solution[g].residual);
   }
 }

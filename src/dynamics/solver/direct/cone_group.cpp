@@ -1,6 +1,8 @@
 #include "dynamics/solver/direct/cone_group.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 #include "dynamics/contact/depth.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -386,9 +388,19 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
   rest_.is_close = solution_.residual < world_.scene.dials[Dial::velocity_tolerance];
   rest_.is_far_off = is_far_off();
   rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_few() && rest_.is_far_off;
-  if (!rest_.gave_up || !is_joined()) return;
+  if (!rest_.gave_up || !is_joined()) return measure_energy();
   return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
   sweep_on(h);
+}
+
+/// Of a solution of the convex problem: what others give is a matter of their residual.
+void ConeGroup::measure_energy() {
+  if (!(problem_.may_give >= 0)) return;
+  solution_.excess_energy = std::max(Real(0), dynamics::excess_energy(problem_));
+  if (!world_.watches_stages || !problem_.is_proven || !(solution_.excess_energy > 0)) return;
+  std::fprintf(stderr, "carom: an island of %u bodies has %.3g J more than its rows may give\n",
+               problem_.last - problem_.first, static_cast<double>(solution_.excess_energy));
+  std::abort();
 }
 
 bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && problem_.stood; }

@@ -89,6 +89,7 @@ class ConeGroup {
   void finish(Velocities& to);
   bool lies_still() const;
   bool is_far_off() const;
+  void measure_energy();
   bool may_be_held() const;
   void hold();
   bool is_still_at_rest(Real goal);

@@ -104,6 +104,10 @@ struct ConeProblem {
   std::span<ConeLink> locks{};  // of the forest's joints
   std::span<TreeNode> tree{};   // by place; empty where no joint is of a forest
   bool stood = false;           // no body was faster, before this substep, than its loads alone make it
+  // Of the last round in which friction was known: what its rows may give kinetic energy, but for drives (J), and whether Newton's
+  // method came to its end, so that they give no more.
+  Real may_give = -1;  // no such round
+  bool is_proven = false;
 
   /// The body of a node.
   std::uint32_t body_at(std::uint32_t node) const { return nodes[first + node]; }
@@ -242,6 +246,7 @@ struct ConeSolution {
   bool is_wedged = false;            // no velocity obeys the law: contacts yield
   bool is_rejected = false;          // that would have thrown bodies, or given energy: contacts yield
   bool is_held = false;              // all lies as it lay, for want of a solution
+  Real excess_energy = 0;            // J, beyond what the convex problem may give: @see excess_energy()
   std::uint32_t rounds = 0;          // proximal
   std::uint32_t factorisations = 0;  // Newton steps
 };
