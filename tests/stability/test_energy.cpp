@@ -197,7 +197,7 @@ void watch(const char* what, void (*build)(TestWorld&, Draw&), Real beyond = 0) 
     for (int i = 0; i < 2 / dt; ++i) {
       t.world.step(dt);
       const dynamics::StepReport& report = t.world.report;
-      excess += report.excess_energy, newton += report.velocity_impulses;
+      excess += report.excess_energy, newton += newton_steps(t);
       energy = std::max(energy, report.linear_energy + report.angular_energy);
     }
     if (excess > beyond * energy) print_message("%s %d: %g of %g J\n", what, seed, double(excess), double(energy));
