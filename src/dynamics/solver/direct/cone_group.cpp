@@ -93,8 +93,7 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
 /// Of Newton's method.   @param work  block products, beyond those of kAlways
 std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
   if (!rest_.is_bounded) return kMostSteps;
-  const std::uint32_t from_nothing = is_few() ? kFromNothing.value : kStepsOfYielding.value;
-  if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, from_nothing * work_);
+  if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, kStepsOfYielding * work_);
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
 }
 
@@ -228,7 +227,7 @@ void ConeGroup::find_yielding(Real forgets, Real goal, std::uint32_t most_steps)
 /// Where no velocity obeys the law, as where surfaces close on a body, or it would shoot it out, which no machine does:
 /// contacts yield, more and more. From nothing on, for what they bear by now may be anything.
 void ConeGroup::yield_more(Real goal, std::uint32_t most_steps) {
-  if (is_few()) most_steps = std::max(most_steps, kFromNothing.value);
+  if (is_few()) most_steps = std::max(most_steps, kStepsOfYielding.value);
   for (Real give = kGiveOfContacts;; give = std::min(10 * give, kGiveOfSweeps.value)) {
     drop_impulses(problem_);
     solution_.factorisations += solve_yielding(problem_, give, 1, kOfYielding * goal, most_steps);
@@ -314,8 +313,7 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
 /// Block products that it may take in a step, whatever others there are.
 std::uint64_t ConeGroup::own_work(std::uint64_t most) const {
   if (is_few() || is_joined()) return std::max(most, kWorkOfFew.value);
-  const std::uint64_t steps = problem_.last - problem_.first <= kFewInManySubsteps ? steps_worth(world_) : 1;
-  return std::min(most, steps * std::max(kLeastWork.value, kWorkOfPoint * problem_.contacts.size()));
+  return std::min(most, std::max(kLeastWork.value, kWorkOfPoint * problem_.contacts.size()));
 }
 
 /// It moves, and one step of Newton's method is more than there is for the step of the world.
