@@ -221,7 +221,7 @@ void ConeGroup::find_without_work(Real h, Real goal, std::uint32_t most_steps) {
 }
 
 void ConeGroup::find_yielding(Real forgets, Real goal, std::uint32_t most_steps) {
-  solution_.factorisations += solve_yielding(problem_, kGiveOfContacts, forgets, kOfYielding * goal, most_steps);
+  solution_.factorisations += solve_yielding(problem_, kGiveOfContacts, forgets, goal, most_steps);
 }
 
 /// Where no velocity obeys the law, as where surfaces close on a body, or it would shoot it out, which no machine does:
@@ -230,7 +230,7 @@ void ConeGroup::yield_more(Real goal, std::uint32_t most_steps) {
   if (is_few()) most_steps = std::max(most_steps, kStepsOfYielding.value);
   for (Real give = kGiveOfContacts;; give = std::min(10 * give, kGiveOfSweeps.value)) {
     drop_impulses(problem_);
-    solution_.factorisations += solve_yielding(problem_, give, 1, kOfYielding * goal, most_steps);
+    solution_.factorisations += solve_yielding(problem_, give, 1, goal, most_steps);
     if (give >= kGiveOfSweeps || !throws(problem_)) return;
   }
 }

@@ -108,7 +108,7 @@ ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, std::
     solution.reached = solution.residual <= tolerance;
     if (solution.reached || solution.rounds == kRoundsCloser || solution.factorisations >= most_steps) return solution;
     Round round(problem, give, Round::Friction::known);
-    solution.factorisations += round.minimise(kOfYielding * tolerance, most_steps - solution.factorisations);
+    solution.factorisations += round.minimise(tolerance, most_steps - solution.factorisations);
     ++solution.rounds;
   }
 }
