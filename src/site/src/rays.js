@@ -68,8 +68,7 @@ export class Rays {
   /** @returns what is met, in words; "" where nobody asks */
   update(picture) {
     const found =
-      this.ray &&
-      scan(picture.sim.world, this.ray.origin.toArray(), this.ray.direction.toArray(), this.far);
+      this.ray && scan(picture.sim.world, this.ray.origin.toArray(), this.ray.direction.toArray(), this.far);
     this.lines.visible = Boolean(found);
     picture.group.add(this.lines); // of two pictures that one which is pointed at
     if (!found) return this.ray ? "the ray meets nothing" : "";
@@ -81,7 +80,9 @@ export class Rays {
     position.needsUpdate = color.needsUpdate = true;
     const body = picture.sim.index.get(found.first.body.handle),
       metres = (x) => `${Number(x.toPrecision(3))} m`,
-      rest = found.hits ? `${found.hits} of ${FAN} rays around meet something, the nearest after ${metres(found.nearest)}` : "no ray around meets anything";
+      rest = found.hits
+        ? `${found.hits} of ${FAN} rays around meet something, the nearest after ${metres(found.nearest)}`
+        : "no ray around meets anything";
     return `${picture.nameOf(body)}, ${metres(found.first.time)} from the eye; ${rest}`;
   }
 }
