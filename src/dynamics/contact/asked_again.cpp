@@ -256,11 +256,11 @@ void find_asked_again(const World& world, const StepTime& time) {
   }
 }
 
-void ask_again(const World& world, StepReport& report, const StepTime&) {
+void ask_again(const World& world, StepReport& report, const StepTime& time) {
   const Contacts& c = *world.contacts;
   if (!c.any_asked_again || world.direct->groups() == 0) return;
   const FloatGuard guard;
-  NarrowSettings settings = narrow_settings(world.scene.dials);
+  NarrowSettings settings = narrow_settings(world.scene.dials, time.dt);
   settings.manifold.kind = ManifoldKind::clip;
   for (const ContactPair& m : c.contact_pairs) {
     if (!c.geometry[m.row].is_asked_again) continue;

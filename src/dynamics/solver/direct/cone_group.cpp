@@ -275,16 +275,19 @@ bool ConeGroup::comes_to_rest(Real goal) {
   return taken > 0;
 }
 
-Real ConeGroup::goal(bool is_bounded) const {
-  const auto fine = [&] { return std::max(kFineShare * tolerance(), rounding(problem_)); };
-  if (is_few() && problem_.stood) return fine();
+/// What is left over adds up from substep to substep, as loads do. So in a short one it is no more than a share of what
+/// those do in it, else a finer step would err by more. And of what moves it is a share of what there is to undo, by no
+/// more than the speed at which contacts close: what parts has nothing to undo, however fast.
+/// @param offence  m/s, of the impulses that it starts from
+Real ConeGroup::goal(bool is_bounded, Real offence) const {
+  const Real fine = std::max(kFineShare * tolerance(), rounding(problem_));
+  const Real usual = std::min(tolerance(), std::max(fine, kConeShare * rest_.load));
+  if (is_few() && problem_.stood) return fine;
   const bool roughly = is_bounded && !problem_.stood && !problem_.contacts.empty();
-  if (roughly) {
-    const Real rough = std::max(tolerance(), kConeShare * fastest(problem_));
-    return is_few() && !is_joined() ? std::clamp(kConeShare * fastest_any_way(problem_), std::min(fine(), rough), rough)
-                                    : rough;
-  }
-  return is_joined() ? std::min(tolerance(), fine()) : tolerance();
+  if (!roughly) return is_joined() ? std::min(usual, fine) : usual;
+  const Real rough = std::max(usual, kConeShare * std::min(offence, fastest(problem_)));
+  if (!is_few() || is_joined()) return rough;
+  return std::clamp(kConeShare * fastest_any_way(problem_), std::min(fine, rough), rough);
 }
 
 void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
@@ -300,9 +303,9 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   rest_.at_once = rest_.lies || (rest_.is_bounded && rest_.stood && kExpectedAtRest * work_ > own_work(work));
   rest_.waits = rest_.is_bounded && rest_.at_once && (rest_.is_close || (rest_.lies && rest_.waits));
   if (rest_.is_too_large || rest_.gave_up || takes_all_of(own_work(work))) return go_on_by_sweeps(to, h);
-  rest_.goal = goal(is_bounded);
   solution_ = {};
   solution_.residual = residual(problem_);
+  rest_.goal = goal(is_bounded, solution_.residual);
   solution_.reached = solution_.residual <= rest_.goal;
   if (was_held_ && !solution_.reached && may_be_held() && solution_.residual < kRest * tolerance()) hold();
   rest_.asks = is_joined() || !solution_.reached;

@@ -79,7 +79,7 @@ class ConeGroup {
   void find_exact(Real goal, std::uint32_t most_steps);
   void find_shares(Real goal, std::uint32_t most_steps);
   Real tolerance() const;
-  Real goal(bool is_bounded) const;
+  Real goal(bool is_bounded, Real offence) const;
   std::uint64_t own_work(std::uint64_t most) const;
   std::uint64_t work_of_substep(std::uint32_t substeps) const;
   bool takes_all_of(std::uint64_t work) const;
