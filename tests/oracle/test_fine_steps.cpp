@@ -1,8 +1,10 @@
 // A step's error falls with the step, down to 1/61440 s: what rolls and slides off something round leaves it as the
 // equation of motion says, and what slides over an edge does as it does at far finer tolerances.
 #include <cmath>
+#include <functional>
 
 #include "carom_test.h"
+#include "dynamics/accuracy/accuracy.h"
 #include "sliced.h"
 #include "world_builder.h"
 
@@ -24,14 +26,15 @@ struct RollsOff {
   Real way() const { return ground_radius + radius; }
 
   /// m/s, to the side, once it has left.
-  Real run(TestWorld& t, std::uint32_t solver, Real dt) const {
+  Real run(
+      TestWorld& t, std::uint32_t solver, Real dt, const std::function<void()>& each = [] {}) const {
     t.world.set_dial(Dial::solver, solver);
     const std::uint32_t m = t.material(friction, 0);
     const Quat turn = lies ? Quat(std::sqrt(0.5), std::sqrt(0.5), 0, 0) : Quat::identity();
     t.add(ground, Vec3::zero(), BodyType::fixed, turn, m);
     const SinCos at = sin_cos(start);
     const std::uint32_t b = t.add(body, Vec3(way() * at.sin, way() * at.cos, 0), BodyType::dynamic, turn, m);
-    for (int i = 0; i * dt < 5 && t.world.state.x[b].y() > 0; ++i) t.world.step(dt);
+    for (int i = 0; i * dt < 5 && t.world.state.x[b].y() > 0; ++i) t.world.step(dt), each();
     return t.world.state.v[b].x();
   }
 
@@ -63,14 +66,39 @@ void errs_by(Real error, Real bound, Real dt, std::uint32_t solver) {
   assert_true(error <= bound);
 }
 
+/// Steps of 1/240, 1/3840 and 1/61440 s, by night those between, too.
+template <class F>
+void over_steps(const F& f) {
+  for (const std::uint32_t solver : {kDirect, kAuto})
+    for (int level = 2; level <= 10; level += sliced(1, 4, 8)) f(solver, 1.0 / (60 << level));
+}
+
 void falls(const RollsOff& scene) {
   const Real truth = scene.truth();
-  for (const std::uint32_t solver : {kDirect, kAuto})
-    for (int level = 2; level <= 10; level += sliced(2, 1, 1)) {
-      TestWorld t;
-      const Real dt = 1.0 / (60 << level);
-      errs_by(std::fabs(scene.run(t, solver, dt) - truth), most(dt), dt, solver);
-    }
+  over_steps([&](std::uint32_t solver, Real dt) {
+    TestWorld t;
+    errs_by(std::fabs(scene.run(t, solver, dt) - truth), most(dt), dt, solver);
+  });
+}
+
+/// An accuracy is got, to ten times what was asked, or an island says that it is not. An error of what leaves is one of its
+/// speed: one that is borne for as long as the motion takes.
+void is_got_or_told(const RollsOff& scene) {
+  const Real truth = scene.truth();
+  for (const Real asked : {1e-2, 1e-3, 1e-4}) {
+    TestWorld t;
+    ask_accuracy(t, asked);
+    bool is_told = false;
+    Real seconds = 0;
+    const Real speed = scene.run(t, kAuto, 1.0 / 60, [&] {
+      seconds += 1.0 / 60;
+      for (const AccuracyView& island : t.world.accuracy->views)
+        is_told |= (island.flags & (AccuracyView::kHitBound | AccuracyView::kStalled)) != 0 || island.share() > 10;
+    });
+    const Real got = std::fabs(speed - truth) / (asked * seconds);
+    print_message("  asked %.0e, got %.2g of it%s\n", asked, got, is_told ? ", told" : "");
+    assert_true(got < 10 || is_told);
+  }
 }
 
 /// Of a capsule: of its cylinder and its two half balls.
@@ -105,6 +133,13 @@ void a_cylinder_off_a_cylinder(void**) {
   falls({keep.keep(cylinder(0.5, 2)), keep.keep(cylinder(0.2, 0.4)), 0.5, 0.2, 0.5, 0.3, 0.75, true});
 }
 
+void what_is_asked_of_round_pairs_is_got_or_told(void**) {
+  TestWorld keep;
+  is_got_or_told({keep.keep(sphere(0.9)), keep.keep(sphere(0.15)), 0.9, 0.15, 0.4, 0.3, 0, false});
+  is_got_or_told({keep.keep(sphere(1.6)), keep.keep(sphere(0.07)), 1.6, 0.07, 0.4, 0.22, 0, false});
+  is_got_or_told({keep.keep(cylinder(0.6, 2)), keep.keep(capsule(0.12, 0.25)), 0.6, 0.12, 0, 0.3, 0, true});
+}
+
 /// m: height of a box that slid over the edge of a table, and tips as it falls.
 Real over_the_edge(std::uint32_t solver, Real dt, Real tolerance) {
   TestWorld t;
@@ -122,11 +157,9 @@ Real over_the_edge(std::uint32_t solver, Real dt, Real tolerance) {
 
 void a_box_over_an_edge(void**) {
   const Real truth = over_the_edge(kDirect, 1.0 / 61440, 1e-9);
-  for (const std::uint32_t solver : {kDirect, kAuto})
-    for (int level = 2; level <= 10; level += sliced(2, 1, 1)) {
-      const Real dt = 1.0 / (60 << level);
-      errs_by(std::fabs(over_the_edge(solver, dt, 1e-4) - truth), most(dt), dt, solver);
-    }
+  over_steps([&](std::uint32_t solver, Real dt) {
+    errs_by(std::fabs(over_the_edge(solver, dt, 1e-4) - truth), most(dt), dt, solver);
+  });
 }
 
 /// How far a block slides down a slope has a closed form of second order: what a solver leaves over, too, falls with the step.
@@ -135,20 +168,18 @@ void a_block_down_a_slope(void**) {
   const SinCos at = sin_cos(lean);
   const Vec3 up(-at.sin, at.cos, 0), down(-at.cos, -at.sin, 0);
   const SinCos half = sin_cos(lean / 2);
-  for (const std::uint32_t solver : {kDirect, kAuto})
-    for (int level = 2; level <= 10; level += 2) {
-      const Real dt = 1.0 / (60 << level);
-      TestWorld t;
-      t.world.set_dial(Dial::solver, solver);
-      const std::uint32_t m = t.material(friction, 0);
-      t.add(t.keep(box(Vec3(9, 1, 9))), -1 * up, BodyType::fixed, Quat(half.cos, 0, 0, half.sin), m);
-      const std::uint32_t b =
-          t.add(t.keep(box(Vec3(0.2, 0.1, 0.15))), 0.1 * up, BodyType::dynamic, Quat(half.cos, 0, 0, half.sin), m);
-      const int n = static_cast<int>(seconds / dt + 0.5);
-      for (int i = 0; i < n; ++i) t.world.step(dt);
-      const Real way = (t.world.state.x[b] - 0.1 * up).dot(down);
-      errs_by(std::fabs(way - kG / 2 * (at.sin - friction * at.cos) * seconds * seconds), 2e-3 * dt + 1e-9, dt, solver);
-    }
+  over_steps([&](std::uint32_t solver, Real dt) {
+    TestWorld t;
+    t.world.set_dial(Dial::solver, solver);
+    const std::uint32_t m = t.material(friction, 0);
+    const Quat turn(half.cos, 0, 0, half.sin);
+    t.add(t.keep(box(Vec3(9, 1, 9))), -1 * up, BodyType::fixed, turn, m);
+    const std::uint32_t b = t.add(t.keep(box(Vec3(0.2, 0.1, 0.15))), 0.1 * up, BodyType::dynamic, turn, m);
+    const int n = static_cast<int>(seconds / dt + 0.5);
+    for (int i = 0; i < n; ++i) t.world.step(dt);
+    const Real way = (t.world.state.x[b] - 0.1 * up).dot(down);
+    errs_by(std::fabs(way - kG / 2 * (at.sin - friction * at.cos) * seconds * seconds), 2e-3 * dt + 1e-9, dt, solver);
+  });
 }
 
 }  // namespace
