@@ -189,7 +189,7 @@ int main() {
       cmocka_unit_test(a_ball_off_a_ball),         cmocka_unit_test(a_large_ball_off_a_small_one),
       cmocka_unit_test(a_ball_without_friction),   cmocka_unit_test(a_capsule_off_a_cylinder),
       cmocka_unit_test(a_cylinder_off_a_cylinder), cmocka_unit_test(a_box_over_an_edge),
-      cmocka_unit_test(a_block_down_a_slope),
+      cmocka_unit_test(a_block_down_a_slope),      cmocka_unit_test(what_is_asked_of_round_pairs_is_got_or_told),
   };
   return cmocka_run_group_tests_name("oracle/fine_steps", tests, nullptr, nullptr);
 }

@@ -274,7 +274,7 @@ void find_asked_again(const World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   c.any_asked_again = false;
   if (!has_substeps(world)) return;
-  const Real tolerance = narrow_settings(world.scene.dials, time.dt).query.tolerance;
+  const Real tolerance = world.scene.dials[Dial::gjk_tolerance];
   for (const ContactPair& m : c.contact_pairs) {
     const Pair& pair = pair_of(world, m);
     const Vec3& n = c.rows[m.row].n;
