@@ -72,6 +72,13 @@ inline void set_motor(TestWorld& t, std::uint32_t slot, Coordinate c, Real speed
 /// The x axis of a frame, laid along another axis of the world.
 inline Quat x_along(const Vec3& axis) { return turn_between(Vec3(1, 0, 0), axis); }
 
+/// Steps of Newton's method in the last step. Soft contacts count each point twice a substep in the same number.
+inline std::uint64_t newton_steps(const TestWorld& t) {
+  const bool by_lanes_too = t.world.scene.dials.whole(Dial::solver) == kAutoChoice;
+  const auto substeps = static_cast<std::uint64_t>(t.world.scene.dials.whole(Dial::substeps));
+  return t.world.report.velocity_impulses - (by_lanes_too ? 2 * substeps * t.world.wide->rows : 0);
+}
+
 inline Real energy_of(const TestWorld& t) {
   const Scene& scene = t.world.scene;
   const State& s = t.world.state;

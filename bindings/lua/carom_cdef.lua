@@ -158,7 +158,7 @@ struct carom_vehicle_input { uint32_t struct_size; int32_t gear; double throttle
 struct carom_vehicle { uint32_t struct_size; int32_t gear; double engine_speed; double shifting; double since_shift; double speed; };
 struct carom_wheel { uint32_t struct_size; uint32_t touches; carom_body body; carom_collider collider; double point[3]; double normal[3]; double position[3]; double compression; double spin; double angle; double steer; double load; double force; double side_force; double slip; double side_slip; };
 struct carom_world_desc { uint32_t struct_size; uint32_t reserved; double gravity[3]; uint64_t body_capacity; };
-struct carom_step_report { uint32_t struct_size; uint32_t stage_count; double stage_seconds[16]; double total_seconds; uint64_t steps; double time; uint64_t bodies; uint64_t dynamic_bodies; uint64_t colliders; uint64_t broad_pairs; uint64_t contact_pairs; uint64_t contact_points; uint64_t groups; uint64_t largest_group; uint64_t gjk_calls; uint64_t epa_calls; uint64_t support_calls; uint64_t velocity_impulses; uint64_t position_moves; uint64_t quarantined_bodies; uint64_t faults; double max_penetration; double mean_penetration; double max_closing_speed; double linear_energy; double angular_energy; uint64_t asleep_bodies; uint64_t fell_asleep; uint64_t woke_up; uint64_t direct_groups; double solver_residual; uint64_t particles; uint64_t quarantined_particles; uint64_t swept_bodies; uint64_t sweep_hits; uint64_t wedged_groups; uint64_t rejected_solutions; };
+struct carom_step_report { uint32_t struct_size; uint32_t stage_count; double stage_seconds[16]; double total_seconds; uint64_t steps; double time; uint64_t bodies; uint64_t dynamic_bodies; uint64_t colliders; uint64_t broad_pairs; uint64_t contact_pairs; uint64_t contact_points; uint64_t groups; uint64_t largest_group; uint64_t gjk_calls; uint64_t epa_calls; uint64_t support_calls; uint64_t velocity_impulses; uint64_t position_moves; uint64_t quarantined_bodies; uint64_t faults; double max_penetration; double mean_penetration; double max_closing_speed; double linear_energy; double angular_energy; uint64_t asleep_bodies; uint64_t fell_asleep; uint64_t woke_up; uint64_t direct_groups; double solver_residual; uint64_t particles; uint64_t quarantined_particles; uint64_t swept_bodies; uint64_t sweep_hits; uint64_t wedged_groups; uint64_t rejected_solutions; double excess_energy; };
 struct carom_contact { carom_collider collider_a; carom_collider collider_b; carom_body body_a; carom_body body_b; double point[3]; double normal[3]; double separation; double normal_impulse; double friction_impulse; };
 struct carom_group { carom_body body; uint32_t bodies; uint32_t points; uint32_t solver; uint32_t reason; double mass_ratio; double sink; };
 struct carom_fault { uint32_t kind; uint32_t reserved; carom_shape shape; carom_body body; double dir[3]; double out[3]; carom_particles particles; uint64_t particle; };
@@ -846,5 +846,5 @@ return {
   CAROM_WANT_FIRST = 0,
   CAROM_WANT_ANY = 1,
   VERSION = "0.9.0",
-  ROWS = 837, -- of the layout manifest
+  ROWS = 838, -- of the layout manifest
 }

@@ -114,6 +114,9 @@ typedef struct carom_step_report {
                                     where two surfaces close on a body: their contacts yield */
   uint64_t rejected_solutions; /**< solutions of the direct solver by which contacts would have added energy, counted a
                                     substep: contacts yield there, which cannot */
+  double excess_energy; /**< J, kinetic, that islands with joints and contacts, or whose contacts yield, have beyond
+                                    what their rows may give, summed over substeps; above 0 only where the work of a
+                                    step did not suffice to solve one */
 } carom_step_report;
 
 /** @status OK; NULL_ARGUMENT; STRUCT_SIZE; BUSY */

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <exception>
+#include <new>
+#include <stdexcept>
 
 #if defined(__unix__) && !defined(__wasm__) && !defined(__ANDROID__)
 #include <pthread.h>
@@ -116,5 +119,31 @@ void give_cancellation(int) {}
 
 void mark_leaving() { thread_marks.leaves = true; }
 bool is_leaving() { return thread_marks.leaves; }
+
+void note_exception(Call& call) {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    call.fail(CAROM_E_OUT_OF_MEMORY, 0, "the allocator had no memory for this call");
+  } catch (const std::length_error&) {
+    call.fail(CAROM_E_OUT_OF_MEMORY, 0, "this call asks for more memory than can be addressed");
+  } catch (const core::CallbackLeft& e) {
+    call.fail(CAROM_E_INTERNAL, 0, "%s", e.what());
+    call.advise("let callbacks return; a step that one left is not finished, and the next begins where it ended");
+  } catch (const std::exception& e) {
+    call.fail(CAROM_E_INTERNAL, 0, "unexpected: %s", e.what());
+  } catch (...) {
+    call.fail(CAROM_E_INTERNAL, 0, "unexpected exception of unknown type; did a callback throw?");
+  }
+}
+
+std::int32_t run_guarded(carom_error* error, CallBody body, void* work) {
+  const int cancellation = hold_cancellation();
+  Call call(error);
+  run_call(call, [&](Call& it) { body(work, it); });
+  const std::int32_t result = call.finish();
+  give_cancellation(cancellation);
+  return result;
+}
 
 }  // namespace carom::abi

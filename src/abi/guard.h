@@ -5,9 +5,7 @@
 
 #include <carom/base.h>
 
-#include <exception>
-#include <new>
-#include <stdexcept>
+#include <type_traits>
 
 #include "core/jobs.h"
 #include "core/leaving.h"
@@ -109,6 +107,9 @@ auto call_host(F&& function) {
   }
 }
 
+/// Note the exception that is being handled.
+void note_exception(Call& call);
+
 template <class Work>
 void run_call(Call& call, Work&& work) {
   if (const Inside inside(call); inside) {
@@ -116,30 +117,21 @@ void run_call(Call& call, Work&& work) {
       work(call);
     } catch (const core::ThreadExit&) {
       throw;
-    } catch (const std::bad_alloc&) {
-      call.fail(CAROM_E_OUT_OF_MEMORY, 0, "the allocator had no memory for this call");
-    } catch (const std::length_error&) {
-      call.fail(CAROM_E_OUT_OF_MEMORY, 0, "this call asks for more memory than can be addressed");
-    } catch (const core::CallbackLeft& e) {
-      call.fail(CAROM_E_INTERNAL, 0, "%s", e.what());
-      call.advise("let callbacks return; a step that one left is not finished, and the next begins where it ended");
-    } catch (const std::exception& e) {
-      call.fail(CAROM_E_INTERNAL, 0, "unexpected: %s", e.what());
     } catch (...) {
-      call.fail(CAROM_E_INTERNAL, 0, "unexpected exception of unknown type; did a callback throw?");
+      note_exception(call);
     }
   }
 }
 
+/// A call's body behind a pointer, so that there is one gate for all.
+using CallBody = void (*)(void* work, Call&);
+std::int32_t run_guarded(carom_error* error, CallBody body, void* work);
+
 /// Run the body of one C call: work(call). Only a thread that ends goes out of it otherwise than by returning.
 template <class Work>
 std::int32_t guarded(carom_error* error, Work&& work) {
-  const int cancellation = hold_cancellation();
-  Call call(error);
-  run_call(call, work);
-  const std::int32_t result = call.finish();
-  give_cancellation(cancellation);
-  return result;
+  return run_guarded(
+      error, [](void* it, Call& call) { (*static_cast<std::remove_reference_t<Work>*>(it))(call); }, &work);
 }
 
 /// Likewise, of a call that copies out a few numbers. It calls nothing of the host's, takes no memory and waits for nothing: there is

@@ -69,7 +69,7 @@ class Recorder {
   void begin(const World& world);
   /// @param write_call  f(Serializer&)
   template <class Write>
-  void call(const Write& write_call) {
+  [[gnu::cold, gnu::noinline]] void call(const Write& write_call) {  // of few worlds: for size
     guard([&] {
       content_.clear();
       Serializer to(*this);

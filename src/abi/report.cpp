@@ -60,6 +60,7 @@ void fill_report(const StepReport& from, carom_step_report& to) {
   to.sweep_hits = from.sweep_hits;
   to.wedged_groups = from.wedged_groups;
   to.rejected_solutions = from.rejected_solutions;
+  to.excess_energy = from.excess_energy;
 }
 
 carom_contact contact(const World& world, const ContactView& view) {

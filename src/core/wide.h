@@ -41,15 +41,20 @@ using LaneMask =
 
 #define CAROM_LANES_INLINE [[gnu::always_inline]] inline
 
-/// A part of a kernel of which one copy would do. Natively each kernel has its own, in registers. A module that is
-/// downloaded (bindings/js/wasm/flags.cmake) has one, and its kernels find out in a loop what natively the compiler knows.
-/// So have the kernels of x86-64 for machines without AVX2 (src/CMakeLists.txt).
+/// A part of a kernel of which one copy would do, where kernels are in few copies: then they find out in a loop what else the
+/// compiler knows. A module that is downloaded (bindings/js/wasm/flags.cmake) has them so, and x86-64 (src/CMakeLists.txt).
 #if defined(CAROM_FEW_COPIES)
 #define CAROM_SHARED_PART [[gnu::noinline]]
 constexpr bool kFewCopies = true;  // of this file: others may be compiled otherwise
 #else
 #define CAROM_SHARED_PART CAROM_LANES_INLINE
 constexpr bool kFewCopies = false;
+#endif
+/// Likewise, but short: natively a call of it, with what it is given in memory, takes as long as the part itself.
+#if defined(__wasm__)
+#define CAROM_SHORT_PART CAROM_SHARED_PART
+#else
+#define CAROM_SHORT_PART CAROM_LANES_INLINE
 #endif
 
 /// A number that a compiler must have at hand before it spreads it over lanes. clang 14 for WebAssembly would load

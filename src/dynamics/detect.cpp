@@ -37,6 +37,9 @@ void disable(const World& world, Revisions& scene, FaultViews& views, const Supp
 
 namespace {
 
+constexpr Real kUsualSteps = 60;         // 1/s: finer steps ask for finer distances
+constexpr Real kLeastTolerance = 1e-14;  // the dial's least
+
 /// The pairs of movers and sleepers among those of the broad phase; both ascending, merged from behind.
 void add_near(const Array<Pair>& near, Array<Pair>& pairs) {
   std::size_t i = pairs.size(), k = near.size(), to = i + k;
@@ -62,6 +65,14 @@ NarrowSettings narrow_settings(const Dials& dials) {
   s.manifold.contact_distance = dials[Dial::contact_distance];
   s.warm_separation = dials.choice(Dial::warm_separation) != 0;
   s.carry_over = dials[Dial::carry_over];
+  return s;
+}
+
+NarrowSettings narrow_settings(const Dials& dials, Real dt) {
+  NarrowSettings s = narrow_settings(dials);
+  // What gravity does to a gap in a step is as the square of it. Half of the digits are the normal's.
+  const Real fine = std::min(Real(1), kUsualSteps * dt);
+  s.query.tolerance = std::max(fine * fine * s.query.tolerance, std::min(s.query.tolerance, kLeastTolerance));
   return s;
 }
 
@@ -104,9 +115,9 @@ void find_pairs(const World& world, BroadPhases& broad, ClearingSleepers to, Eve
 }
 
 void find_contacts(const World& world, PairTable& pairs, Revisions& scene, FaultViews& views, StepReport& report,
-                   const StepTime&) {
+                   const StepTime& time) {
   Plan& plan = *world.plan;
-  const NarrowSettings settings = narrow_settings(world.scene.dials);
+  const NarrowSettings settings = narrow_settings(world.scene.dials, time.dt);
   meet_scenery(world, pairs, report.narrow, settings);
   narrow_phase(world.scene.colliders, settings, pairs, report.narrow, plan.faults, world.jobs);
   for (const SupportFault& fault : plan.faults) disable(world, scene, views, fault);

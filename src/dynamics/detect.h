@@ -9,6 +9,9 @@ namespace carom::dynamics {
 
 /// How the dials want pairs to be asked.
 NarrowSettings narrow_settings(const Dials& dials);
+/// As contacts are found in a step: finer by its square where it is shorter than 1/60 s, else errors of distances and
+/// normals would not fall with the step.   @param dt  s
+NarrowSettings narrow_settings(const Dials& dials, Real dt);
 
 /// Points of a pair as it stands, as ManifoldKind::clip has them. Left as they are where there are none.
 void find_manifold(const PatchPair& pair, const NarrowSettings& settings, QueryMemory& memory, Manifold& manifold,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 
 #include "dynamics/integrate/rotation/principal.h"
 #include "dynamics/part.h"
@@ -112,6 +113,7 @@ struct Plan {
   std::uint64_t revision = 0;      // of the scene this plan was made for
   std::uint64_t restored = 0;      // revision of a scene that is as it was when pairs were last asked, @see snapshot/
   Array<PlannedEffect> effects;    // every row of the table, in its order; idle rows have no participants
+  RowBits acting = 0;              // forces and flows that anybody may be a participant of; most are not
   Participants linear, rotating;   // dynamic bodies that move: without and with rotation
   Participants kinematic;          // moved by their velocity
   Participants solid;              // dynamic bodies that have a collider
@@ -152,6 +154,13 @@ struct Plan {
 
   PlannedEffect* find(const char* name);  // null: no such row
 };
+
+/// f(row), of those that act.
+template <class F>
+void each_acting(Plan& plan, F&& f) {
+  for (RowBits left = plan.acting; left != 0; left &= left - 1)
+    f(plan.effects[static_cast<std::size_t>(std::countr_zero(left))]);
+}
 
 /// The table, in the order in which effects act within a kick: those that read velocities first.
 const std::array<Effect, kEffectCount>& effect_table();

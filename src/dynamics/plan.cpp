@@ -369,13 +369,17 @@ void find_readers(const World& world) {
 }  // namespace
 
 void part_stiff(const World& world, Real h) {
-  for (PlannedEffect& row : world.plan->effects) part_with_stiff(world, row, h);
+  each_acting(*world.plan, [&](PlannedEffect& row) { part_with_stiff(world, row, h); });
 }
 
 void find_participants(const World& world, Real h) {
   Plan& plan = *world.plan;
-  for (PlannedEffect& row : plan.effects) {
+  plan.acting = 0;
+  for (std::size_t at = 0; at < plan.effects.size(); ++at) {
+    PlannedEffect& row = plan.effects[at];
     const Effect& effect = *row.effect;
+    if (row.served != Served::stage && (row.wanted > 0 || row.is_forced || row.candidates.count > 0 || row.decays))
+      plan.acting |= row_bit(at);
     if (!effect.wakes) continue;
     row.participants.clear();
     row.candidates.each([&](std::uint32_t i) {

@@ -40,6 +40,7 @@ struct StepReport {
   double solver_residual = 0;       // m/s; of solvers that solve to one
   std::uint64_t swept_bodies = 0, sweep_hits = 0;
   std::uint64_t wedged_groups = 0, rejected_solutions = 0;  // of groups and substeps: @see solver/direct/yielding.h
+  double excess_energy = 0;                                 // J, of groups and substeps: @see solver/direct/yielding.h
 };
 
 /// A contact point as a host reads it after the step.

@@ -152,7 +152,7 @@ void a_settled_world_books_without_allocating(void**) {
   Bench b;
   assert_int_equal(bench_make(&b, &desc, nullptr), CAROM_OK);
   assert_int_equal(bench_particles(&b, nullptr), CAROM_OK);
-  assert_int_equal(bench_steps(b.world, 400, nullptr), CAROM_OK);
+  assert_int_equal(bench_steps(b.world, 800, nullptr), CAROM_OK);
   const uint64_t before = purse.calls;
   assert_int_equal(carom_world_enable_ledger(b.world, 0, nullptr), CAROM_OK);  // off: nothing, not even once
   assert_int_equal(bench_steps(b.world, 10, nullptr), CAROM_OK);

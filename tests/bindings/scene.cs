@@ -2,7 +2,7 @@ using System;
 using Carom;
 
 /// <summary>The scene of scene.c by way of the package; prints its hashes, then those of it with a double cone whose function is C#.</summary>
-internal static unsafe class Scene
+internal static class Scene
 {
     /// <summary>plugins/template/template.c, operation by operation.</summary>
     private static Vec3 TopSupport(ReadOnlySpan<double> p, Vec3 d)
@@ -26,12 +26,8 @@ internal static unsafe class Scene
         ulong[] shapes = { engine.Shape("sphere", 0.3), engine.Shape("box", 0.4, 0.25, 0.3), top };
         using (World world = engine.World())
         {
-            double* wind = stackalloc double[3];
-            wind[0] = 1.5;
-            wind[1] = 0;
-            wind[2] = 0.5;
             world.SetDial(Raw.CAROM_DIAL_SUBSTEPS, 5);
-            Call.Check(Raw.carom_world_set_wind(world, wind, Call.Error));
+            Raw.carom_world_set_wind(world, new Vec3(1.5, 0, 0.5));
             ulong material = world.Material(0.6, 0.3);
             for (int i = 0; i < 19; i++)
             {
@@ -51,7 +47,7 @@ internal static unsafe class Scene
                     part.Density = 400 + 50 * i;
                 }
                 Body body = world.Body(desc, part);
-                if (i > 0) Call.Check(Raw.carom_body_set_drag(world, body.Handle, 0.1, 0.02, Call.Error));
+                if (i > 0) Raw.carom_body_set_drag(world, body.Handle, 0.1, 0.02);
             }
             JointDesc hinge = JointDesc.New();
             hinge.Kind = Raw.CAROM_JOINT_HINGE;
@@ -72,7 +68,7 @@ internal static unsafe class Scene
     {
         using (var engine = new Engine())
         {
-            ulong kind = engine.Plugin("test.top", TopSupport, new ShapeParam("radius", "m", 1e-9, 1e8), new ShapeParam("half_height", "m", 1e-9, 1e8));
+            ulong kind = engine.Plugin("test.top", TopSupport, ("radius", "m", 1e-9, 1e8), ("half_height", "m", 1e-9, 1e8));
             Hashes(engine, engine.Shape("template", 0.35, 0.4));
             Hashes(engine, engine.Shape(kind, 0.35, 0.4));
         }

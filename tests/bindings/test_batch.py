@@ -131,6 +131,157 @@ class Random(Case):
         self.assertTrue(np.array_equal(rows[0], rows[1]) and not np.array_equal(rows[1], rows[2]))
 
 
+class Drives(unittest.TestCase):
+    """The drive of a hinge's or slider's own axis: a servo. Columns drive_target, drive_velocity, drive_effort, drive_max_force, drive_gains."""
+
+    def setUp(self):
+        self.engine = carom.Engine(threads=2)
+        self.addCleanup(self.engine.close)
+
+    def arm(self, drive="position", length=0.4):
+        """A hinge that a drive holds up, and on it a slider that another moves."""
+        world = self.engine.world(gravity=(0, -9.81, 0))
+        upper = world.body(self.engine.box(length / 2, 0.03, 0.03), position=(length / 2, 0, 0))
+        lower = world.body(self.engine.box(length / 4, 0.02, 0.02), position=(1.25 * length, 0, 0))
+        hinge = world.joint("hinge", None, upper, position=(0, 0, 0), axis=(0, 0, 1))
+        slider = world.joint("slider", upper, lower, position=(length, 0, 0), axis=(1, 0, 0))
+        for joint in (hinge, slider):
+            self.tell(joint, drive)
+        return world, [hinge, slider]
+
+    def tell(self, joint, drive="position", **other):
+        about = dict(drive=drive, drive_gains="force", drive_stiffness=80, drive_damping=6, max_force=50)
+        if drive != "position":
+            about.update(speed=0.5, effort=7)
+        joint.axis("turn_x" if joint.desc.kind == "hinge" else "x", **{**about, **other})
+
+    # of each field, numbers for each joint of three worlds
+    VALUES = {"drive_target": ([[0.3], [0.05]], [[-0.4], [0]], [[0], [-0.02]]),
+              "drive_velocity": ([[1], [0.2]], [[-2], [0]], [[0], [-0.1]]),
+              "drive_effort": ([[9], [3]], [[-4], [0]], [[0], [-2]]),
+              "drive_max_force": ([[3], [1]], [[20], [0]], [[0], [9]]),
+              "drive_gains": ([[30, 2], [200, 5]], [[0, 9], [90, 0]], [[500, 1], [0, 0]])}
+    KINDS = {"drive_target": ["position"], "drive_velocity": ["position", "velocity"], "drive_effort": ["effort"],
+             "drive_max_force": ["position", "velocity", "effort"], "drive_gains": ["position"]}
+    WORDS = {"drive_target": ["target"], "drive_velocity": ["speed"], "drive_effort": ["effort"], "drive_max_force": ["max_force"],
+             "drive_gains": ["drive_stiffness", "drive_damping"]}
+
+    def test_each_does_what_its_axis_is_told(self):
+        """To the bit, beside worlds alone in which carom_joint_set_axis() said it; every value matters, and is read back."""
+        for field, values in self.VALUES.items():
+            for drive in self.KINDS[field]:
+                with self.subTest(field=field, drive=drive):
+                    world, joints = self.arm(drive)
+                    batch = carom.Batch(world, 4)
+                    column, seen = batch.column("joints", field, joints), batch.column("joints", field, joints, when="after_step")
+                    batch.read(column, seen)
+                    begin = column.array.copy()
+                    column.array[:3] = values
+                    batch.write(column, mask=np.array([True, True, True, False]))
+                    np.testing.assert_array_equal(seen.array[:3], values)
+                    np.testing.assert_array_equal(seen.array[3], begin[3])
+                    batch.step(DT, 20)
+                    hashes = batch.hashes()
+                    for k in range(4):
+                        twin = world.fork()
+                        for joint, row in zip(twin.joints, column.array[k]):
+                            self.tell(joint, drive, **dict(zip(self.WORDS[field], map(float, row))))
+                        for _ in range(20):
+                            twin.step(DT)
+                        self.assertEqual(twin.hash, int(hashes[k]), k)
+                    self.assertEqual(len(set(hashes.tolist())), 4)
+
+    def test_before_each_step_and_in_floats(self):
+        world, joints = self.arm()
+        batch = carom.Batch(world, 3)
+        target = batch.column("joints", "drive_target", joints, when="before_step", dtype="float32")
+        gains = batch.column("joints", "drive_gains", joints[:1], when="before_step")
+        self.assertEqual((target.array.shape, gains.array.shape), ((3, 2, 1), (3, 1, 2)))
+        place = batch.column("joints", "position", joints, when="after_step")
+        gains.array[:] = (400, 20)
+        twin = world.fork()
+        for k in range(20):
+            target.array[:, 0, 0] = 0.2 * np.sin(0.1 * k) * np.array([1, -1, 0])
+            self.tell(twin.joints[0], drive_stiffness=400, drive_damping=20, target=float(target.array[1, 0, 0]))
+            batch.step(DT)
+            twin.step(DT)
+        np.testing.assert_array_equal(place.array[1, :, 0], twin.read_joints("position")[:, 0])
+        self.assertGreater(place.array[0, 0, 0], place.array[2, 0, 0])
+        self.assertGreater(place.array[2, 0, 0], place.array[1, 0, 0])
+
+    def test_where_they_lead(self):
+        """In closed form: a stiff position drive sags by load / stiffness; a velocity drive goes at its speed; an effort bears its weight."""
+        world, joints = self.arm()
+        weight = 9.81 * (joints[0].desc.body_b.mass * 0.2 + joints[1].desc.body_b.mass * 0.5)  # N m about the hinge
+        batch = carom.Batch(world, 3)
+        gains, most = batch.column("joints", "drive_gains", joints), batch.column("joints", "drive_max_force", joints)
+        place = batch.column("joints", "position", joints, when="after_step")
+        gains.array[:, 0] = [(2000, 60), (500, 60), (500, 60)]
+        gains.array[:, 1] = (4000, 200)
+        most.array[:, 0, 0], most.array[:, 1, 0] = (1e3, 1e3, weight / 4), 1e3
+        batch.write(gains, most)
+        batch.step(1 / 240, 960)
+        for k, stiffness in ((0, 2000), (1, 500)):
+            self.assertAlmostEqual(place.array[k, 0, 0], -weight / stiffness, delta=0.02 * weight / stiffness)  # it turns, and its slider gives way
+        self.assertLess(place.array[2, 0, 0], -10 * weight / 500)  # too weak: it falls
+        world, joints = self.arm("velocity")
+        batch = carom.Batch(world, 2)
+        speed, seen = batch.column("joints", "drive_velocity", joints, when="before_step"), batch.column("joints", "velocity", joints, when="after_step")
+        speed.array[:, 0, 0] = (0.7, -0.2)
+        batch.step(1 / 240, 48)
+        np.testing.assert_allclose(seen.array[:, 0, 0], (0.7, -0.2), atol=2e-2)
+
+    def test_two_structures_and_a_reset(self):
+        one, of_one = self.arm()
+        other, of_other = self.arm("effort", 0.7)
+        extra = other.body(self.engine.sphere(0.1), position=(0, 5, 0))
+        batch = carom.Batch(one, 2)
+        batch.add_worlds(other, 3)
+        target = batch.column("joints", "drive_target", of_one)
+        effort = batch.column("joints", "drive_effort", of_other[:1], world=2)
+        self.assertEqual((target.array.shape, effort.array.shape), ((2, 2, 1), (3, 1, 1)))
+        begin = batch.hashes()
+        target.array[:, 0, 0], effort.array[:, 0, 0] = (0.1, 0.2), (5, 10, 10)
+        batch.write(target, effort)
+        batch.step(DT, 30)
+        hashes = batch.hashes()
+        twin = other.fork()
+        self.tell(twin.joints[0], "effort", effort=10)
+        for _ in range(30):
+            twin.step(DT)
+        self.assertEqual((int(hashes[3]), int(hashes[4])), (twin.hash, twin.hash))
+        self.assertEqual(len(set(hashes.tolist())), 4)
+        batch.reset()
+        np.testing.assert_array_equal(batch.hashes(), begin)  # drives, too
+        with self.assertRaises(CaromError):  # joints of the other structure
+            batch.column("joints", "drive_target", of_other)
+        self.assertIsNotNone(extra)
+
+    def test_refused(self):
+        world, joints = self.arm()
+        ball = world.joint("ball", None, joints[0].desc.body_b, position=(0, 0, 0))
+        bare = world.joint("distance", joints[0].desc.body_b, joints[1].desc.body_b, length=0.3)
+        batch = carom.Batch(world, 3)
+        for field, width in (("drive_target", 1), ("drive_gains", 2)):
+            for shape in ((3, 2, 3 - width), (2, 2, width), (3, 1, width), (3, 2)):
+                with self.assertRaisesRegex(ValueError, r"shape \(3, 2, "):
+                    batch.column("joints", field, joints, out=np.zeros(shape))
+        for field in self.VALUES:
+            for wrong in (ball, bare):
+                with self.assertRaises(Unsupported):
+                    batch.read(batch.column("joints", field, [joints[0], wrong]))
+        before = batch.hashes()
+        for field, wrong in (("drive_target", 2e9), ("drive_velocity", 2e6), ("drive_effort", 2e30), ("drive_max_force", -1.0), ("drive_gains", -1.0),
+                             *((field, np.nan) for field in self.VALUES)):
+            column = batch.column("joints", field, joints)
+            batch.read(column)
+            column.array[2, 1, -1] = wrong
+            column.array[0, 0, 0] += 0.01
+            with self.subTest(field=field, wrong=wrong), self.assertRaisesRegex((OutOfRange, NotFinite), "world 2, column"):
+                batch.write(column)
+            np.testing.assert_array_equal(batch.hashes(), before)
+
+
 class Refused(Case):
     def test_wrong_shapes_types_and_words(self):
         batch = carom.Batch(self.world, 3)

@@ -324,6 +324,18 @@ class Held(unittest.TestCase):
             self.assertAlmostEqual(float(robot.qpos["a"]), math.radians(30), places=6)
             self.assertAlmostEqual(float(robot.qpos["b"]), 0, places=6)
 
+    def test_a_margin_is_kept_off_a_limit(self):
+        for margin in (0, 0.1):
+            text = f"""<mujoco><option timestep="0.001"/><worldbody><body><joint name="a" axis="0 1 0" range="-20 30" margin="{margin}" damping="0.1"/>
+                <geom type="capsule" size="0.02" fromto="0 0 0 0.4 0 0"/></body></worldbody></mujoco>"""
+            with load(text) as robot:
+                model, data = reference(robot, 0.001)
+                robot.step(1000)
+                for _ in range(3000):
+                    mujoco.mj_step(model, data)
+                self.assertAlmostEqual(float(robot.qpos["a"]), math.radians(30) - margin, places=6)
+                self.assertAlmostEqual(float(data.qpos[0]), math.radians(30) - margin, delta=2e-3)  # MuJoCo's gives way
+
     def test_an_equality_that_locks(self):
         with load("""<mujoco><worldbody><body><joint name="a" axis="0 1 0" ref="10"/><geom type="capsule" size=".02" fromto="0 0 0 .4 0 0"/></body></worldbody>
                 <equality><joint joint1="a" polycoef="0.3 0 0 0 0"/></equality></mujoco>""") as robot:
@@ -555,11 +567,11 @@ class Sensors(unittest.TestCase):
 
 
 class LeftOut(unittest.TestCase):
-    TEXT = """<mujoco><option density="1.2"/><worldbody><geom type="plane" size="1 1 1"/>
+    TEXT = """<mujoco><option density="1.2"/><worldbody><geom type="plane" size="1 1 1"/><geom name="knob" size=".05" pos=".5 0 3"/>
         <body name="b" pos="0 0 1"><freejoint name="f"/><geom name="g" size=".1"/><site name="s1"/></body>
         <body name="c" pos="1 0 1"><joint name="j"/><geom size=".1"/><site name="s2" pos="0 .1 0"/>
           <body pos="0 .2 0"><joint name="k"/><geom size=".1"/></body><body pos="0 -.2 0"><joint name="l" type="ball" range="0 1" limited="true"/><geom size=".1"/></body></body></worldbody>
-        <tendon><spatial name="rope" limited="true" range="0 1"><site site="s1"/><site site="s2"/></spatial></tendon>
+        <tendon><spatial name="rope" limited="true" range="0 1"><site site="s1"/><geom geom="knob"/><site site="s2"/></spatial></tendon>
         <equality><joint name="mimic" joint1="j" joint2="k"/></equality>
         <actuator><motor name="winch" tendon="rope"/><muscle name="biceps" joint="j" lengthrange="0 1"/><adhesion name="glue" body="b" ctrlrange="0 1"/></actuator>
         <sensor><e_kinetic name="energy"/><tendonpos name="length" tendon="rope"/></sensor></mujoco>"""
@@ -567,9 +579,9 @@ class LeftOut(unittest.TestCase):
     def test_each_has_its_reason(self):
         with load(self.TEXT) as robot:
             said = {(left.kind, name): left.reason for left in robot.left_out for name in left.names}
-            for key, reason in {("tendon", "rope"): "a limit", ("actuator", "winch"): "spatial",
+            for key, reason in {("tendon", "rope"): "a limit: it winds about a geom", ("actuator", "winch"): "winds",
                                 ("actuator", "biceps"): "muscle", ("actuator", "glue"): "acts by a body", ("sensor", "energy"): "does not tell",
-                                ("sensor", "length"): "spatial", ("option", "density"): "drag", ("joint", "l"): "limit of a ball"}.items():
+                                ("sensor", "length"): "winds", ("option", "density"): "drag", ("joint", "l"): "limit of a ball"}.items():
                 self.assertIn(reason, said.get(key, "nothing"), key)
             self.assertEqual(len(said), 9)  # and viscosity beside density
             robot.step(10)

@@ -125,8 +125,8 @@ static void handle_numbers_do_not_matter(void** state) {
  * floats (soft_step, sequential, auto). When physics is meant to change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void** state) {
   const uint64_t golden[kSettings] = {0xd26f51eb8ebaa981u, 0xea595e90983bc931u, 0x8a2dc29b81dc1924u,
-                                      0xfe8d12082da95186u, 0x0723b2c3a1307a75u, 0xb9e3d6ff1a6495deu,
-                                      0x186a31bed1da3cddu, 0xc73540985cbe4197u, 0xb9e3d6ff1a6495deu};
+                                      0xfe8d12082da95186u, 0xe7a9d91953839b2cu, 0x1691d19ed2b9bcccu,
+                                      0x186a31bed1da3cddu, 0xc73540985cbe4197u, 0x1691d19ed2b9bcccu};
   int setting, wrong = 0;
   (void)state;
   for (setting = 0; setting < kSettings; ++setting) {
@@ -180,7 +180,7 @@ static void so_are_those_of_particles(void** state) {
 /* The same of joints, by solver (sequential, soft_step, direct, auto): one of each kind between the world and the bodies of
  * the stage, a motor, a spring and limits on them; 200 steps. */
 static void so_are_those_of_joints(void** state) {
-  const uint64_t golden[4] = {0xbbc34b7709997165u, 0x5fe76185554603fau, 0xefb2f6558724b68fu, 0xbe2a82ef985716b1u};
+  const uint64_t golden[4] = {0xbbc34b7709997165u, 0x5fe76185554603fau, 0x1542d3feed754ae0u, 0x69783ad47a404962u};
   uint32_t solver, kind;
   int wrong = 0;
   (void)state;
@@ -220,8 +220,8 @@ static void so_are_those_of_joints(void** state) {
 /* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver, and of sequential and
  * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void** state) {
-  const uint64_t golden[6] = {0x83a3b7ab7884b05au, 0x22e764d33cb317bcu, 0xdb3be987d44b5749u,
-                              0x0d1cd59afb64869bu, 0x3a6732af935aa6cfu, 0x11372563e5ca6756u};
+  const uint64_t golden[6] = {0x83a3b7ab7884b05au, 0x22e764d33cb317bcu, 0xf83512b1841b117bu,
+                              0x82828252053e52e1u, 0x3a6732af935aa6cfu, 0x11372563e5ca6756u};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;
@@ -258,7 +258,7 @@ static void so_are_those_of_factors_locks_and_belts(void** state) {
 /* The same of a heap so large that its bodies are halved into regions, on one to three threads: sequential and
  * soft_step with contacts in doubles, auto, and soft_step with contacts in floats. 40 steps. */
 static void so_are_those_of_heaps(void** state) {
-  const uint64_t golden[4] = {0x7026c1835797adbau, 0x1bb554cd8d1c22a6u, 0xfa3d73cb01a72de6u, 0x04d9825aff7885dau};
+  const uint64_t golden[4] = {0x7026c1835797adbau, 0x1bb554cd8d1c22a6u, 0x248034bb1f3e02f5u, 0x04d9825aff7885dau};
   const uint32_t solver[4] = {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_AUTO,
                               CAROM_SOLVER_SOFT_STEP};
   const uint32_t precision[4] = {CAROM_PRECISION_DOUBLE, CAROM_PRECISION_DOUBLE, CAROM_PRECISION_AUTO,

@@ -20,7 +20,7 @@ namespace Carom
         }
     }
 
-    /// <summary>For calls of Raw: Call.Check(Raw.carom_body_wake(world, body.Handle, Call.Error)).</summary>
+    /// <summary>For calls of Raw with an error: Call.Check(Raw.carom_body_wake(world, body.Handle, Call.Error)).</summary>
     public static unsafe class Call
     {
         private sealed class Room
@@ -31,10 +31,16 @@ namespace Carom
         }
 
         [ThreadStatic] private static Room room;
-
         /// <summary>Of this thread: the library writes it on failure only.</summary>
         public static Error* Error => (room ?? (room = new Room())).Error;
-
         public static void Check(int result) { if (result != Raw.CAROM_OK) throw new CaromException(result, Error); }
+
+        /// <summary>Where nothing is read or written: C refuses NULL.</summary>
+        internal static void* Some(void* at) => at == null ? Error : at;
+        internal static void Fits(string name, int length, int wanted, bool orNone)
+        {
+            if (length == wanted || orNone && length == 0) return;
+            throw new CaromException(Raw.CAROM_E_OUT_OF_RANGE, $"{name} has {length} elements, not {wanted}", "give as many of each");
+        }
     }
 }

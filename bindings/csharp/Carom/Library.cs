@@ -1,7 +1,5 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
-using System.Reflection;
 using System.Runtime.InteropServices;
 
 namespace Carom
@@ -13,11 +11,11 @@ namespace Carom
         private static bool fits;
 
         /// <summary>Before the first call of Raw.</summary>
-        internal static void Name() => NativeLibrary.SetDllImportResolver(typeof(Library).Assembly, Find);
+        internal static void Name() =>
+            NativeLibrary.SetDllImportResolver(typeof(Library).Assembly, (name, assembly, path) => name == Raw.File ? Load() : IntPtr.Zero);
 
-        private static IntPtr Find(string name, Assembly assembly, DllImportSearchPath? path)
+        private static IntPtr Load()
         {
-            if (name != Raw.File) return IntPtr.Zero;
             string given = Environment.GetEnvironmentVariable("CAROM_LIBRARY");
             string usual = RuntimeInformation.IsOSPlatform(OSPlatform.Windows) ? "carom.dll"
                 : RuntimeInformation.IsOSPlatform(OSPlatform.OSX) ? "libcarom.0.9.dylib" : Raw.Soname;
@@ -47,17 +45,15 @@ namespace Carom
         internal static void Check(string manifest, string name)
         {
             file = name;
-            string[] lines = manifest.Split('\n');
-            string version = lines[0].StartsWith("carom ") ? lines[0].Substring(6) : lines[0];
-            Version here = Version.Parse(Raw.Version), there;
-            bool same = Version.TryParse(version, out there) && there.Major == here.Major && (here.Major > 0 || there.Minor == here.Minor);
+            string[][] rows = manifest.Split('\n').Select(line => line.Split(' ')).ToArray();
+            string version = rows[0].Last();
+            Version here = Version.Parse(Raw.Version);
+            bool same = Version.TryParse(version, out Version there) && there.Major == here.Major && (here.Major > 0 || there.Minor == here.Minor);
             if (!same || there < here) throw Unfit($"is of version {version}, this package of {Raw.Version}");
-            var rows = new Dictionary<string, string[]>();
-            foreach (string line in lines) rows[line.Split(' ')[0]] = line.Split(' ');
+            ILookup<string, string[]> named = rows.ToLookup(row => row[0]);
             foreach (string line in Raw.Layout.Split(new[] { '\n' }, StringSplitOptions.RemoveEmptyEntries))
             {
-                string[] ours = line.Trim().Split(' '), theirs;
-                if (!rows.TryGetValue(ours[0], out theirs)) throw Unfit("has no " + ours[0]);
+                string[] ours = line.Trim().Split(' '), theirs = named[ours[0]].FirstOrDefault() ?? throw Unfit("has no " + ours[0]);
                 bool longer = ours[3] == "struct" && theirs[3] == "struct" && int.Parse(theirs[2]) > int.Parse(ours[2]);  // its tail is not ours
                 if (!ours.SequenceEqual(theirs) && !longer)
                     throw Unfit($"has {ours[0]} as {theirs[3]} of {theirs[2]} bytes at {theirs[1]}, this package as {ours[3]} of {ours[2]} bytes at {ours[1]}");

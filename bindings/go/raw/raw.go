@@ -4008,6 +4008,9 @@ type StepReport struct {
 
 	// solutions of the direct solver by which contacts would have added energy, counted a substep: contacts yield there, which cannot
 	RejectedSolutions uint64
+
+	// J, kinetic, that islands with joints and contacts, or whose contacts yield, have beyond what their rows may give, summed over substeps; above 0 only where the work of a step did not suffice to solve one
+	ExcessEnergy float64
 }
 
 var _ = [1]struct{}{}[unsafe.Sizeof(StepReport{})-C.sizeof_carom_step_report] // as large as in C
@@ -6999,6 +7002,7 @@ var Layout = []Row{
 	{"carom_step_report.sweep_hits", unsafe.Offsetof(StepReport{}.SweepHits), unsafe.Sizeof(StepReport{}.SweepHits), "u64"},
 	{"carom_step_report.wedged_groups", unsafe.Offsetof(StepReport{}.WedgedGroups), unsafe.Sizeof(StepReport{}.WedgedGroups), "u64"},
 	{"carom_step_report.rejected_solutions", unsafe.Offsetof(StepReport{}.RejectedSolutions), unsafe.Sizeof(StepReport{}.RejectedSolutions), "u64"},
+	{"carom_step_report.excess_energy", unsafe.Offsetof(StepReport{}.ExcessEnergy), unsafe.Sizeof(StepReport{}.ExcessEnergy), "f64"},
 	{"carom_contact", 0, unsafe.Sizeof(Contact{}), "struct"},
 	{"carom_contact.collider_a", unsafe.Offsetof(Contact{}.ColliderA), unsafe.Sizeof(Contact{}.ColliderA), "u64"},
 	{"carom_contact.collider_b", unsafe.Offsetof(Contact{}.ColliderB), unsafe.Sizeof(Contact{}.ColliderB), "u64"},

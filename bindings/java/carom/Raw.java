@@ -3132,7 +3132,7 @@ public final class Raw {
 
     /** Times, counts and residuals of the last step. A stage without participants did not run: its time is 0. */
     public static final class StepReport {
-        public static final int SIZE = 408;
+        public static final int SIZE = 416;
         public final MemorySegment segment;
         public StepReport(Arena arena) { segment = arena.allocate(SIZE, 8); segment.set(JAVA_INT, 0, SIZE); }
         public StepReport(MemorySegment at) { segment = at; }
@@ -3244,6 +3244,9 @@ public final class Raw {
         /** solutions of the direct solver by which contacts would have added energy, counted a substep: contacts yield there, which cannot */
         public long rejectedSolutions() { return segment.get(JAVA_LONG, 400); }
         public StepReport rejectedSolutions(long it) { segment.set(JAVA_LONG, 400, it); return this; }
+        /** J, kinetic, that islands with joints and contacts, or whose contacts yield, have beyond what their rows may give, summed over substeps; above 0 only where the work of a step did not suffice to solve one */
+        public double excessEnergy() { return segment.get(JAVA_DOUBLE, 408); }
+        public StepReport excessEnergy(double it) { segment.set(JAVA_DOUBLE, 408, it); return this; }
     }
 
     /** A contact point of the last step. */
@@ -6953,7 +6956,7 @@ carom_world_desc.struct_size 0 4 u32
 carom_world_desc.reserved 4 4 u32
 carom_world_desc.gravity 8 24 f64[3]
 carom_world_desc.body_capacity 32 8 u64
-carom_step_report 0 408 struct
+carom_step_report 0 416 struct
 carom_step_report.struct_size 0 4 u32
 carom_step_report.stage_count 4 4 u32
 carom_step_report.stage_seconds 8 128 f64[16]
@@ -6991,6 +6994,7 @@ carom_step_report.swept_bodies 376 8 u64
 carom_step_report.sweep_hits 384 8 u64
 carom_step_report.wedged_groups 392 8 u64
 carom_step_report.rejected_solutions 400 8 u64
+carom_step_report.excess_energy 408 8 f64
 carom_contact 0 104 struct
 carom_contact.collider_a 0 8 u64
 carom_contact.collider_b 8 8 u64

@@ -65,6 +65,23 @@ class Column:
         return f"<carom.Column {self.number}: {self._what}, {self.array.shape} of {self.array.dtype}>"
 
 
+class _Writable:
+    """Memory of an array that numpy took for read only."""
+
+    def __init__(self, array: Any) -> None:
+        self.array = array
+        interface = dict(array.__array_interface__)
+        interface["data"] = (interface["data"][0], False)
+        self.__array_interface__ = interface
+
+
+def _from_dlpack(np: Any, out: Any) -> Any:
+    """numpy before 2.1 takes whatever comes by DLPack for read only, since that did not say."""
+    array = np.from_dlpack(out)
+    says = tuple(int(part) for part in np.__version__.split(".")[:2]) >= (2, 1)
+    return array if says or array.flags.writeable else np.asarray(_Writable(array))
+
+
 class Batch(Root):
     """n worlds that are as `world` is now; add_worlds() adds others. `seed` is that of random(), `first` the number that the first
     world has there: a part of a larger batch gives the numbers that the whole one would."""
@@ -175,7 +192,7 @@ class Batch(Root):
             if made not in (np.float64, np.float32):
                 raise ValueError(f"dtype takes float64 or float32, got {dtype!r}")
             return np.zeros(shape, made)
-        array = out if isinstance(out, np.ndarray) else np.from_dlpack(out) if hasattr(out, "__dlpack__") else None
+        array = out if isinstance(out, np.ndarray) else _from_dlpack(np, out) if hasattr(out, "__dlpack__") else None
         if array is None:
             raise TypeError(f"out takes an array of numpy's, or one with DLPack, got a {type(out).__name__}")
         if array.dtype not in (np.float64, np.float32) or array.shape != shape:

@@ -1314,6 +1314,7 @@ class carom_step_report(ctypes.Structure):
     sweep_hits: int
     wedged_groups: int
     rejected_solutions: int
+    excess_energy: float
 class carom_contact(ctypes.Structure):
     """A contact point of the last step."""
     collider_a: int

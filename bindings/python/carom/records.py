@@ -398,6 +398,7 @@ class StepReportRecord(Record):
     sweep_hits: int
     wedged_groups: int
     rejected_solutions: int
+    excess_energy: float
 
 
 class ContactRecord(Record):

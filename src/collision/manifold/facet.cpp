@@ -139,7 +139,8 @@ void be_face(const Ring& p, const Vec3& normal, Real noise, Facet& f) {
   while (f.count > 1 && (f.corner[0] - f.corner[f.count - 1]).squared_norm() <= noise * noise) --f.count;
 }
 
-/// The facet within the rings' tilts. @param sharp  it is a corner or an edge for certain, after one ring
+/// The facet within the rings' tilts. @param sharp  it is a corner or an edge for certain, after one ring, or may be a
+/// point of a rim
 bool fit_near(const Prober& probe, const Vec3& n, Facet& f, bool& sharp) {
   f.normal = n;
   if (!probe(n, f.tip)) return false;
@@ -153,7 +154,7 @@ bool fit_near(const Prober& probe, const Vec3& n, Facet& f, bool& sharp) {
     const bool last = i + 1 == kRings;
     if (c.length <= noise) return sharp = i == 0, be_point(f, i > 0), true;
     if (c.length < kShrank * length) {  // curved along its longest chord: what is flat beside it is shorter still
-      if (last) return be_point(f, true), true;
+      if (last) return sharp = true, be_point(f, true), true;
       length = c.length, width = c.width;
       continue;
     }
@@ -177,7 +178,7 @@ bool fit_near(const Prober& probe, const Vec3& n, Facet& f, bool& sharp) {
   return true;
 }
 
-/// A flat face that leans by up to `lean` over a corner or an edge.
+/// A flat face that leans by up to `lean` over a corner, an edge or a point of its rim.
 bool look_wide(const Prober& probe, const Vec3& n, Real lean, Facet& f) {
   const Real noise = kNoise * probe.shape.bounding_radius;
   Ring p;

@@ -3,9 +3,10 @@
 // Elsewhere a step looks where bodies stand, and a little ahead: bounds and contacts reach as far as a body moves
 // within the step, but no farther than the size of its shape, beyond which a contact would stop bodies that merely pass
 // by. What moves farther than that is this module's participant, and so is what turns so far that its ends pass what
-// its contacts know nothing of, and what a host asks for (BodyDef::continuous). So is what a host
-// moves, if it comes farther in a step than a quarter of its thickness: it keeps its contacts, and dynamic bodies in its
-// way are swept against it. No other body costs anything.
+// its contacts know nothing of, and what a host asks for (BodyDef::continuous). What is long or flat and moves by more than
+// its thickness keeps its contacts and is swept beside: an end that lands first may send the other one through something.
+// So is what a host moves, if it comes farther in a step than a quarter of its thickness, and dynamic bodies in its way are
+// swept against it. No other body costs anything.
 //
 // In a substep, when the integrator and the solver have had their say, each participant has come from one pose to another.
 // Its path between them, straight on and about one axis, is swept by conservative advancement (collision/cast) against
@@ -119,7 +120,7 @@ struct Continuous {
 
   Array<std::uint32_t> index;                  // by body: in bodies, or kInvalid; empty until there is a participant
   Array<SweptBody> bodies;                     // of this step: participants first, ascending
-  std::size_t participants = 0, boxed = 0;     // of bodies; those in the tree
+  std::size_t participants = 0;                // of bodies
   BoxTree tree;                                // of participants, by place in bodies; boxes of this substep
   Array<Aabb> boxes;                           // m, by place in bodies
   Array<std::uint32_t> leaves;                 // 0, 1, 2, ...

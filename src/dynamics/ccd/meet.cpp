@@ -13,6 +13,8 @@ namespace {
 // Width of the bracket of a time of impact, as length, relative to the smaller of the two: rounding begins a hundred
 // times below.
 constexpr Real kTolerance = 1e-9;
+// Likewise where two that touch may sink on, of what they may: to that they are asked whether they do.
+constexpr Real kDepthTolerance = 0.01;
 constexpr int kMeetCap = 256;  // distance queries; a rod takes some ten for each quarter turn
 // Of the thickness of the thinner, that two may sink without a hit.
 constexpr Real kMostSlack = 0.05, kLeastSlack = 1e-5;
@@ -129,6 +131,8 @@ Sweeper::FirstContact Sweeper::meet(const Side& a, const Side& b, Real from, Rea
   const Real most = slack(a, b), depth = r.outcome == CastOutcome::overlap ? std::min(r.separation, Real(0)) : 0;
   allowed = std::min(-most, depth - kDeeper * most);
   start = first.when;
+  const Real smaller = std::min(a.part.shape->bounding_radius, b.part.shape->bounding_radius);  // m
+  settings.tolerance = std::max(kTolerance, kDepthTolerance * most / smaller);
   const FirstContact second = look();
   return r.outcome == CastOutcome::overlap ? FirstContact{} : second;
 }

@@ -46,6 +46,17 @@ bool is_fast(const World& world, std::uint32_t body, Real dt) {
   return reach > 0 && (way > reach || spins);
 }
 
+/// Whether an end that touches first may send the other one through something: the way of a step is more than its thickness,
+/// and no small share of its size. What is as thick as it is long outruns its contacts first.
+bool may_tip_over(const World& world, std::uint32_t body, Real dt) {
+  const Colliders& c = world.scene.colliders;
+  const Real way = dt * world.state.v[body].norm();
+  const auto is_less = [&](const Shape& shape) { return std::max(thickness(shape), shape.bounding_radius / 4) < way; };
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != kInvalid; slot = c.next[slot])
+    if (!c.disabled[slot] && !c.is_sensor(slot) && !is_scenery(*c.shape[slot]) && is_less(*c.shape[slot])) return true;
+  return false;
+}
+
 /// Whether what a host moves comes far for its thinnest collider: what lies still in its way may be on either side of
 /// that after a step.
 bool sweeps_others(const World& world, std::uint32_t body, Real dt) {
@@ -175,10 +186,11 @@ void find_swept(const World& world, Colliders& table, Real dt) {
     const SweepMode mode = world.scene.def[i].continuous;
     const EffectModes& modes = world.scene.modes;
     if (modes.forbids(+EffectId::continuous, i)) continue;
-    const bool outruns = world.plan->watches_speed && mode != SweepMode::never && is_fast(world, i, dt);
-    const bool sweeps = world.plan->watches_speed && mode != SweepMode::never && sweeps_others(world, i, dt);
+    const bool is_watched = world.plan->watches_speed && mode != SweepMode::never;
+    const bool outruns = is_watched && is_fast(world, i, dt);
+    const bool is_swept = is_watched && (outruns || may_tip_over(world, i, dt) || sweeps_others(world, i, dt));
     const bool is_asked = mode == SweepMode::always || modes.forces(+EffectId::continuous, i);
-    if (!can_sweep(world, i) || !(outruns || sweeps || is_asked)) continue;
+    if (!can_sweep(world, i) || !(is_swept || is_asked)) continue;
     c.index.resize(world.scene.bodies.slots(), kInvalid);
     SweptBody& b = know(world, i);
     b.swept = true, b.outruns = outruns;

@@ -35,6 +35,34 @@ bool leave_tangent(const World& world, const Pair& pair, const StepTime& time, c
   return leaves > 0 && leaves > kAskedAgain * tolerable_depth(world, pair);
 }
 
+bool is_round(const Shape& s) {
+  return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && !is_scenery(s);
+}
+
+/// m, by which a pair of two that are round leaves the plane between them within a time, as their middles pass each other:
+/// the normal turns meanwhile, whether they spin or not.
+Real passes_by(const World& world, const Pair& pair, const Vec3& n, Real time) {
+  const State& s = world.state;
+  const auto middle = [&](std::uint32_t collider, Vec3& x) -> Vec3 {
+    const std::uint32_t body = world.scene.colliders.body[collider];
+    const Vec3 arm = s.q[body] * world.plan->local[collider].p;
+    x = s.x[body] + arm;
+    return s.v[body] + s.omega[body].cross(arm);
+  };
+  Vec3 a, b;
+  const Vec3 passes = middle(pair.b, b) - middle(pair.a, a);
+  const Real apart = (b - a).norm(), across2 = passes.squared_norm() - passes.dot(n) * passes.dot(n);
+  return apart > 0 ? across2 * time * time / (2 * apart) : 0;
+}
+
+/// Whether that is more than queries leave open.
+bool bends_away(const World& world, const Pair& pair, const Vec3& n, Real tolerance, Real time) {
+  const Colliders& c = world.scene.colliders;
+  const Shape &a = *c.shape[pair.a], &b = *c.shape[pair.b];
+  return is_round(a) && is_round(b) &&
+         passes_by(world, pair, n, time) > tolerance * std::min(a.bounding_radius, b.bounding_radius);
+}
+
 /// Whether contacts are asked again at all: at the end of a step they are found anyway.
 bool has_substeps(const World& world) { return world.plan->substeps > 1 || world.accuracy; }
 
@@ -246,21 +274,22 @@ void find_asked_again(const World& world, const StepTime& time) {
   Contacts& c = *world.contacts;
   c.any_asked_again = false;
   if (!has_substeps(world)) return;
+  const Real tolerance = world.scene.dials[Dial::gjk_tolerance];
   for (const ContactPair& m : c.contact_pairs) {
     const Pair& pair = pair_of(world, m);
     const Vec3& n = c.rows[m.row].n;
     const auto across = [&](std::uint32_t collider) -> Vec3 { return spin_of(world, collider).cross(n); };
-    if (!leave_tangent(world, pair, time, across)) continue;
+    if (!leave_tangent(world, pair, time, across) && !bends_away(world, pair, n, tolerance, time.dt)) continue;
     for (std::uint32_t k = 0; k < m.count; ++k) c.geometry[m.row + k].is_asked_again = true;
     c.any_asked_again = true;
   }
 }
 
-void ask_again(const World& world, StepReport& report, const StepTime&) {
+void ask_again(const World& world, StepReport& report, const StepTime& time) {
   const Contacts& c = *world.contacts;
   if (!c.any_asked_again || world.direct->groups() == 0) return;
   const FloatGuard guard;
-  NarrowSettings settings = narrow_settings(world.scene.dials);
+  NarrowSettings settings = narrow_settings(world.scene.dials, time.dt);
   settings.manifold.kind = ManifoldKind::clip;
   for (const ContactPair& m : c.contact_pairs) {
     if (!c.geometry[m.row].is_asked_again) continue;

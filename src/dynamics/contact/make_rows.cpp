@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 #include "dynamics/body_state.h"
@@ -66,8 +67,8 @@ Vec3 starting_impulse(const OldImpulse& old, const Vec3& n, Real friction, Real 
   const Real normal = p.dot(n);
   if (!(normal > 0)) return Vec3::zero();
   const Vec3 tangent = p - normal * n;
-  const Real bound = friction * normal, size = tangent.norm();
-  return size > bound ? Vec3(normal * n + (bound / size) * tangent) : p;
+  const Real bound = friction * normal, size2 = tangent.squared_norm();
+  return size2 > bound * bound ? Vec3(normal * n + (bound / std::sqrt(size2)) * tangent) : p;
 }
 
 /// Which of a pair's bodies contacts move in this step.

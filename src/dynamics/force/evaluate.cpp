@@ -50,13 +50,13 @@ void evaluate_forces(const World& world, const Motion& given, const Accelerate& 
     plan.readers.each([&](std::uint32_t i) { plan.read_v[i] = at.v[i], plan.read_omega[i] = at.omega[i]; });
     at.v = plan.read_v.data(), at.omega = plan.read_omega.data();
   }
-  for (PlannedEffect& row : world.plan->effects) {
-    if (row.served != Served::force || row.participants.count == 0) continue;
+  each_acting(*world.plan, [&](PlannedEffect& row) {
+    if (row.served != Served::force || row.participants.count == 0) return;
     const Participants& whom = row.forced();
-    if (whom.count == 0) continue;
+    if (whom.count == 0) return;
     const AccountForRow account(world, row, out.v, out.omega, out.share);
     serve(world, row, whom, [&] { row.effect->force(world.scene, world.state, whom, at, out); });
-  }
+  });
 }
 
 Motion extrapolated(const World& world, const Vec3* x, const Quat* q) {
@@ -71,12 +71,12 @@ Motion extrapolated(const World& world, const Vec3* x, const Quat* q) {
 }
 
 void evaluate_flows(const World& world, Velocities& to, Real h, const Quat* q) {
-  for (PlannedEffect& row : world.plan->effects) {
-    if (row.participants.count == 0 || !(row.served == Served::flow || row.has_stiff())) continue;
+  each_acting(*world.plan, [&](PlannedEffect& row) {
+    if (row.participants.count == 0 || !(row.served == Served::flow || row.has_stiff())) return;
     const Participants& whom = row.served == Served::flow ? row.participants : row.decays->stiff;
     const AccountForRow account(world, row, to.v.data(), to.omega.data(), 1);
     serve(world, row, whom, [&] { row.effect->flow(world.scene, whom, h, q, to.v.data(), to.omega.data()); });
-  }
+  });
 }
 
 }  // namespace carom::dynamics

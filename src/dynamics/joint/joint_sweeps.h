@@ -180,7 +180,7 @@ CAROM_SHARED_PART void hold_all(Sides& sides, const JointLanes& joint, JointRowL
   }
 }
 
-CAROM_SHARED_PART Pushes all_of(const JointRun& run, const JointLanes& joint) {
+CAROM_SHORT_PART Pushes all_of(const JointRun& run, const JointLanes& joint) {
   Pushes pushes;
   for (std::uint32_t k = 0; k < joint.layout.equalities; ++k)
     pushes.add(run.rows[joint.first + k], run.rows[joint.first + k].p);
@@ -190,7 +190,7 @@ CAROM_SHARED_PART Pushes all_of(const JointRun& run, const JointLanes& joint) {
 }
 
 /// Let impulses act on the bodies of a joint.
-CAROM_SHARED_PART void push_both(const JointRun& run, const JointLanes& joint, const Pushes& pushes) {
+CAROM_SHORT_PART void push_both(const JointRun& run, const JointLanes& joint, const Pushes& pushes) {
   const auto push = [&](auto sides) __attribute__((always_inline)) {
     sides.push(pushes);
     sides.store(run);

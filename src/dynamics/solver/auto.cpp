@@ -3,8 +3,8 @@
 // A group of up to direct_few couplings, joints and pairs that touch, goes to the direct solver, a larger one where
 //  - bodies that touch have masses further apart than direct_ratio, or
 //  - for two steps a point has borne so much that soft contacts would let it sink by more than direct_sink of its
-//    thickness, or by more than is borne where an accuracy is set: that is what a tall stack and a heavy load on a light
-//    body have in common, and it is known before anything is solved;
+//    thickness: that is what a tall stack and a heavy load on a light body have in common, and it is known before anything
+//    is solved;
 // unless something strikes it (an impact sends the direct solver through all of a heap, and passes), it is too large, or
 // could not be solved within direct_work lately: then it moves so much that soft contacts will do. So it is with few
 // couplings without joints that could not be solved, until something sinks in another by more than tolerable_depth.
@@ -106,13 +106,6 @@ void look_at_joints(const World& world, std::size_t group, GroupView& view) {
   view.mass_ratio = std::max(view.mass_ratio, most / least);
 }
 
-/// Of the thickness of what touches, that soft contacts may let it sink: no substeps lessen that, so it is part of what
-/// a host bears who asks for an accuracy.
-Real most_sink(const Dials& dials, Real thickness) {
-  const Real borne = dials[Dial::accuracy_place] * kSinkBorneFor;  // m
-  return borne > 0 ? std::min(dials[Dial::direct_sink], borne / thickness) : dials[Dial::direct_sink];
-}
-
 /// Whether a body of a row turns farther in a step than its rotation method and its masses go with. What rolls may spin
 /// about its axis as fast as it likes.
 bool turns_far(const World& world, const Row& row, std::uint32_t body, Real h) {
@@ -150,7 +143,7 @@ bool look_at(const World& world, std::size_t group, Real w2, Real h, Real weight
     const Real thick = 1 / (row.moves_a && row.moves_b ? w2 : 4 * w2);  // s^2
     const Real give = soft_give(thick, pull, thickness) / thickness;    // s^2/m
     const Real share = weight / pair.count;                             // N
-    const Real deep = most_sink(scene.dials, thickness);
+    const Real deep = scene.dials[Dial::direct_sink];
     view.mass_ratio = std::max(view.mass_ratio, mass_ratio_of(scene, row));
     Real most = 0;
     for (std::uint32_t k = 0; k < pair.count; ++k) {
@@ -209,8 +202,7 @@ GroupReason reason_for(const GroupView& view, bool is_under_impact, const GroupM
   const bool unlike = view.mass_ratio > most_ratio;
   if (!unlike && !memory.bears) return GroupReason::ordinary;
   const bool held_softly = view.sink < kTolerableDepth;  // else they would throw about what is light
-  if (memory.cools_down && (!unlike || joined || held_softly || view.bodies > kMostUnlike))
-    return GroupReason::too_much;
+  if (memory.cools_down && (!unlike || joined || held_softly)) return GroupReason::too_much;
   if (unlike) return GroupReason::mass_ratio;
   return is_under_impact ? GroupReason::impact : GroupReason::sink;
 }
@@ -353,6 +345,9 @@ void drop_impulses_of_joints(const World& world) {
   }
 }
 
+/// Whether soft contacts or joints have anything to do: joints stand in lanes whoever solves them.
+bool any_in_lanes(const World& world) { return world.wide->rows > 0 || world.wide_joints->any(); }
+
 void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   choose(world, to, to, to, time.h);
   drop_impulses_of_contacts(world);
@@ -361,27 +356,30 @@ void auto_begin(const World& world, Solver::Begins to, const StepTime& time) {
   SolverMemory& memory = to;
   for (const std::uint32_t body : world.contacts->bodies)
     memory.cooldown_steps[body] &= static_cast<std::uint8_t>(~kOfDirect);
-  gather_groups(world, to, kMostFactor);
+  gather_groups(world, to, time.h, kMostFactor);
 }
 
 void auto_velocities(const World& world, Solver::Solves to, const StepTime& time) {
   WideContacts& wide = *world.wide;
-  heed_impacts(world, wide);
-  begin_far_turns(world, to, wide, time.h);
-  solve_softly(world, to, time);
-  for (bool again = hold_joints(world, to, time.h, false); again; again = hold_joints(world, to, time.h, true)) {
-    sweep_again(world, time.h);
-    store_velocities(world, to, wide, time.h);
+  const bool any = any_in_lanes(world);
+  if (any) {
+    heed_impacts(world, wide);
+    begin_far_turns(world, to, wide, time.h);
+    solve_softly(world, to, time);
+    for (bool again = hold_joints(world, to, time.h, false); again; again = hold_joints(world, to, time.h, true)) {
+      sweep_again(world, time.h);
+      store_velocities(world, to, wide, time.h);
+    }
   }
   const auto work = steps_worth(world) * static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
   solve_groups(world, to, to, time.h, 1 + work, world.plan->substeps);
-  end_far_turns(world, to, wide, time.h);
+  if (any) end_far_turns(world, to, wide, time.h);
   start_cooldowns(world, to);
   go_on_lying(world, to);
 }
 
 void auto_positions(const World& world, Solver::Relaxes to, const StepTime& time) {
-  kSoftStep.positions(world, to, time);
+  if (any_in_lanes(world)) kSoftStep.positions(world, to, time);
   if (world.direct->groups() == 0) return;
   part_groups(world, to, to, time.h);
   settle_joints(world, to, to, time.h);

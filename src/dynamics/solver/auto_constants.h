@@ -12,21 +12,10 @@ inline constexpr Constant<std::uint32_t> kMostDirectBodies{
     "of a group that the direct solver solves: beyond, finding an order of elimination alone takes too long",
     "more: a large heap stalls the step in which it counts as heavy; fewer: long chains and tall walls of unlike "
     "masses are left to soft contacts, and sink"};
-inline constexpr Constant<std::uint32_t> kMostUnlike{
-    "direct_most_unlike", 256, "bodies",
-    "of a group of unlike masses that goes on with the direct solver though it came nowhere near its solution",
-    "more: large heaps of unlike masses take all the work there is in each step; fewer: soft contacts throw about what "
-    "is light among what is heavy"};
 inline constexpr Constant<std::uint64_t> kMostFactor{
     "direct_most_factor", 400000, "block products",
     "of a step of Newton's method: pyramids and walls of 512 blocks take less, and stand as they were built",
     "more: a heap that comes to rest stalls the step in which it is tried; fewer: large walls and pyramids sink, or fall"};
-
-inline constexpr Constant<Real> kSinkBorneFor{
-    "direct_sink_borne_for", 0.1, "s",
-    "of motion at accuracy_place: soft contacts may let a body sink by what is borne in it, where an accuracy is set",
-    "longer: what settles on soft contacts is off by more than was asked; shorter: groups that soft contacts would hold "
-    "well enough are solved exactly"};
 
 inline constexpr Constant<Real> kImpactShare{
     "direct_impact_share", 0.1, "1",
@@ -51,7 +40,7 @@ inline constexpr Constant<std::uint8_t> kCooldown{
     "fewer: what can't be solved in time is tried again and again, at the full price each time; more: a heap that came "
     "to rest sags for as long"};
 
-inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostUnlike, kMostFactor, kSinkBorneFor,
-                                                 kImpactShare,      kBorneFor,   kBearsFor,   kCooldown};
+inline constexpr ConstantRow kAutoConstants[] = {kMostDirectBodies, kMostFactor, kImpactShare,
+                                                 kBorneFor,         kBearsFor,   kCooldown};
 
 }  // namespace carom::dynamics

@@ -21,7 +21,7 @@ void direct_begin(const World& world, Solver::Begins to, const StepTime& time) {
     pack(world, to, *world.wide, time.h);
     begin_joints(world, time.h);
   }
-  gather_groups(world, to);
+  gather_groups(world, to, time.h);
 }
 
 void direct_velocities(const World& world, Solver::Solves to, const StepTime& time) {
@@ -67,7 +67,7 @@ static void share_out(DirectGroups& d, std::uint64_t work) {
     if (shares(g) && !rest.at_once) rest.work = rest.share = rest.share * work / expected;
   }
   std::ranges::sort(urgent, [&](std::uint32_t a, std::uint32_t b) {
-    const Real of_a = d.solution[a].residual, of_b = d.solution[b].residual;
+    const Real of_a = d.rest[a].solution.residual, of_b = d.rest[b].solution.residual;
     return of_a != of_b ? of_a > of_b : a < b;
   });
   std::uint64_t taken = 0;
@@ -96,9 +96,11 @@ void solve_groups(const World& world, Velocities& to, StepReport& report, Real h
   }
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].repeats > 0 || d.rest[g].in_lanes) continue;
-    report.velocity_impulses += d.solution[g].factorisations;
-    report.wedged_groups += d.solution[g].is_wedged, report.rejected_solutions += d.solution[g].is_rejected;
-    report.solver_residual = std::max<double>(report.solver_residual, d.solution[g].residual);
+    const ConeSolution& solution = d.rest[g].solution;
+    report.velocity_impulses += solution.factorisations;
+    report.wedged_groups += solution.is_wedged, report.rejected_solutions += solution.is_rejected;
+    report.excess_energy += solution.excess_energy;
+    report.solver_residual = std::max<double>(report.solver_residual, solution.residual);
   }
 }
 
@@ -124,7 +126,7 @@ void part_groups(const World& world, Poses& to, StepReport& report, Real h) {
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
     if (d.rest[g].parts_now()) ConeGroup(world, g).part(to, h);
   });
-  for (const ConeSolution& solution : d.solution) report.position_moves += solution.factorisations;
+  for (const GroupRest& rest : d.rest) report.position_moves += rest.solution.factorisations;
 }
 
 /// Joints where they are by now, if any group has parted since they were placed.

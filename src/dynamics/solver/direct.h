@@ -29,8 +29,9 @@ inline bool is_few(const Contacts& c, std::size_t group) {
   return joints + c.group_size[group].pairs <= kFew;
 }
 
-/// What is known within a step of whether a group lies still.
+/// What is known within a step of a group: how it was solved last, and whether it lies still.
 struct GroupRest {
+  ConeSolution solution;
   bool is_few = false;          // @see dynamics::is_few()
   bool in_lanes = false;        // its velocities are found there; here are its joints alone
   bool is_swept_again = false;  // in lanes, @see WideContacts::swept_again
@@ -52,6 +53,13 @@ struct GroupRest {
   Real least = 0;             // separation, in tolerable depths
   Real goal = 0;              // m/s, residual that is good enough
   bool lasts = false;         // contacts were found at rest
+  bool stands = false;        // and no body moves, to the bit
+  bool is_unchanged = false;  // it stood so in the last step, and is asked the same: @see unchanged.h
+  bool caught_up = false;     // no longer, after some substeps
+  bool varies = false;        // a substep did not leave it as it was, or was not like the others
+  std::uint64_t problem = 0;  // prints, @see unchanged.h
+  std::uint64_t motion = 0;   // of the first substep
+  Real residual = 0;          // m/s, of that substep
   bool has_moved = false;     // a little, since its separations were measured
   bool resists = false;       // some of them resist rolling or spinning
   std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not added yet
@@ -65,10 +73,18 @@ struct GroupRest {
   bool parts_now() const { return !is_too_large && !(in_lanes && waits); }
 };
 
+/// What a group that stands was asked in the last step, and left as it was; by a slot of it. @see unchanged.h
+struct StoodGroup {
+  std::uint64_t problem = 0, motion = 0;
+  Real residual = 0;          // m/s
+  std::uint32_t repeats = 0;  // of its substeps, as GroupRest has them
+};
+
 /// The stages of the direct solver over the groups it solves, for it and for what chooses among solvers.
 /// What lanes solve is here with its joints alone. Allocates.
+/// @param h            s, substep
 /// @param most_factor  block products of a factorisation; a group that takes more is solved by sweeps
-void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor = ~std::uint64_t{0});
+void gather_groups(const World& world, SolverMemory& memory, Real h, std::uint64_t most_factor = ~std::uint64_t{0});
 /// Velocities.
 /// @param work      most block products that all groups may take in the step, for velocities and overlaps together,
 ///                  beyond two factorisations a substep for each that moves; 0: no bound
@@ -115,8 +131,8 @@ struct DirectGroups {
         elimination(m),
         factor(m),
         scratch(m),
-        solution(m),
-        rest(m) {}
+        rest(m),
+        stood(m) {}
 
   struct Begin {
     std::uint32_t contact, body, link, edge;
@@ -141,8 +157,8 @@ struct DirectGroups {
   Elimination elimination;
   BlockFactor factor;
   Array<Vec6> scratch;
-  Array<ConeSolution> solution;  // by group, of the last solve
-  Array<GroupRest> rest;         // by group
+  Array<GroupRest> rest;    // by group
+  Array<StoodGroup> stood;  // by slot of a group's first body
 
   /// The body of a slot, new to the present group or not; kInvalid where impulses do not move it.
   std::uint32_t node(bool moves, std::uint32_t slot) {
@@ -180,6 +196,8 @@ struct DirectGroups {
 
   /// Groups of the last step: as one begins, whichever solver it has.
   void forget();
+
+  StoodGroup& stood_of(std::size_t group) { return stood[bodies[begin[group].body].slot]; }
 
   bool is_few(std::size_t group) const { return rest[group].is_few; }
   bool is_joined(std::size_t group) const { return begin[group].link < begin[group + 1].link; }

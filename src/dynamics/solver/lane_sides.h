@@ -29,14 +29,14 @@ CAROM_LANES_INLINE LaneVecOf<Number> each(const LaneVecOf<Number>& a, const Lane
 struct Side {
   LaneVec v, omega;
 
-  CAROM_SHARED_PART void load(const BodyVelocity* all_bodies, const std::uint32_t* body) {
+  CAROM_SHORT_PART void load(const BodyVelocity* all_bodies, const std::uint32_t* body) {
     const BodyRows rows(all_bodies, body);
     const LanePair p = rows.two(0), q = rows.two(2), r = rows.two(4);
     v = {p.first, p.second, q.first};
     omega = {q.second, r.first, r.second};
   }
   /// @param first_moved  bodies below are not written
-  CAROM_SHARED_PART void store(BodyVelocity* all_bodies, std::uint32_t first_moved, const std::uint32_t* body) const {
+  CAROM_SHORT_PART void store(BodyVelocity* all_bodies, std::uint32_t first_moved, const std::uint32_t* body) const {
     const LaneRows p(v.x, v.y), q(v.z, omega.x), r(omega.y, omega.z);
     for (int i = 0; i < kLanes; ++i) {
       if (body[i] < first_moved) continue;

@@ -121,6 +121,8 @@ void list_manifolds(const World& world, WideContacts& wide) {
   Placing& p = *wide.placing;
   const std::uint32_t regions = p.regions.end();
   const std::size_t n = p.met.size();
+  wide.rows = 0;
+  for (const ContactPair& m : p.met) wide.rows += m.count;
   wide.manifolds.resize(n), p.in_region.resize(n), p.at.resize(n), p.members.resize(n), p.by_colour.resize(n);
   wide.parts.assign(regions + 1, {});
   const std::uint32_t* const leaf = p.regions.leaf.data();

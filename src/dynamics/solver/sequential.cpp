@@ -36,7 +36,7 @@ void sequential_velocities(const World& world, Solver::Solves to, const StepTime
   over_contacts(world, [](const auto& s, const auto& run) { s.accumulate(run); });
   store_velocities(world, to, wide, time.h);
   end_far_turns(world, to, wide, time.h);
-  report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.contacts->rows.size();
+  report.velocity_impulses += static_cast<std::uint64_t>(sweeps) * world.wide->rows;
 }
 
 void sequential_positions(const World& world, Solver::Relaxes to, const StepTime& time) {

@@ -79,7 +79,7 @@ void soft_step_positions(const World& world, Solver::Relaxes to, const StepTime&
       [&](const auto& s, const auto& run) { (sparing ? s.relax_sparing : s.relax)(run, inv_h); });
   relax_couplings(world);
   store_velocities(world, to, wide, time.h);
-  report.velocity_impulses += world.contacts->rows.size();
+  report.velocity_impulses += wide.rows;
 }
 
 /// What springs let sink deep is parted once a step, apart from velocities: for springs to do it they would have to be
@@ -139,7 +139,7 @@ void solve_softly(const World& world, Solver::Solves to, const StepTime& time) {
       [&](const auto& s, const auto& run) { s.solve(run, inv_h, push_speed); });
   solve_couplings(world);
   store_velocities(world, to, wide, time.h);
-  report.velocity_impulses += world.contacts->rows.size();
+  report.velocity_impulses += wide.rows;
 }
 
 void sweep_again(const World& world, Real h) {

@@ -99,6 +99,7 @@ struct WideContacts {
 
   // by solver body; 0 is none, then those that move of themselves, then those that impulses move
   std::uint32_t first_moved = 1;
+  std::uint32_t rows = 0;  // in lanes
   Array<BodyVelocity> velocity;
   Array<BodyVelocity> displacement;  // m, rad: of a pass over positions
   Array<BodyShift> shift;

@@ -24,6 +24,11 @@ export default function (eleventy) {
         for (const child of token.children ?? []) {
           if (child.type === "link_open") change(child, "href");
           if (child.type === "image") change(child, "src");
+          if (child.type === "html_inline")
+            child.content = child.content.replace(
+              /\b(href|src|srcset)="([^"]+)"/g,
+              (_, name, to) => `${name}="${all.target(env.page_, to)}"`,
+            );
         }
     });
     md.core.ruler.push("tabs", ({ tokens, env }) => inTabs(tokens, env.page_));

@@ -12,6 +12,7 @@ import { Keys } from "./keys.js";
 import { Picture, SHOWN } from "./picture.js";
 import { PlanPanel } from "./plan.js";
 import { Pointer } from "./pointer.js";
+import { Rays } from "./rays.js";
 import { apart, Simulation } from "./simulation.js";
 import { Stage } from "./stage.js";
 import { offTruth, Truth } from "./truth.js";
@@ -41,7 +42,7 @@ const state = {
   touched: false, // by a visitor: until then a scene begins anew when it has ended
 };
 const shown = { ...SHOWN };
-let carom, rows, stage, panel, pointer, plan, accuracy, keys, code;
+let carom, rows, stage, panel, pointer, plan, accuracy, keys, code, rays;
 
 /** @param isNote  it says what is, not what went wrong */
 function say(text, isNote = false) {
@@ -142,6 +143,8 @@ function act(action) {
 /** @param seconds  that the camera has had to follow; Infinity: it is there at once */
 function redraw(seconds = Infinity) {
   for (const picture of state.pictures) picture.update();
+  const met = rays.update(state.pictures[pointer.view?.view] ?? state.pictures[0]);
+  if (pointer.tool === "rays") $("told").textContent = met || "Point at something";
   const followed = state.sims[0].bodies[state.following];
   if (followed) stage.keep(followed.position);
   else if (seconds < Infinity) stage.follow(state.pictures, seconds);
@@ -166,7 +169,7 @@ function tell() {
   $("fit").hidden = stage.auto;
   state.pictures.forEach(({ sim: s }, i) => (s.errors[s.step] = state.pictures[i].error()));
   $("off").textContent = state.row.truth ? state.sims.map((s) => offTruth(s.errors[s.step])).join("  ") : "";
-  $("told").textContent = (state.touched ? sim.driver?.told() : sim.driver?.keys) ?? "";
+  if (pointer.tool !== "rays") $("told").textContent = (state.touched ? sim.driver?.told() : sim.driver?.keys) ?? "";
   const { report } = sim;
   $("bodies").textContent = sim.bodies.length + (state.row.particles ?? 0);
   $("contacts").textContent = report ? Number(report.contact_points) : "–";
@@ -385,8 +388,10 @@ function choose(button) {
   pointer.tool = button.dataset.tool;
   pointer.shape = button.shape;
   state.following = null;
+  rays.aim(null);
   for (const other of document.querySelectorAll("[data-tool]"))
     other.setAttribute("aria-checked", String(other === button));
+  redraw();
 }
 
 /** A shape that was dropped is there from now on, in this scene and in later ones, with a tool that drops bodies of it. */
@@ -524,6 +529,7 @@ async function start() {
     apply: (which, action) => attempt(() => state.sims[which]?.do(action)),
     dial: (which, name) => (state.sims[which] ?? state.sims[0])?.world.dial(name) ?? 0,
   });
+  rays = new Rays();
   pointer = new Pointer({
     canvas: $("view"),
     camera: stage.camera,
@@ -533,6 +539,7 @@ async function start() {
     place: (u, v) => ((pointer.view = stage.place(u, v)), pointer.view),
     picture: () => state.pictures[pointer.view.view],
     follow: (body) => ((state.following = body), (stage.auto = false)),
+    aim: (ray, far) => (rays.aim(ray, far), state.playing || redraw()),
   });
   keys = new Keys(
     $("pad"),

@@ -1,5 +1,5 @@
-// Mouse, touch and pen on the picture: grab, throw, drop, explode, cut, delete, follow. What is done becomes an action; nothing
-// else moves a body.
+// Mouse, touch and pen on the picture: grab, throw, drop, explode, cut, delete, follow, rays. What is done becomes an action;
+// nothing else moves a body.
 import * as THREE from "three";
 import { rotate } from "./actions.js";
 
@@ -9,7 +9,7 @@ const BLAST = { reach: 0.3, speed: 0.9 }; // of the camera's distance
 
 export class Pointer {
   /** @param page  canvas, camera, controls, picture() => Picture under the pointer, act(action), follow(body),
-   * say(text) */
+   * say(text), aim(ray, far): rays are cast from there */
   constructor(page) {
     Object.assign(this, { page, tool: "grab", held: null });
     const { canvas } = page;
@@ -63,8 +63,9 @@ export class Pointer {
   #down(event) {
     if (event.button !== 0) return;
     const ray = this.#ray(event),
-      { page } = this,
-      hit = page.picture().pick(ray);
+      { page } = this;
+    if (this.tool === "rays") return void (page.aim(ray, this.#far()), (page.controls.enabled = event.pointerType === "mouse"));
+    const hit = page.picture().pick(ray);
     if (this.tool === "throw") {
       page.act(this.#ball(ray));
       page.controls.enabled = false;
@@ -110,6 +111,7 @@ export class Pointer {
   }
 
   #move(event) {
+    if (this.tool === "rays") this.page.aim(this.#ray(event), this.#far());
     if (!this.held) return;
     const to = this.#ray(event).intersectPlane(this.held.plane, new THREE.Vector3());
     if (to) this.held.to = to.toArray();

@@ -280,13 +280,17 @@ class Search {
     result_.fresh = result_.front[static_cast<std::size_t>(result_.pick)];
     const Setting& chosen = result_.fresh.setting;
     Player fresh(engine_, question_);
-    std::vector<double> ms;
-    for (double timed = 0; ms.empty() || (timed < kTimed && ms.size() < kMostRepeats);) {
-      judge(result_.fresh, fresh.play(chosen, result_.seconds, 1e300, nudge(question_.repeats)), whole_);
-      ms.push_back(result_.fresh.ms);
+    std::vector<double> ms, errors;
+    // Where all is chaos, as many runs as its error is the median of, and none of those again: one may be an outlier.
+    const std::size_t least = result_.chaotic ? static_cast<std::size_t>(question_.repeats) : 1;
+    for (double timed = 0; ms.size() < least || (timed < kTimed && ms.size() < kMostRepeats);) {
+      const double other = nudge(question_.repeats + static_cast<int>(ms.size()));
+      judge(result_.fresh, fresh.play(chosen, result_.seconds, 1e300, other), whole_);
+      ms.push_back(result_.fresh.ms), errors.push_back(result_.fresh.error);
       timed += 1e-3 * ms.back() * result_.seconds * question_.frame_rate;
     }
     result_.fresh.ms = median(ms);
+    if (result_.chaotic) result_.fresh.error = median(errors);
   }
 
   Engine& engine_;

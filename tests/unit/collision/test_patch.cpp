@@ -344,6 +344,46 @@ static void a_face_that_leans_is_found_as_far_as_the_reach_goes(void**) {
     }
 }
 
+/// A coin comes down on its rim. Its face is found from there as far as the reach goes, as that of a box from a corner.
+static void a_face_that_leans_is_found_from_its_rim(void**) {
+  const Shape slab = faced(box(Vec3(2, 0.5, 2)));
+  Random random(29);
+  for (const ManifoldKind kind : kKinds)
+    for (int trial = 0; trial < 200; ++trial) {
+      const Real tilt = random.uniform(0.04, 0.28), radius = random.uniform(0.002, 0.5), half = 0.1 * radius;
+      const bool is_cone = trial % 3 == 0;
+      const Shape coin = is_cone ? cone(radius, half) : cylinder(radius, half);
+      const Frame lean = turned(Vec3(0, random.uniform(-3, 3), 0), Vec3::zero()) *
+                         turned(tilt * Vec3::unit_z(), Vec3::zero()) *
+                         turned(Vec3(0, random.uniform(-3, 3), 0), Vec3::zero());
+      const Real lowest = -half * std::cos(tilt) - radius * std::sin(tilt);
+      const Touch t = on_top(slab, 0.5, coin, Frame(lean.r, Vec3(0, -lowest, 0)), 0, random);
+      Candidates found = candidate_of(t);
+      const Vec3 down = lean.rotate_inverse(-Vec3::unit_y());
+      const Vec3 rim = radius / std::hypot(down.x(), down.z()) * Vec3(down.x(), 0, down.z()) - half * Vec3::unit_y();
+      found.point[0].on_b = rim, found.point[0].on_a = t.at_a.apply_inverse(t.at_b.apply(rim));
+      ManifoldSettings settings = with(kind);
+      settings.contact_distance = 2 * radius * std::sin(tilt) * 1.2;
+      if (leaning(coin, settings.contact_distance) < 1.05 * tilt) continue;
+      Manifold m;
+      PatchMemory memory;
+      std::uint64_t calls = 0;
+      SupportFault fault;
+      assert_true(update_patch({t.a, t.b, t.at_a, t.at_b, 0}, found, settings, m, memory, calls, fault));
+      assert_int_equal(m.count, 4);
+      assert_true(calls <= 9 + 33);
+      Real nearest = kInfinity, farthest = 0;
+      for (int k = 0; k < m.count; ++k) {
+        assert_true(std::fabs(m.point[k].on_b.y() + half) < 1e-9 * radius);  // of the face
+        const Vec3 across = t.at_b.apply(m.point[k].on_b) - t.at_a.apply(m.point[k].on_a);
+        assert_true((across - m.point[k].separation * t.normal).norm() < 1e-9 * radius);
+        nearest = std::min(nearest, m.point[k].separation), farthest = std::max(farthest, m.point[k].separation);
+      }
+      assert_true(nearest < 0.1 * radius * tilt);  // where it comes down
+      assert_true(farthest > nearest + 0.01 * radius * tilt);
+    }
+}
+
 static void a_half_space_carries_whatever_lies_on_it(void**) {
   const Shape ground = half_space(Vec3::unit_y(), 0);
   const Shape brick = faced(box(Vec3(0.3, 0.2, 0.4))), coin = cylinder(0.3, 0.05), roller = cylinder(0.3, 0.5),
@@ -593,6 +633,7 @@ int main() {
       cmocka_unit_test(a_face_of_many_corners_keeps_four_that_hold_its_area),
       cmocka_unit_test(a_tilted_box_touches_where_it_is_lowest_and_hovers_elsewhere),
       cmocka_unit_test(a_face_that_leans_is_found_as_far_as_the_reach_goes),
+      cmocka_unit_test(a_face_that_leans_is_found_from_its_rim),
       cmocka_unit_test(a_half_space_carries_whatever_lies_on_it),
       cmocka_unit_test(a_box_of_a_millimetre_has_four_corners_too),
       cmocka_unit_test(turning_the_world_leaves_the_points_where_they_are),

@@ -27,6 +27,7 @@ from .problems import LeftOut, ModelError, Problems  # noqa: E402
 from .read import compiled, spec  # noqa: E402
 from .robot import Keyframe, Robot, Vector  # noqa: E402
 from .sensors import Sensor  # noqa: E402
+from .tendons import Tendon, have_chains  # noqa: E402
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from ..records import DialKeywords
     from ..world import World
 
-__all__ = ["Keyframe", "LeftOut", "ModelError", "Robot", "Sensor", "Vector", "load", "spec"]
+__all__ = ["Keyframe", "LeftOut", "ModelError", "Robot", "Sensor", "Tendon", "Vector", "load", "spec"]
 
 LONGEST_SUBSTEP = 2.5e-3  # s: robots at MuJoCo's usual step of 2 ms take one
 
@@ -67,7 +68,7 @@ def load(source: str | os.PathLike[str] | Any, world: World | None = None, *, st
         if owned is not None:
             gravity = (0.0, 0.0, 0.0) if _gravity_is_off(model) else tuple(float(x) for x in model.opt.gravity)
             chosen: Any = {"substeps": max(1, math.ceil(step / LONGEST_SUBSTEP - 1e-9)), **dials}
-            if any(model.body_jntnum > 1):  # nodes that weigh nothing are for the direct solver alone
+            if any(model.body_jntnum > 1) or have_chains(model):  # nodes that weigh nothing are for the direct solver alone
                 chosen.setdefault("solver", "direct")
             world = owned.world(gravity=gravity, **chosen)
         assert world is not None

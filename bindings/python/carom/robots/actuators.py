@@ -13,9 +13,10 @@ import numpy as np
 
 from .. import raw
 from . import turns
-from .bodies import OF_CAP, Bodies, shares_of
+from .bodies import OF_CAP, Bodies
 from .links import Move, name_of
 from .problems import Problems
+from .tendons import Path, Tendons
 
 if TYPE_CHECKING:
     from .turns import Array
@@ -39,6 +40,8 @@ class Actuator:
     states: tuple[float, float] = (-math.inf, math.inf)
     site: int = -1                     # that it pushes at, by `wrench`, site axes, for 1 N
     wrench: Any = None
+    path: Path | None = None           # of the spatial tendon that it pulls, `gear` times
+    gear: float = 1.0
     servo: tuple[float, float] | None = None  # stiffness and damping along the joint, of a drive of the world's
 
     @property
@@ -47,8 +50,8 @@ class Actuator:
 
 
 class Actuators:
-    def __init__(self, bodies: Bodies, problems: Problems) -> None:
-        self.bodies, self.problems = bodies, problems
+    def __init__(self, bodies: Bodies, tendons: Tendons, problems: Problems) -> None:
+        self.bodies, self.tendons, self.problems = bodies, tendons, problems
         self.model, self.links = bodies.model, bodies.links
         from .read import need_mujoco
         self.mujoco = need_mujoco()
@@ -69,7 +72,13 @@ class Actuators:
         self.gain, self.bias = (np.array(rows, float).reshape(n, 3).T for rows in ([a.gain for a in self.all], [a.bias for a in self.all]))
         self.bounds, self.force = (np.array(rows, float).reshape(n, 2).T for rows in ([a.bounds for a in self.all], [a.force for a in self.all]))
         self.controls, self.states = np.array([a.control for a in self.all], int), np.array([a.state for a in self.all], int)
-        self.by_step = np.array([not a.in_world and a.site < 0 for a in self.all], bool)
+        self.by_step = np.array([not a.in_world and a.site < 0 and a.path is None for a in self.all], bool)
+        self.beside = [k for k, a in enumerate(self.all) if a.path is not None]
+        self.springs = springs = [spring for spring in tendons.springs if spring.tendon in tendons.shares]
+        self.bungees = [spring for spring in tendons.springs if spring.tendon in tendons.paths]
+        self.of_tendons = np.array([[tendons.shares[spring.tendon].get(move.index, 0.0) for move in self.moves]
+                                    for spring in springs]).reshape(len(springs), len(self.moves))
+        self.laws = np.array([(spring.stiffness, spring.low, spring.high) for spring in springs], float).reshape(len(springs), 3).T
         self.servos = Servos(self)
 
     # ---- from the model ----
@@ -99,6 +108,7 @@ class Actuators:
         pulls, site, wrench = self._through(k, through, out)
         if pulls is None:
             return None
+        tendon = int(m.actuator_trnid[k][0]) if through == "tendon" else -1
 
         def bounds(limited: Any, given: Any) -> tuple[float, float]:
             return (float(given[0]), float(given[1])) if limited else (-math.inf, math.inf)
@@ -110,7 +120,7 @@ class Actuators:
             tuple(b) if bias == "affine" else (0.0, 0.0, 0.0),  # type: ignore[arg-type]
             bounds(m.actuator_ctrllimited[k] and not self.bodies.disabled.clamp, m.actuator_ctrlrange[k]),
             bounds(m.actuator_forcelimited[k], m.actuator_forcerange[k]), dynamics, float(m.actuator_dynprm[k][0]),
-            bounds(m.actuator_actlimited[k], m.actuator_actrange[k]), site, wrench)
+            bounds(m.actuator_actlimited[k], m.actuator_actrange[k]), site, wrench, self.tendons.paths.get(tendon), float(m.actuator_gear[k][0]))
 
     def _through(self, k: int, through: str, out: Any) -> tuple[dict[int, float] | None, int, Any]:
         """@return shares of joints; site and wrench of one that pushes at a site. (None, -1, None): it is left out"""
@@ -120,10 +130,11 @@ class Actuators:
                 return {target: gear[0]}, -1, None
             out("it drives a ball or a free joint")
         elif through == "tendon":
-            shares = shares_of(self.model, target, self.at)
-            if shares is not None:
-                return {joint: gear[0] * share for joint, share in shares.items()}, -1, None
-            out("its tendon is spatial: the library has none")
+            if target in self.tendons.shares:
+                return {joint: gear[0] * share for joint, share in self.tendons.shares[target].items()}, -1, None
+            if target in self.tendons.paths:
+                return {}, -1, None
+            out("its tendon winds about a geom")
         elif through == "site" and m.actuator_trnid[k][1] < 0:
             if self.bodies.of_link(self.links.of_body[int(m.site_bodyid[target])]) is not None:
                 return {}, target, np.array(gear)
@@ -165,15 +176,23 @@ class Actuators:
         given[with_state] = act[self.states[with_state]]
         return given
 
-    def lengths(self, q: Any) -> Array:
-        """Of MuJoCo's actuators, from places or rates of hinges and slides."""
-        out = np.zeros(self.model.nu)
-        out[self.index] = self.shares @ q
-        return out
+    def measure(self, q: Any, v: Any) -> tuple[Array, Array]:
+        """Lengths of MuJoCo's actuators and their rates, at these places and speeds of hinges and slides."""
+        out = np.zeros((2, self.model.nu))
+        out[:, self.index] = self._measure(q, v, 0.0)
+        return out[0], out[1]
 
-    def forces(self, given: Array, q: Any, v: Any) -> Array:
-        """N or N m, of each, at these places and speeds of hinges and slides."""
+    def _measure(self, q: Any, v: Any, ahead: float) -> tuple[Array, Array]:
         length, speed = self.shares @ q, self.shares @ v
+        for k in self.beside:
+            a = self.all[k]
+            assert a.path is not None
+            length[k], speed[k] = (a.gear * value for value in a.path.measure(ahead))
+        return length, speed
+
+    def forces(self, given: Array, q: Any, v: Any, ahead: float) -> Array:
+        """N or N m, of each, at these places and speeds of hinges and slides. @param ahead  s: that q is later than the world"""
+        length, speed = self._measure(q, v, ahead)
         force = (self.gain[0] + self.gain[1] * length + self.gain[2] * speed) * given + self.bias[0] + self.bias[1] * length + self.bias[2] * speed
         return np.clip(force, self.force[0], self.force[1])  # type: ignore[no-any-return]
 
@@ -182,9 +201,14 @@ class Actuators:
         from gaining energy. @param applied  N or N m, of the host, beside. @return forces of MuJoCo's actuators"""
         middle, given = q + dt / 2 * v, self.inputs(control, act)
         self.servos.aim(given, middle)
-        forces = self.forces(given, middle, v) if self.all else np.zeros(0)
+        forces = self.forces(given, middle, v, dt / 2) if self.all else np.zeros(0)
         efforts = (forces * self.by_step) @ self.shares
         efforts = np.clip(efforts, self.joint_range[:, 0], self.joint_range[:, 1]) - self.of_host * (middle - self.rest) + applied
+        if len(self.of_tendons):
+            stiffness, low, high = self.laws
+            length = self.of_tendons @ middle
+            dampers = np.array([spring.damp(dt) for spring in self.springs])
+            efforts -= (stiffness * (length - np.clip(length, low, high)) + dampers * (self.of_tendons @ v)) @ self.of_tendons
         beside = []
         for k in np.flatnonzero(efforts != self.pushed):
             move = self.moves[k]
@@ -200,6 +224,11 @@ class Actuators:
         for a, force in zip(self.all, forces):
             if a.site >= 0:
                 self._push_at(a, float(force))
+            elif a.path is not None:
+                a.path.push(a.gear * float(force), dt / 2)
+        for spring in self.bungees:
+            path = self.tendons.paths[spring.tendon]
+            path.push(spring.force(*path.measure(dt / 2), dt), dt / 2)
         whole = np.zeros(self.model.nu)
         whole[self.index] = forces
         return whole

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import math
-from typing import TYPE_CHECKING, Any, Container
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ..body import Body
     from ..joint import Joint
     from ..world import World
+    from .tendons import Tendons
 
 AXIS = {"hinge": raw.CAROM_AXIS_TURN_X, "slide": raw.CAROM_AXIS_X}
 FARTHEST = {"hinge": 1e3, "slide": 1e9}  # rad, m: bounds of the library's limits
@@ -140,7 +141,7 @@ class Bodies:
         m, off, j, v = self.model, self.disabled, move.index, move.v
         axis = describe(raw.carom_joint_axis, {"armature": armature, "spring_gains": raw.CAROM_GAINS_FORCE, "drive_gains": raw.CAROM_GAINS_FORCE})
         if m.jnt_limited[j] and not off.limit:
-            lower, upper = (float(x) - move.zero for x in m.jnt_range[j])
+            lower, upper = (x - move.zero for x in within(m.jnt_range[j], m.jnt_margin[j]))
             if -FARTHEST[move.kind] <= lower and upper <= FARTHEST[move.kind]:
                 axis.mode, axis.lower, axis.upper = raw.CAROM_AXIS_MODE_LIMITED, lower, upper
             elif lower > -FARTHEST[move.kind] or upper < FARTHEST[move.kind]:
@@ -164,6 +165,12 @@ class Bodies:
         """Give the world what `axes` has."""
         self.world._call(raw.carom_joint_set_axis, self.joints[move.index].handle, AXIS[move.kind], ctypes.byref(self.axes[move.index]))
 
+    def lock(self, joint: int, at: float) -> None:
+        """@param at  m or rad, of a hinge or slide of MuJoCo's, from where the model was written"""
+        axis = self.axes[joint]
+        axis.mode, axis.lower, axis.upper = raw.CAROM_AXIS_MODE_LIMITED, at, at
+        self.set_axis(next(move for move in self.links.moves if move.index == joint))
+
     def _ball(self, joint: Joint, move: Move, armature: float) -> None:
         m, off, j, v = self.model, self.disabled, move.index, move.v
         if armature:
@@ -179,6 +186,12 @@ class Bodies:
         if damping or stiffness:
             x, y, z, w = turns.from_mujoco(m.qpos_spring[move.q:move.q + 4])
             joint.orientation_drive(drive="position", gains="force", stiffness=stiffness, damping=damping, target=(x, y, z, w))
+
+
+def within(ends: Any, margin: Any) -> tuple[float, float]:
+    """Ends of a limit: its margin is kept off both, as MuJoCo does."""
+    low, high, off = float(ends[0]), float(ends[1]), float(margin)
+    return (low + off, high - off) if low + off <= high - off else ((low + high) / 2,) * 2
 
 
 def alone(joint: Joint, axis: int) -> float:
@@ -199,26 +212,8 @@ def alone(joint: Joint, axis: int) -> float:
     return float(np.linalg.inv(inverse)[axis, axis])
 
 
-def shares_of(model: Any, tendon: int, known: Container[int]) -> dict[int, float] | None:
-    """Shares of joints in a fixed tendon's length; None: it is spatial, or of a joint that is not known."""
-    from .read import need_mujoco
-    of_joint, shares = int(need_mujoco().mjtWrap.mjWRAP_JOINT), {}
-    for row in range(int(model.tendon_adr[tendon]), int(model.tendon_adr[tendon] + model.tendon_num[tendon])):
-        joint = int(model.wrap_objid[row])
-        if int(model.wrap_type[row]) != of_joint or joint not in known:
-            return None
-        shares[joint] = shares.get(joint, 0.0) + float(model.wrap_prm[row])
-    return shares
-
-
-def _two_of(shares: dict[int, float] | None) -> list[tuple[int, float]] | None:
-    """Of a tendon of two joints, those; None: it has not two."""
-    some = [(joint, share) for joint, share in (shares or {}).items() if share]
-    return some if len(some) == 2 else None
-
-
-def close_loops(world: World, bodies: Bodies, problems: Problems) -> dict[str, Joint]:
-    """Equalities that hold two bodies together."""
+def close_loops(world: World, bodies: Bodies, tendons: Tendons, problems: Problems) -> dict[str, Joint]:
+    """Equalities: what holds two bodies together, or coordinates."""
     m, links = bodies.model, bodies.links
     from .read import need_mujoco
     mujoco = need_mujoco()
@@ -252,20 +247,48 @@ def close_loops(world: World, bodies: Bodies, problems: Problems) -> dict[str, J
             made[name] = world.joint("weld" if weld else "ball", bodies.of_link(a), bodies.of_link(b), position_a=on_a[0], orientation_a=on_a[1],
                                      position_b=on_b[0], orientation_b=on_b[1], collide=True)
         elif kind == int(kinds.mjEQ_JOINT) and other < 0 and one in bodies.axes:
-            move = next(move for move in links.moves if move.index == one)
-            axis = bodies.axes[one]
-            axis.mode, axis.lower, axis.upper = raw.CAROM_AXIS_MODE_LIMITED, data[0], data[0]
-            bodies.set_axis(move)
+            bodies.lock(one, data[0])
         elif kind == int(kinds.mjEQ_JOINT):
-            pair = [bodies.joints.get(joint) for joint in (one, other)]
-            if one not in bodies.axes or other not in bodies.axes or None in pair:
+            if one not in bodies.axes or other not in bodies.axes:
                 problems.add("equality", name, "a joint that follows another, of which one is neither hinge nor slide")
                 continue
-            made[name] = world.couple(pair[0], pair[1], data[:5])  # both tell where they are from where the model was written
-        elif kind == int(kinds.mjEQ_TENDON) and other < 0 and (shares := _two_of(shares_of(m, one, bodies.axes))):
-            (follower, own), (leader, share) = shares  # a length that stays is a line between two coordinates
-            made[name] = world.couple(bodies.joints[follower], bodies.joints[leader], (data[0] / own, -share / own))
+            made[name] = world.couple(bodies.joints[one], bodies.joints[other], data[:5])  # both tell where they are from where the model was written
+        elif kind == int(kinds.mjEQ_TENDON):
+            held = _hold_tendon(tendons, name, one, other, data)
+            if isinstance(held, str):
+                problems.add("equality", name, held)
+            elif held is not None:
+                made[name] = held
         else:
             word = next((w[len("mjEQ_"):].lower() for w, value in kinds.__members__.items() if int(value) == kind), str(kind))
             problems.add("equality", name, f"of kind {word}: the library has no such constraint")
     return made
+
+
+def _hold_tendon(tendons: Tendons, name: str, one: int, other: int, data: list[float]) -> Joint | str | None:
+    """A tendon whose length stays, or follows another's.   @return what holds it; None: nothing has to; or why it is left out"""
+    bodies = tendons.bodies
+    if one in tendons.paths and other < 0:
+        path = tendons.paths[one]
+        if len(path.pieces) != 1:
+            return "of a tendon that bends at a site that moves: a distance joint is straight"
+        length = float(bodies.model.tendon_length0[one]) + data[0]
+        return tendons.rope(name, path, length) if length >= path.fixed else "of a tendon that would be shorter than nothing"
+    if one not in tendons.shares or other >= 0 and other not in tendons.shares:
+        return "its tendon winds about a geom" if other < 0 else "a tendon that follows another, of which one is spatial"
+    shares = dict(tendons.shares[one])
+    if other >= 0:
+        if any(data[2:5]):
+            return "a tendon that follows another by more than a line"
+        for joint, share in tendons.shares[other].items():
+            shares[joint] = shares.get(joint, 0.0) - data[1] * share
+    some = [(joint, share) for joint, share in shares.items() if share]
+    if not some:
+        return None
+    if len(some) == 1:
+        bodies.lock(some[0][0], data[0] / some[0][1])
+        return None
+    if len(some) == 2:  # a length that stays is a line between two coordinates
+        (follower, own), (leader, share) = some
+        return bodies.world.couple(bodies.joints[follower], bodies.joints[leader], (data[0] / own, -share / own))
+    return tendons.chain(name, dict(some), mode="limited", lower=data[0], upper=data[0])

@@ -7,7 +7,7 @@ a joint: the last node is the link itself, those before it carry what MuJoCo has
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, Iterator, NamedTuple, Sequence
 
 import numpy as np
 
@@ -79,6 +79,12 @@ class Link:
     @property
     def nodes(self) -> int:
         return max(1, len(self.moves))
+
+
+class Frame(NamedTuple):
+    """Of a body, site, geom or camera of MuJoCo's: a place on a link."""
+    link: int
+    within: Pose
 
 
 class Links:
@@ -195,6 +201,12 @@ class Links:
                 out[link.first_node + k] = np.concatenate([linear, angular])
             found[at] = out[link.first_node + link.nodes - 1]
         return out
+
+
+def site_frame(model: Any, links: Links, site: int) -> Frame:
+    body = int(model.site_bodyid[site])
+    own = np.array(model.site_pos[site], float), turns.from_mujoco(model.site_quat[site])
+    return Frame(links.of_body[body], turns.on(links.within[body], own))
 
 
 def measured(model: Any) -> set[int]:

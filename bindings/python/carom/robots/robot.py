@@ -13,10 +13,11 @@ from . import turns
 from .actuators import Actuators
 from .bodies import Bodies, Disabled, close_loops
 from .geoms import Geoms
-from .links import Links, name_of
+from .links import Frame, Links, name_of
 from .problems import LeftOut, Problems
 from .save import save
-from .sensors import Frame, Sensor, Sensors
+from .sensors import Sensor, Sensors
+from .tendons import Tendon, Tendons
 from .unread import note_unread
 
 if TYPE_CHECKING:
@@ -83,6 +84,7 @@ class Robot:
     ctrl, act       controls and activations, for step()
     applied         N and N m on hinges and slides beside, in the order of qvel, until they are set anew
     bodies, joints  the library's objects by name. Bodies that no joint moves against each other are one.
+    tendons         by name; each tells its length and rate
     """
 
     def __init__(self, model: Any, world: World, owned: Engine | None, dt: float, substeps: int, problems: Problems, made: list[Any]) -> None:
@@ -91,11 +93,12 @@ class Robot:
         disabled = Disabled(model)
         self._bodies = Bodies(world, model, self._links, disabled, dt / substeps, problems)
         m = model
-        self._loops = close_loops(world, self._bodies, problems)
+        self._tendons = Tendons(self._bodies, dt / substeps)
+        self._loops = close_loops(world, self._bodies, self._tendons, problems)
         body_of = {("link", k): self._bodies.last(link) for k, link in enumerate(self._links.links) if not link.is_static}
         if not disabled.contact:
             Geoms(m, self._links, problems).make(world, body_of, made)
-        self._actuators = Actuators(self._bodies, problems)
+        self._actuators = Actuators(self._bodies, self._tendons, problems)
         note_unread(m, problems)
         self._scalar_joints = np.array([self._bodies.joints[move.index].handle for move in self._actuators.moves], np.uint64)
         self._nodes = np.array([body.handle for body in self._bodies.nodes], np.uint64)
@@ -119,6 +122,7 @@ class Robot:
         self.act = Vector("act", of_state, self._act.copy, self._set(self._act))
         self.applied = Vector("applied", {move.name: slice(move.v, move.v + 1) for move in self._actuators.moves}, self._applied.copy,
                               self._set(self._applied))
+        self.tendons: dict[str, Tendon] = {name_of(m, "tendon", k): self._tendon(k) for k in (*self._tendons.shares, *self._tendons.paths)}
         self._sensors = Sensors(self, problems)
         self.sensors: dict[str, Sensor] = self._sensors.all
         self.sites: list[str] = [name_of(m, "site", k) for k in range(m.nsite)]
@@ -157,6 +161,17 @@ class Robot:
             return np.zeros(0), np.zeros(0)
         places = self.world.read_joints("position", self._scalar_joints)[:, 0] + self._zeros
         return places, self.world.read_joints("velocity", self._scalar_joints)[:, 0]
+
+    def _tendon(self, k: int) -> Tendon:
+        name, path = name_of(self._model, "tendon", k), self._tendons.paths.get(k)
+        if path is not None:
+            return Tendon(name, "spatial", path.measure, None)
+        shares = np.array([self._tendons.shares[k].get(move.index, 0.0) for move in self._actuators.moves])
+
+        def measure() -> tuple[float, float]:
+            places, speeds = self._scalars()
+            return float(shares @ places), float(shares @ speeds)
+        return Tendon(name, "fixed", measure, self._tendons.chains.get(name))
 
     def _read_qpos(self) -> Array:
         q = np.array(self._model.qpos0, float)
@@ -208,6 +223,13 @@ class Robot:
         arms = self.world.read("center", nodes) - np.array([pose[0] for pose in of_nodes])
         rates[:, :3] += np.cross(rates[:, 3:], arms)
         self.world.write("velocity", rates, nodes)
+        for chain in self._tendons.chains.values():
+            at, along = np.zeros((len(chain.nodes), 7)), np.zeros((len(chain.nodes), 6))
+            at[:, 6] = 1
+            at[:, 0] = chain.offsets([q[move.q] - move.zero for move in chain.moves])
+            along[:, 0] = chain.offsets([v[move.v] for move in chain.moves])
+            self.world.write("pose", at, chain.nodes)
+            self.world.write("velocity", along, chain.nodes)
         places = q[self._q] - self._zeros
         if len(self._scalar_joints) and np.abs(self._scalars()[0] - q[self._q]).max() > 1:  # whole turns, which no pose tells
             try:
@@ -269,7 +291,8 @@ class Robot:
 
     def save(self, path: str | os.PathLike[str]) -> tuple[Path, Path]:
         """Write PATH, a whole snapshot of the world as it is now, and PATH.json, names: for programs without MuJoCo. What step() does
-        beside the world (actuators with "in_world": false, springs_of_the_host) is theirs to do.   @return both paths"""
+        beside the world (actuators with "in_world": false, springs_of_the_host, springs_of_tendons) is theirs to do. Who moves joints of a
+        chain ("tendons") moves its sliders, too.   @return both paths"""
         return save(self, path)
 
     # ---- places ----

@@ -6,6 +6,8 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .links import name_of
+
 if TYPE_CHECKING:
     from .robot import Robot
 
@@ -19,6 +21,8 @@ def names(robot: Robot) -> dict[str, Any]:
                          "joint": None if move.kind == "free" else joints[robot.joints[move.name].handle]}
              for move in links.moves if move.kind != "weld"}
     by_index = {move.index: move.name for move in links.moves}
+    tendons = {name: {"shares": {move.name: float(share) for move, share in zip(chain.moves, chain.shares)}, "end": joints[chain.end.handle],
+                      "sliders": [joints[slider.handle] for slider in chain.sliders]} for name, chain in robot._tendons.chains.items()}
     actuators = {a.name: {"ctrl": a.control, "act": a.state, "pulls": {by_index[joint]: share for joint, share in a.pulls.items()}, "gain": a.gain,
                           "bias": a.bias, "ctrlrange": a.bounds, "forcerange": a.force, "dynamics": a.dynamics, "lag": a.lag,
                           "in_world": a.servo is not None} for a in robot._actuators.all}
@@ -29,6 +33,11 @@ def names(robot: Robot) -> dict[str, Any]:
         "loops": {name: joints[joint.handle] for name, joint in robot._loops.items()},
         "actuators": actuators,
         "springs_of_the_host": {by_index[joint]: stiffness for joint, stiffness in robot._bodies.by_host.items()},
+        "tendons": tendons,
+        "ropes": {name: joints[joint.handle] for name, joint in robot._tendons.ropes.items()},
+        "springs_of_tendons": [{"shares": {by_index[joint]: share for joint, share in robot._tendons.shares.get(spring.tendon, {}).items()},
+                                "tendon": name_of(robot._model, "tendon", spring.tendon), "stiffness": spring.stiffness, "damping": spring.damping,
+                                "springlength": (spring.low, spring.high)} for spring in robot._tendons.springs],
         "keyframes": {key.name: {"qpos": key.qpos.tolist(), "qvel": key.qvel.tolist(), "ctrl": key.ctrl.tolist()}
                       for key in robot.keyframes.values()},
         "left_out": [{"kind": left.kind, "names": left.names, "reason": left.reason} for left in robot.left_out],

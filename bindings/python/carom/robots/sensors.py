@@ -7,22 +7,15 @@ from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 import numpy as np
 
 from . import turns
-from .bodies import shares_of
-from .links import name_of
+from .links import Frame, name_of
 from .problems import Problems
 
 if TYPE_CHECKING:
     from .robot import Robot
-    from .turns import Array, Pose
+    from .turns import Array
 
 Read = Callable[[], Any]
 AT_SITES = ("accelerometer", "velocimeter", "gyro", "magnetometer", "rangefinder", "touch", "force", "torque")
-
-
-class Frame(NamedTuple):
-    """Of a body, site, geom or camera of MuJoCo's: a place on a link."""
-    link: int
-    within: Pose
 
 
 class Sensor(NamedTuple):
@@ -93,17 +86,14 @@ class Sensors:
             move = next(move for move in self.links.moves if move.index == target)
             return (lambda: robot.qpos[move.name]) if kind == "jointpos" else (lambda: robot.qvel[move.name])
         if kind in ("tendonpos", "tendonvel"):
-            shares = shares_of(m, target, robot._actuators.at)
-            if shares is None:
-                return "of a spatial tendon: the library has none"
-            at_of = robot._actuators.at
-            return lambda: sum(share * (robot._scalars()[kind == "tendonvel"][at_of[joint]]) for joint, share in shares.items())
+            tendon = robot.tendons.get(name_of(m, "tendon", target))
+            return "its tendon winds about a geom" if tendon is None else lambda: tendon.measure()[kind == "tendonvel"]
         if kind in ("actuatorpos", "actuatorvel", "actuatorfrc"):
             if not any(a.index == target for a in robot._actuators.all):
                 return "of an actuator that is left out"
             if kind == "actuatorfrc":
                 return lambda: robot._forces[target]
-            return lambda: robot._actuators.lengths(robot._scalars()[kind == "actuatorvel"])[target]
+            return lambda: robot._actuators.measure(*robot._scalars())[kind == "actuatorvel"][target]
         if kind == "jointactfrc":
             return lambda: sum(a.pulls.get(target, 0.0) * robot._forces[a.index] for a in robot._actuators.all)
         if kind in ("ballquat", "ballangvel"):

@@ -18,13 +18,10 @@ def note_unread(m: Any, problems: Problems) -> None:
         if names:
             problems.add("joint" if kind == "jnt" else kind, names, reason)
 
-    for tendon in range(m.ntendon):
-        has = [word for word, values in (("stiffness", m.tendon_stiffness), ("damping", m.tendon_damping), ("frictionloss", m.tendon_frictionloss),
-                                         ("a limit", m.tendon_limited), ("armature", m.tendon_armature))
-               if some(values[tendon])]
-        if has:
-            problems.add("tendon", name_of(m, "tendon", tendon),
-                         f"{' and '.join(has)}: the library has no tendon, only what pulls through a fixed one")
+    named("tendon", m.tendon_stiffnesspoly, "stiffnesspoly: springs here are straight")
+    named("tendon", m.tendon_dampingpoly, "dampingpoly: dampers here are straight")
+    named("tendon", m.tendon_springyield, "springyield: springs here do not yield")
+    named("tendon", m.tendon_actfrclimited, "actuatorfrcrange: what pulls by it has its own forcerange alone")
     named("pair", m.pair_margin, "margin: contacts begin where those of its geoms do")
     named("jnt", m.jnt_stiffnesspoly, "stiffnesspoly: springs here are straight")
     named("jnt", m.jnt_springyield, "springyield: springs here do not yield")

@@ -3184,6 +3184,8 @@ pub struct carom_step_report {
     pub wedged_groups: u64,
     /// solutions of the direct solver by which contacts would have added energy, counted a substep: contacts yield there, which cannot
     pub rejected_solutions: u64,
+    /// J, kinetic, that islands with joints and contacts, or whose contacts yield, have beyond what their rows may give, summed over substeps; above 0 only where the work of a step did not suffice to solve one
+    pub excess_energy: f64,
 }
 impl Default for carom_step_report {
     fn default() -> Self {
@@ -5348,6 +5350,7 @@ pub static LAYOUT: &[(&str, usize, usize, &str)] = &[
     ("carom_step_report.sweep_hits", offset_of!(carom_step_report, sweep_hits), size_of::<u64>(), "u64"),
     ("carom_step_report.wedged_groups", offset_of!(carom_step_report, wedged_groups), size_of::<u64>(), "u64"),
     ("carom_step_report.rejected_solutions", offset_of!(carom_step_report, rejected_solutions), size_of::<u64>(), "u64"),
+    ("carom_step_report.excess_energy", offset_of!(carom_step_report, excess_energy), size_of::<f64>(), "f64"),
     ("carom_contact", 0, size_of::<carom_contact>(), "struct"),
     ("carom_contact.collider_a", offset_of!(carom_contact, collider_a), size_of::<carom_collider>(), "u64"),
     ("carom_contact.collider_b", offset_of!(carom_contact, collider_b), size_of::<carom_collider>(), "u64"),

@@ -95,6 +95,7 @@ class Driving {
   void tell(RattleJoint& j, const Vec3& d, const Vec3& w_a, const Vec3& w_b, Real p) const;
   void pull(RattleJoint& j, bool ends) const;
   bool follows(const RattleDrive& d, Real rest, Real h) const;
+  bool is_there(const RattleDrive& d, Real off, Real most, Real h) const;
 
   const World& world_;
   Rattle& r_;

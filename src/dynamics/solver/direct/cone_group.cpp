@@ -1,6 +1,8 @@
 #include "dynamics/solver/direct/cone_group.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 #include "dynamics/contact/depth.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -9,7 +11,9 @@
 #include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/group_sweeps.h"
+#include "dynamics/solver/direct/load.h"
 #include "dynamics/solver/direct/round.h"
+#include "dynamics/solver/direct/unchanged.h"
 #include "dynamics/solver/direct/yielding.h"
 #include "dynamics/solver/direct/yielding_constants.h"
 #include "dynamics/solver/far_turns.h"
@@ -80,10 +84,11 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
       c_(*world.contacts),
       s_(world.state),
       rest_(world.direct->rest[group]),
-      solution_(world.direct->solution[group]),
+      solution_(rest_.solution),
       problem_(world.direct->problem(group)),
       row_(world.direct->row.data() + world.direct->begin[group].contact),
       link_row_(world.direct->link_row.data() + world.direct->begin[group].link),
+      group_(group),
       work_(world.direct->newton_work(group)) {
   problem_.stood = rest_.stood;
 }
@@ -91,8 +96,7 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
 /// Of Newton's method.   @param work  block products, beyond those of kAlways
 std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
   if (!rest_.is_bounded) return kMostSteps;
-  const std::uint32_t from_nothing = is_few() ? kFromNothing.value : kStepsOfYielding.value;
-  if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, from_nothing * work_);
+  if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, kStepsOfYielding * work_);
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
 }
 
@@ -119,10 +123,45 @@ bool ConeGroup::repeat(Velocities& to, Real tolerance) {
   for (ConeBody& b : bodies_of(problem_)) {
     load(b);
     b.v += b.change;
+    if (rest_.stands) b.v.set_zero();
+  }
+  look_for_change();
+  for (ConeBody& b : bodies_of(problem_)) store(to, b);
+  ++rest_.repeats, ++rest_.substeps;
+  return true;
+}
+
+/// Of a group that stands unchanged: the solution is the last step's.   @return whether loads are the same, too
+bool ConeGroup::stands_on(Velocities& to) {
+  const StoodGroup& stood = world_.direct->stood_of(group_);
+  if (!rest_.lasts || print_of_motion(world_, bodies_of(problem_)) != stood.motion) return false;
+  for (ConeBody& b : bodies_of(problem_)) {
+    if (rest_.is_first) b.start = {s_.v[b.slot], s_.omega[b.slot]};  // should another substep not be like it
+    b.v.set_zero();
     store(to, b);
   }
-  ++rest_.repeats;
+  rest_.is_first = false, ++rest_.substeps;
+  rest_.lies = true;
+  solution_ = {};
+  solution_.residual = stood.residual, solution_.reached = true;
   return true;
+}
+
+/// What differs from the last step after all is found as if nothing had been known: the substeps that stood, then this.
+void ConeGroup::catch_up(Velocities& to, Real h, std::uint64_t work) {
+  load_group(world_, group_);
+  for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();  // as the step began
+  rest_.is_unchanged = rest_.lasts = false;
+  if (rest_.is_first) return;
+  rest_.caught_up = true;
+  const auto set = [&](ConeBody& b, const Vec6& v) { to.v[b.slot] = v.linear(), to.omega[b.slot] = v.angular(); };
+  for (ConeBody& b : bodies_of(problem_)) b.awaited = {s_.v[b.slot], s_.omega[b.slot]}, b.unlike = b.start;
+  rest_.is_first = true;
+  for (std::uint32_t i = std::exchange(rest_.substeps, 0); i > 0; --i) {
+    for (ConeBody& b : bodies_of(problem_)) set(b, b.unlike);
+    begin(to, h, work);
+  }
+  for (ConeBody& b : bodies_of(problem_)) set(b, b.awaited);
 }
 
 void ConeGroup::store(Velocities& to, ConeBody& b) {
@@ -220,16 +259,16 @@ void ConeGroup::find_without_work(Real h, Real goal, std::uint32_t most_steps) {
 }
 
 void ConeGroup::find_yielding(Real forgets, Real goal, std::uint32_t most_steps) {
-  solution_.factorisations += solve_yielding(problem_, kGiveOfContacts, forgets, kOfYielding * goal, most_steps);
+  solution_.factorisations += solve_yielding(problem_, kGiveOfContacts, forgets, goal, most_steps);
 }
 
 /// Where no velocity obeys the law, as where surfaces close on a body, or it would shoot it out, which no machine does:
 /// contacts yield, more and more. From nothing on, for what they bear by now may be anything.
 void ConeGroup::yield_more(Real goal, std::uint32_t most_steps) {
-  if (is_few()) most_steps = std::max(most_steps, kFromNothing.value);
+  if (is_few()) most_steps = std::max(most_steps, kStepsOfYielding.value);
   for (Real give = kGiveOfContacts;; give = std::min(10 * give, kGiveOfSweeps.value)) {
     drop_impulses(problem_);
-    solution_.factorisations += solve_yielding(problem_, give, 1, kOfYielding * goal, most_steps);
+    solution_.factorisations += solve_yielding(problem_, give, 1, goal, most_steps);
     if (give >= kGiveOfSweeps || !throws(problem_)) return;
   }
 }
@@ -275,20 +314,29 @@ bool ConeGroup::comes_to_rest(Real goal) {
   return taken > 0;
 }
 
-Real ConeGroup::goal(bool is_bounded) const {
-  const auto fine = [&] { return std::max(kFineShare * tolerance(), rounding(problem_)); };
-  if (is_few() && problem_.stood) return fine();
+/// What is left over adds up from substep to substep, as loads do. So in a short one it is no more than a share of what
+/// those do in it, and of what moves as much less as its square: else a finer step would err by more. Not with joints: what
+/// friction holds there would creep by 8e-5 of its arm in a turn in place of 5e-5 (oracle/held).   @param h  s, substep
+Real ConeGroup::goal(bool is_bounded, Real h) const {
+  constexpr Real kUsualSubsteps = 240;  // 1/s
+  const Real fine = std::max(kFineShare * tolerance(), rounding(problem_));
+  const Real usual = is_joined() ? tolerance() : std::min(tolerance(), std::max(fine, kConeShare * rest_.load));
+  if (is_few() && problem_.stood) return fine;
   const bool roughly = is_bounded && !problem_.stood && !problem_.contacts.empty();
-  if (roughly) {
-    const Real rough = std::max(tolerance(), kConeShare * fastest(problem_));
-    return is_few() && !is_joined() ? std::clamp(kConeShare * fastest_any_way(problem_), std::min(fine(), rough), rough)
-                                    : rough;
-  }
-  return is_joined() ? std::min(tolerance(), fine()) : tolerance();
+  if (!roughly) return is_joined() ? std::min(usual, fine) : usual;
+  const Real finer = is_joined() ? 1 : std::min(Real(1), kUsualSubsteps * h), share = kConeShare * finer * finer;
+  const Real rough = std::max(usual, share * fastest(problem_));
+  if (!is_few() || is_joined()) return rough;
+  return std::clamp(share * fastest_any_way(problem_), std::min(fine, rough), rough);
 }
 
 void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   const bool is_bounded = work > 0;
+  if (rest_.is_unchanged) {
+    rest_.asks = false;
+    if (stands_on(to)) return;
+    catch_up(to, h, work);
+  }
   if (rest_.is_first) rest_.work = rest_.share = own_work(work);
   rest_.asks = rest_.is_far_off = false;
   if (rest_.lasts && repeat(to, tolerance())) return;
@@ -300,9 +348,9 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   rest_.at_once = rest_.lies || (rest_.is_bounded && rest_.stood && kExpectedAtRest * work_ > own_work(work));
   rest_.waits = rest_.is_bounded && rest_.at_once && (rest_.is_close || (rest_.lies && rest_.waits));
   if (rest_.is_too_large || rest_.gave_up || takes_all_of(own_work(work))) return go_on_by_sweeps(to, h);
-  rest_.goal = goal(is_bounded);
   solution_ = {};
   solution_.residual = residual(problem_);
+  rest_.goal = goal(is_bounded, h);
   solution_.reached = solution_.residual <= rest_.goal;
   if (was_held_ && !solution_.reached && may_be_held() && solution_.residual < kRest * tolerance()) hold();
   rest_.asks = is_joined() || !solution_.reached;
@@ -312,8 +360,7 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
 /// Block products that it may take in a step, whatever others there are.
 std::uint64_t ConeGroup::own_work(std::uint64_t most) const {
   if (is_few() || is_joined()) return std::max(most, kWorkOfFew.value);
-  const std::uint64_t steps = problem_.last - problem_.first <= kFewInManySubsteps ? steps_worth(world_) : 1;
-  return std::min(most, steps * std::max(kLeastWork.value, kWorkOfPoint * problem_.contacts.size()));
+  return std::min(most, std::max(kLeastWork.value, kWorkOfPoint * problem_.contacts.size()));
 }
 
 /// It moves, and one step of Newton's method is more than there is for the step of the world.
@@ -386,9 +433,44 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
   rest_.is_close = solution_.residual < world_.scene.dials[Dial::velocity_tolerance];
   rest_.is_far_off = is_far_off();
   rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_few() && rest_.is_far_off;
-  if (!rest_.gave_up || !is_joined()) return;
+  if (!rest_.gave_up || !is_joined()) return measure_energy();
   return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
   sweep_on(h);
+}
+
+/// Whether what moves is no faster than what a solution may be off by: then it is that, and would go on for ever.
+bool ConeGroup::stands() const {
+  const Real slowest = kFineShare * tolerance();
+  return problem_.stood && std::ranges::all_of(bodies_of(problem_),
+                                               [&](const ConeBody& b) { return speed2(b, b.v) < slowest * slowest; });
+}
+
+/// Whether this substep leaves the group as the step found it, and is like those before it. @see unchanged.h
+void ConeGroup::look_for_change() {
+  if (rest_.problem == 0 || rest_.varies) return;
+  for (const ConeBody& b : bodies_of(problem_)) rest_.varies |= b.v != Vec6::zero();
+  each([&](const ConeContact& contact, std::uint32_t row) { rest_.varies |= contact.next_p != c_.rows[row].p; });
+  if (rest_.varies) return;
+  for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();  // not -0
+  const std::uint64_t motion = print_of_motion(world_, bodies_of(problem_));
+  if (rest_.is_first) rest_.motion = motion, rest_.residual = solution_.residual;
+  rest_.varies = motion != rest_.motion;
+}
+
+/// To the bit, so that poses stay what they are.
+void ConeGroup::stop() {
+  for (ConeBody& b : bodies_of(problem_)) b.v.set_zero();
+  for (ConeContact& c : problem_.contacts) c.u.set_zero();
+}
+
+/// Of a solution of the convex problem: what others give is a matter of their residual.
+void ConeGroup::measure_energy() {
+  if (!(problem_.may_give >= 0)) return;
+  solution_.excess_energy = std::max(Real(0), dynamics::excess_energy(problem_));
+  if (!world_.watches_stages || !problem_.is_proven || !(solution_.excess_energy > 0)) return;
+  std::fprintf(stderr, "carom: an island of %u bodies has %.3g J more than its rows may give\n",
+               problem_.last - problem_.first, static_cast<double>(solution_.excess_energy));
+  std::abort();
 }
 
 bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && problem_.stood; }
@@ -397,8 +479,7 @@ bool ConeGroup::may_be_held() const { return rest_.is_bounded && rest_.lies && p
 /// best impulses there are, which balance the loads but for next to nothing. Else velocities too small to see would add
 /// up, grow by as much again in each substep, and throw down what stood.
 void ConeGroup::hold() {
-  for (ConeBody& b : bodies_of(problem_)) b.v = Vec6::zero();
-  for (ConeContact& c : problem_.contacts) c.u.set_zero();
+  stop();
   solution_.reached = solution_.is_held = true;
 }
 
@@ -409,11 +490,14 @@ void ConeGroup::finish(Velocities& to) {
     start_from_these(problem_);
   else if (!comes_to_rest(rest_.goal))
     start_from_loads(problem_);
-  keep(to);
-  rest_.is_first = false, ++rest_.substeps;
   rest_.lasts = !is_joined() && !solution_.is_held && solution_.factorisations == 0 && rest_.least >= -1 &&
                 !rest_.resists && fastest_any_way(problem_) < kRest * tolerance() &&
                 std::ranges::none_of(bodies_of(problem_), &ConeBody::is_led_back);
+  rest_.stands = rest_.lasts && stands();
+  if (rest_.stands) stop();
+  look_for_change();
+  keep(to);
+  rest_.is_first = false, ++rest_.substeps;
   rest_.has_moved = rest_.lasts;  // or part() measures
 }
 

@@ -79,7 +79,7 @@ class ConeGroup {
   void find_exact(Real goal, std::uint32_t most_steps);
   void find_shares(Real goal, std::uint32_t most_steps);
   Real tolerance() const;
-  Real goal(bool is_bounded) const;
+  Real goal(bool is_bounded, Real h) const;
   std::uint64_t own_work(std::uint64_t most) const;
   std::uint64_t work_of_substep(std::uint32_t substeps) const;
   bool takes_all_of(std::uint64_t work) const;
@@ -89,8 +89,14 @@ class ConeGroup {
   void finish(Velocities& to);
   bool lies_still() const;
   bool is_far_off() const;
+  void measure_energy();
   bool may_be_held() const;
   void hold();
+  bool stands() const;
+  void stop();
+  void look_for_change();
+  bool stands_on(Velocities& to);
+  void catch_up(Velocities& to, Real h, std::uint64_t work);
   bool is_still_at_rest(Real goal);
   bool comes_to_rest(Real goal);
   bool was_solved() const;
@@ -118,6 +124,7 @@ class ConeGroup {
   ConeProblem problem_;
   const std::uint32_t* row_;
   const DirectGroups::LinkRow* link_row_;
+  std::size_t group_;
   std::uint64_t work_;
   bool was_held_ = false;  // all its bodies were at rest, to the bit, as the substep began
   bool is_led_ = false;    // by ground that turns

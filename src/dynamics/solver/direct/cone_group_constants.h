@@ -56,12 +56,6 @@ inline constexpr Constant<std::uint32_t> kMostSteps{
 inline constexpr Constant<std::uint32_t> kWorkOfContact{
     "direct_work_of_contact", 3, "block products", "that a contact takes as long as, in a step of Newton's method",
     "more or fewer: budgets of groups with many points to a body are too small or too large"};
-inline constexpr Constant<std::uint32_t> kFewInManySubsteps{
-    "direct_few_in_many_substeps", 4, "bodies",
-    "of a group that may take its work of a step as often as its substeps go into those of the dial, where an accuracy "
-    "asks for more",
-    "more: heaps that fall are solved hundreds of times a step; fewer: two blocks that slide to a stop are given up "
-    "within that step, and settle on soft contacts"};
 inline constexpr Constant<std::uint64_t> kWorkOfPoint{
     "direct_work_of_point", 16, "block products",
     "of a step that a group may take for each of its points: some 2 us, twice what soft contacts take for a point",
@@ -83,11 +77,6 @@ inline constexpr Constant<std::uint64_t> kWorkOfFew{
     "direct_work_of_few", 20000, "block products",
     "of a step, for a group of few bodies, whatever the others take: what is cut short there throws bodies",
     "more: ragdolls in a heap stall; fewer: light bodies on joints are thrown"};
-inline constexpr Constant<std::uint32_t> kFromNothing{
-    "direct_from_nothing", 40, "steps of Newton",
-    "beyond those that are always taken, where contacts bear nothing yet: what surfaces close on starts so in each "
-    "substep, and moves",
-    "fewer: pinched bodies are squeezed out faster; more: an impact through a wreck stalls the step"};
 inline constexpr Constant<std::uint32_t> kExpectedAtRest{
     "direct_expected_at_rest", 16, "steps of Newton",
     "that a group at rest is expected to take when it is solved anew: of many at once the others wait",
@@ -103,8 +92,8 @@ inline constexpr Constant<Real> kBends{
     "larger: what spins fast is thrown by the square of it; smaller: coins and wheels lose energy as they go round"};
 
 inline constexpr ConstantRow kConeGroupConstants[] = {
-    kFineShare,           kConeShare,   kRest,           kJerks,         kLongestTurn, kJointPush, kGap,
-    kGiveOfDisplacements, kAlways,      kMostSteps,      kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving,
-    kWorkOfFew,           kFromNothing, kExpectedAtRest, kUnborne,       kFew,         kBends,     kFewInManySubsteps};
+    kFineShare,           kConeShare,      kRest,      kJerks,         kLongestTurn, kJointPush, kGap,
+    kGiveOfDisplacements, kAlways,         kMostSteps, kWorkOfContact, kWorkOfPoint, kLeastWork, kExpectedOfMoving,
+    kWorkOfFew,           kExpectedAtRest, kUnborne,   kFew,           kBends};
 
 }  // namespace carom::dynamics

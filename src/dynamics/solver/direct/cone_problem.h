@@ -80,7 +80,8 @@ struct ConeBody {
   Vec6 before;                                  // with those alone that hold the forest's joints, @see tree.h
   Vec6 start, gained;  // with the impulses that the substep starts from; since the last substep, with them
 
-  Mat3 swing;  // kg m^2, scratch: @see stiffen()
+  Mat3 swing;            // kg m^2, scratch: @see stiffen()
+  Vec6 awaited, unlike;  // by loads of a substep, and of those before it: @see ConeGroup::catch_up()
 
   // of a round
   Vec6 change;    // of v since it began
@@ -104,6 +105,10 @@ struct ConeProblem {
   std::span<ConeLink> locks{};  // of the forest's joints
   std::span<TreeNode> tree{};   // by place; empty where no joint is of a forest
   bool stood = false;           // no body was faster, before this substep, than its loads alone make it
+  // Of the last round in which friction was known: what its rows may give kinetic energy, but for drives (J), and whether Newton's
+  // method came to its end, so that they give no more.
+  Real may_give = -1;  // no such round
+  bool is_proven = false;
 
   /// The body of a node.
   std::uint32_t body_at(std::uint32_t node) const { return nodes[first + node]; }
@@ -242,6 +247,7 @@ struct ConeSolution {
   bool is_wedged = false;            // no velocity obeys the law: contacts yield
   bool is_rejected = false;          // that would have thrown bodies, or given energy: contacts yield
   bool is_held = false;              // all lies as it lay, for want of a solution
+  Real excess_energy = 0;            // J, beyond what the convex problem may give: @see excess_energy()
   std::uint32_t rounds = 0;          // proximal
   std::uint32_t factorisations = 0;  // Newton steps
 };

@@ -18,7 +18,7 @@ void reserve_groups(DirectGroups& d) {
   if (d.contacts.capacity() >= kSome) return;
   const auto reserve = [](auto&... arrays) { (arrays.reserve(kSome), ...); };
   Elimination& e = d.elimination;
-  reserve(d.contacts, d.row, d.begin, d.bodies, d.scratch, d.solution, d.rest, d.factor.diagonal, d.factor.beside,
+  reserve(d.contacts, d.row, d.begin, d.bodies, d.scratch, d.rest, d.factor.diagonal, d.factor.beside,
           d.factor.is_filled, e.place, e.column, e.rows);
   Elimination::Scratch& s = e.scratch();
   reserve(s.neighbour_begin, s.neighbour, s.degree, s.mark, s.first, s.member, s.joints, s.joint, s.node_at, s.joint_at,
@@ -138,7 +138,7 @@ void DirectGroups::forget() {
   if (has_forest()) forest().joints.clear(), forest().nodes.clear(), forest().more.clear();
 }
 
-void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_factor) {
+void gather_groups(const World& world, SolverMemory& memory, Real h, std::uint64_t most_factor) {
   DirectGroups& d = *world.direct;
   gather(world, d);
   order(d, most_factor);
@@ -147,8 +147,7 @@ void gather_groups(const World& world, SolverMemory& memory, std::uint64_t most_
   remake(d.factor.diagonal, matrices * d.bodies.size()), remake(d.factor.beside, matrices * d.elimination.rows.size());
   d.factor.is_filled.resize(matrices * d.elimination.rows.size());
   place_contacts(d);
-  load_groups(world, memory, d);
-  d.solution.resize(d.groups());
+  load_groups(world, memory, h);
   const auto work = static_cast<std::uint64_t>(world.scene.dials[Dial::direct_work]);
   const std::uint64_t of_loops = std::min(most_factor, work * static_cast<std::uint64_t>(world.plan->substeps));
   for (std::size_t g = 0; g < d.groups(); ++g) {

@@ -173,7 +173,19 @@ void ConeGroup::settle(Velocities& to, Real h) {
 }
 
 void ConeGroup::end() {
-  accumulate_repeats();
+  StoodGroup& stood = world_.direct->stood_of(group_);
+  if (rest_.is_unchanged) {
+    each([&](const ConeContact&, std::uint32_t row) {
+      Vec3& impulse = c_.geometry[row].impulse;
+      const Vec3& p = c_.rows[row].p;
+      for (std::uint32_t i = 0; i < (stood.repeats > 0 ? 1 : rest_.substeps); ++i) impulse += p;
+      if (stood.repeats > 0) impulse += stood.repeats * p;
+    });
+  } else {
+    const bool alike = !rest_.varies && (rest_.repeats == 0 || rest_.repeats + 1 == rest_.substeps);
+    stood = {alike ? rest_.problem : 0, rest_.motion, rest_.residual, rest_.repeats};
+    accumulate_repeats();
+  }
   measure();
 }
 

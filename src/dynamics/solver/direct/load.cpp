@@ -5,6 +5,7 @@
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/contact/slide.h"
 #include "dynamics/force/force.h"
+#include "dynamics/solver/direct/unchanged.h"
 #include "dynamics/solver/pair_points.h"
 #include "dynamics/solver/sweep_constants.h"
 
@@ -145,17 +146,32 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
   });
 }
 
-void load_groups(const World& world, SolverMemory& memory, DirectGroups& d) {
+void load_group(const World& world, std::size_t g) {
+  DirectGroups& d = *world.direct;
+  const DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
+  for (ConeBody& b : std::span(d.bodies.data() + from.body, to.body - from.body)) {
+    load_mass(world, b);
+    b.v = {world.state.v[b.slot], world.state.omega[b.slot]};
+  }
+  load_contacts(world, {d.row.data() + from.contact, to.contact - from.contact}, d.bodies.data(),
+                d.contacts.data() + from.contact, LoadWhat::all);
+}
+
+void load_groups(const World& world, SolverMemory& memory, Real h) {
   constexpr std::size_t kGroupsAPart = 4;
+  DirectGroups& d = *world.direct;
+  d.stood.resize(world.scene.bodies.slots());
+  const std::uint64_t of_step = print_of_step(world, h);
   in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
+    GroupRest& rest = d.rest[g];
     const DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
-    for (ConeBody& b : std::span(d.bodies.data() + from.body, to.body - from.body)) {
-      hold_orientation(world, memory, b.slot);
-      load_mass(world, b);
-      b.v = {world.state.v[b.slot], world.state.omega[b.slot]};
-    }
-    load_contacts(world, {d.row.data() + from.contact, to.contact - from.contact}, d.bodies.data(),
-                  d.contacts.data() + from.contact, LoadWhat::all);
+    const std::span<const ConeBody> bodies(d.bodies.data() + from.body, to.body - from.body);
+    const std::span<const std::uint32_t> rows(d.row.data() + from.contact, to.contact - from.contact);
+    rest.problem = rest.in_lanes || d.is_joined(g) ? 0 : print_of_problem(world, bodies, rows, of_step);
+    rest.is_unchanged = rest.lasts = rest.problem != 0 && rest.problem == d.stood_of(g).problem;
+    if (rest.is_unchanged) return;
+    for (const ConeBody& b : bodies) hold_orientation(world, memory, b.slot);
+    load_group(world, g);
   });
 }
 

@@ -12,7 +12,9 @@ enum class LoadWhat { all, not_curved };
 /// @param rows, contacts  ascending, all or none of a pair's
 void load_contacts(const World& world, std::span<const std::uint32_t> rows, const ConeBody* bodies,
                    ConeContact* contacts, LoadWhat what);
-/// Bodies and contacts, as the step begins.
-void load_groups(const World& world, SolverMemory& memory, DirectGroups& d);
+/// Bodies and contacts of a group.
+void load_group(const World& world, std::size_t group);
+/// Likewise of all, as the step begins; but not of those that stand unchanged.   @param h  s, substep
+void load_groups(const World& world, SolverMemory& memory, Real h);
 
 }  // namespace carom::dynamics

@@ -27,11 +27,11 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   constexpr Real kFalls = 0.5;  // where it is quadratic a step leaves nothing, or rounding
   std::uint32_t steps = 0;
   bool is_reached = false;
-  Real left = kInfinity;
+  Real left = kInfinity, off = tolerance;
   bool whole = false;  // the last step was
   for (; steps < most_steps; ++steps) {
     const Real now = find_gradient();
-    is_reached = now <= tolerance;
+    off = std::min(now, tolerance), is_reached = now <= tolerance;
     if (is_reached) break;
     const NextFactor factor = find_factor(steps == 0 ? tolerance : 0);
     if (factor == NextFactor::none) break;
@@ -54,7 +54,23 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
     for (ConeLink& c : problem_.links) c.p = c.traced_p;
   }
   accept();
+  if (is_known_) problem_.may_give = may_give(off), problem_.is_proven = is_reached;
   return steps;
+}
+
+// A row's impulse is the point nearest to q = (1 - g) p0 - (u - want) / R of a convex set that holds 0, so p.(q - p) >= 0, and
+// p.u <= p.want + R p.((1 - g) p0 - p) <= R ((1 - g) p0)^2 / 4. Velocities come out off by a little: accept() follows impulses.
+Real Round::may_give(Real off) const {
+  Real sum = 0;
+  const auto add = [&](Real r, Real keeps, Real p0, Real p) { sum += keeps * keeps * p0 * p0 / (4 * r) + p * off; };
+  for (const ConeContact& c : problem_.contacts) {
+    const Real r = resistance(c);
+    add(r, r - c.give, c.p0.norm(), c.p.norm());
+  }
+  for (const ConeLink& c : problem_.links) {
+    if (c.k > 0) add(resistance(c) + c.give, resistance(c), std::fabs(c.p0), std::fabs(c.p));
+  }
+  return sum;
 }
 
 Real Round::rounding() const {

@@ -85,6 +85,9 @@ class Round {
   Real derivative(const Slope& slope, Real length) const;
   /// Bodies get the momentum of the impulses, to the bit.
   void accept();
+  /// J, the most that rows which ask for nothing give by what they keep to, and by velocities that are off.
+  /// @param off  m/s
+  Real may_give(Real off) const;
 
   /// Locks are linear: for them a hard round is as easy as a soft one, and one is enough.
   static constexpr Real kSoftnessOfLocks = 1e-7;

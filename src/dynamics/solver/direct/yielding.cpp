@@ -13,6 +13,9 @@
 namespace carom::dynamics {
 namespace {
 
+/// Of a sum over rows, each of twelve products, in a velocity that was put together in some hundred additions.
+constexpr Real kRoundingsOfEnergy = 100;
+
 /// Velocities at contacts and joints, from the bodies'.
 void measure(ConeProblem& problem) {
   for (ConeContact& c : problem.contacts) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
@@ -25,6 +28,35 @@ Real given_by_drive(const ConeProblem& problem, const ConeLink& c) {
   if (c.is_lock()) return std::fabs(c.p * c.low);  // a motor without bound
   const Real before = c.surface + relative<&ConeBody::before>(problem.bodies, c);
   return std::max(Real(0), c.p * (before + c.u) / 2);
+}
+
+/// J, kinetic: with loads alone, with all that rows did, and what of that surfaces gave, which impulses do not move.
+struct Energies {
+  Real before = 0, after = 0, by_surfaces = 0;
+  Real gained() const { return after - before - by_surfaces; }
+};
+Energies energies_of(const ConeProblem& problem) {
+  Energies e;
+  for (const ConeBody& b : bodies_of(problem)) {
+    e.before += b.unheld.dot(momentum_of(b, b.unheld)) / 2;
+    e.after += b.v.dot(momentum_of(b, b.v)) / 2;
+  }
+  for (const ConeContact& c : problem.contacts) e.by_surfaces -= c.p.dot(c.surface);
+  for (const ConeLink& c : problem.joint_rows()) e.by_surfaces -= c.p * c.surface;
+  return e;
+}
+
+/// (J)^1/2: bounds what impulses that cancel each other may leave in velocities, by the metric of the masses.
+Real borne_by_rows(const ConeProblem& problem) {
+  const auto response = [&](std::uint32_t body, const Vec3& d, const Vec3& w) {
+    return body == kInvalid ? Real(0) : response_of(problem.bodies[body], d, w);
+  };
+  Real sum = 0;
+  for (const ConeContact& c : problem.contacts) sum += std::sqrt(c.k) * (c.p.norm() + c.start_p.norm());
+  for (const ConeLink& c : problem.joint_rows())
+    sum +=
+        std::sqrt(response(c.a, c.d_a, c.w_a) + response(c.b, c.d_b, c.w_b)) * (std::fabs(c.p) + std::fabs(c.start_p));
+  return sum;
 }
 
 }  // namespace
@@ -76,7 +108,7 @@ ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, std::
     solution.reached = solution.residual <= tolerance;
     if (solution.reached || solution.rounds == kRoundsCloser || solution.factorisations >= most_steps) return solution;
     Round round(problem, give, Round::Friction::known);
-    solution.factorisations += round.minimise(kOfYielding * tolerance, most_steps - solution.factorisations);
+    solution.factorisations += round.minimise(tolerance, most_steps - solution.factorisations);
     ++solution.rounds;
   }
 }
@@ -123,25 +155,27 @@ Real share_that_helps(ConeProblem& problem) {
 bool gives_energy(ConeProblem& problem, Real residual) {
   const auto moves = [](const ConeLink& c) { return c.surface != 0 || c.bends; };
   if (std::ranges::any_of(problem.locks, moves)) find_lock_impulses(problem);  // else nothing asks for them
-  Real before = 0, after = 0;                                                  // J
-  for (const ConeBody& b : bodies_of(problem)) {
-    before += b.unheld.dot(momentum_of(b, b.unheld)) / 2;
-    after += b.v.dot(momentum_of(b, b.v)) / 2;
-  }
-  Real gained = after - before, inexact = 0, driven = 0;
-  for (const ConeContact& c : problem.contacts) {
-    gained += c.p.dot(c.surface);
-    inexact += c.p.norm() * residual;
-  }
-  bool bends = false;
+  const Energies energy = energies_of(problem);
+  Real inexact = 0, driven = 0;  // J
+  for (const ConeContact& c : problem.contacts) inexact += c.p.norm() * residual;
   for (const ConeLink& c : problem.links) {
     inexact += std::fabs(c.p) * residual, driven += given_by_drive(problem, c);
   }
-  for (const ConeLink& c : problem.joint_rows())
-    if (moves(c)) gained += c.p * c.surface, bends |= c.bends;
+  const bool bends = std::ranges::any_of(problem.joint_rows(), &ConeLink::bends);
   const Real turns = bends ? kBends * kBends / 2 : 0;
   // Loads without bound, as of a taut chain, would let any residual give any energy.
-  return gained > driven + std::min(inexact, before) + (turns + 2e3 * kEpsilon) * (before + after);
+  return energy.gained() >
+         driven + std::min(inexact, energy.before) + (turns + 2e3 * kEpsilon) * (energy.before + energy.after);
+}
+
+Real excess_energy(const ConeProblem& problem) {
+  const Energies energy = energies_of(problem);
+  Real driven = 0;  // J: what asks for a velocity gives what it gives
+  for (const ConeLink& c : problem.links)
+    if (c.low > 0 || c.high < 0) driven += std::max(Real(0), c.p * c.u);
+  const Real most = std::max(energy.before, energy.after);
+  const Real rounding = energy.before + energy.after + std::sqrt(2 * most) * borne_by_rows(problem);
+  return energy.gained() - driven - problem.may_give - kRoundingsOfEnergy * kEpsilon * rounding;
 }
 
 bool drop_bends(ConeProblem& problem) {

@@ -45,6 +45,11 @@ bool throws(const ConeProblem& problem);
 /// @param residual  m/s
 bool gives_energy(ConeProblem& problem, Real residual);
 
+/// What kinetic energy after the convex problem is above the bound that README.md proves, with an allowance for Newton's tolerance
+/// and for rounding. Above 0 it is a bug of ours where ConeProblem::is_proven.
+/// @param problem  impulses of locks are found   @return J
+Real excess_energy(const ConeProblem& problem);
+
 /// How much of the impulses that a substep starts from is worth keeping: all, unless they would give energy where the
 /// bodies are by now; then as much as takes the most.
 /// @param problem  gradient: momentum that rows give each body; before: velocities without   @return 0 to 1

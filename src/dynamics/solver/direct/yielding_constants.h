@@ -21,12 +21,9 @@ inline constexpr Constant<Real> kGiveOfSweeps{
     "of a contact's response: softness in sweeps, and the most that contacts of a pinch yield; that of solver soft_step "
     "at 30 Hz and 1/240 s",
     "larger: bodies sink deeper in such a step; smaller: what is wedged bears more"};
-inline constexpr Constant<Real> kOfYielding{
-    "direct_of_yielding", 0.3, "1", "of what a solution may be off, to which that with contacts that yield is found",
-    "larger: what joints bear is off by more; smaller: steps of Newton for nothing"};
 inline constexpr Constant<std::uint32_t> kStepsOfYielding{
     "direct_steps_of_yielding", 10, "steps of Newton",
-    "in which displacements are found at most, and what a large group bears that bore nothing",
+    "in which displacements are found at most, and that a group may take, whatever its work, where it bears nothing yet",
     "fewer: overlaps last for longer, tracks gape; more: what is built overlapping stalls its first step"};
 inline constexpr Constant<std::uint32_t> kRoundsCloser{
     "direct_rounds_closer", 3, "rounds", "after the solution in which contacts of what is joined yield",
@@ -40,7 +37,7 @@ inline constexpr Constant<Real> kWedged{
     "million times its mass has 1e-6, stacks of n cubes n^-2",
     "larger: what bears a heavy load counts as wedged, and starts from nothing in each step; smaller: bodies that "
     "surfaces close on keep impulses that throw them in the next step"};
-inline constexpr ConstantRow kYieldingConstants[] = {kGiveOfContacts,  kForgets,      kGiveOfSweeps,  kOfYielding,
-                                                     kStepsOfYielding, kRoundsCloser, kSweepsInstead, kWedged};
+inline constexpr ConstantRow kYieldingConstants[] = {kGiveOfContacts, kForgets,       kGiveOfSweeps, kStepsOfYielding,
+                                                     kRoundsCloser,   kSweepsInstead, kWedged};
 
 }  // namespace carom::dynamics
