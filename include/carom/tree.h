@@ -72,7 +72,7 @@ CAROM_API int32_t carom_tree_get_speeds(carom_world *world, carom_body body, dou
  *  @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
  *  @param forces        out, [n] N and N m
  *  @param n             how many coordinates there are
- *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: forces that are beyond what numbers hold);
  *          OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY */
 CAROM_API int32_t carom_tree_get_forces(carom_world *world, carom_body body, const double *speeds,
                                         const double *accelerations, double *forces, uint64_t n, carom_error *error);

@@ -5690,7 +5690,7 @@ namespace Carom
         /// @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
         /// @param forces        out, [n] N and N m
         /// @param n             how many coordinates there are
-        /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+        /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: forces that are beyond what numbers hold);
         ///         OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_tree_get_forces(World world, ulong body, double* speeds, double* accelerations, double* forces, ulong n, Error* error);

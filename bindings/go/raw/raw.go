@@ -6011,7 +6011,7 @@ func TreeGetSpeeds(world *World, body Body, speeds *float64, n uint64, error_ *E
 // @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
 // @param forces        out, [n] N and N m
 // @param n             how many coordinates there are
-// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: forces that are beyond what numbers hold);
 // OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY
 func TreeGetForces(world *World, body Body, speeds *float64, accelerations *float64, forces *float64, n uint64, error_ *Error) int32 {
 	return int32(C.carom_tree_get_forces((*C.carom_world)(unsafe.Pointer(world)), C.carom_body(body), (*C.double)(unsafe.Pointer(speeds)), (*C.double)(unsafe.Pointer(accelerations)), (*C.double)(unsafe.Pointer(forces)), C.uint64_t(n), (*C.carom_error)(unsafe.Pointer(error_))))

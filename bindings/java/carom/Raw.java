@@ -5922,7 +5922,7 @@ public final class Raw {
      *  param: accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
      *  param: forces        out, [n] N and N m
      *  param: n             how many coordinates there are
-     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: forces that are beyond what numbers hold);
      *          OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY */
     public static int carom_tree_get_forces(MemorySegment world, long body, MemorySegment speeds, MemorySegment accelerations, MemorySegment forces, long n, MemorySegment error) {
         try { return (int) carom_tree_get_forces_.CALL.invokeExact(world, body, speeds, accelerations, forces, n, error); } catch (Throwable problem) { throw Library.thrown(problem); }

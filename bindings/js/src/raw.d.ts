@@ -1043,7 +1043,7 @@ export interface Raw {
    *  @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
    *  @param forces        out, [n] N and N m
    *  @param n             how many coordinates there are
-   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: forces that are beyond what numbers hold);
    *          OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY */
   carom_tree_get_forces(world: number, body: bigint, speeds: number, accelerations: number, forces: number, n: bigint, error: number): number;
   /** The mass matrix of a tree at the present pose, symmetric and positive definite: with speeds v its energy of motion

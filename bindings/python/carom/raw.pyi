@@ -2674,7 +2674,7 @@ def carom_tree_get_forces(world: Any, body: Any, speeds: Any, accelerations: Any
     @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
     @param forces        out, [n] N and N m
     @param n             how many coordinates there are
-    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: forces that are beyond what numbers hold);
             OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY"""
     ...
 def carom_tree_get_mass(world: Any, body: Any, mass: Any, n: Any, error: Any) -> int:

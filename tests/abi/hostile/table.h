@@ -1396,7 +1396,7 @@ inline const Row kRows[] = {
          }
          return a;
        };
-       return call("carom_tree_get_forces", carom_tree_get_forces, {world(c), tree.body, numbers(), numbers(), out(c, 8 * tree.size), tree.n, error(c)});
+       return call("carom_tree_get_forces", carom_tree_get_forces, {world(c), tree.body, numbers(), numbers(), out(c, 8 * tree.size), tree.n, error(c)}).may(kNotFinite);
      }},
     {"carom_tree_get_mass", [](Context& c) {
        const Tree tree = some_tree(c);

@@ -4460,7 +4460,7 @@ extern "C" {
     /// @param accelerations [n] m/s^2 and rad/s^2, rates of the speeds, or NULL: 0
     /// @param forces        out, [n] N and N m
     /// @param n             how many coordinates there are
-    /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: speeds or accelerations that are too large together);
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE (also: forces that are beyond what numbers hold);
     ///         OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY
     pub fn carom_tree_get_forces(world: *mut carom_world, body: carom_body, speeds: *const f64, accelerations: *const f64, forces: *mut f64, n: u64, error: *mut carom_error) -> i32;
     /// The mass matrix of a tree at the present pose, symmetric and positive definite: with speeds v its energy of motion
