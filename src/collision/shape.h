@@ -89,6 +89,11 @@ inline Real extent(const Shape& s) { return s.form == Form::half_space ? std::fa
 
 inline bool is_scenery(const Shape& s) { return s.form == Form::scenery; }
 
+/// Whether it is neither known to be a polytope, nor a half-space or scenery.
+inline bool is_curved(const Shape& s) {
+  return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && !is_scenery(s);
+}
+
 /// m: the least side of its bounds; infinite of what has no far side.
 inline Real thickness(const Shape& s) { return is_scenery(s) ? kInfinity : (s.bounds.hi - s.bounds.lo).min_entry(); }
 

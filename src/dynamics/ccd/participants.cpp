@@ -46,26 +46,30 @@ bool is_fast(const World& world, std::uint32_t body, Real dt) {
   return reach > 0 && (way > reach || spins);
 }
 
+/// Whether some collider of a body is so, of those that contacts are for and that are no scenery.   @param is  (collider)
+template <class Is>
+bool any_convex(const World& world, std::uint32_t body, const Is& is) {
+  const Colliders& c = world.scene.colliders;
+  for (std::uint32_t slot = world.scene.first_collider[body]; slot != kInvalid; slot = c.next[slot])
+    if (!c.disabled[slot] && !c.is_sensor(slot) && !is_scenery(*c.shape[slot]) && is(slot)) return true;
+  return false;
+}
+
 /// Whether an end that touches first may send the other one through something: the way of a step is more than its thickness,
 /// and no small share of its size. What is as thick as it is long outruns its contacts first.
 bool may_tip_over(const World& world, std::uint32_t body, Real dt) {
-  const Colliders& c = world.scene.colliders;
   const Real way = dt * world.state.v[body].norm();
-  const auto is_less = [&](const Shape& shape) { return std::max(thickness(shape), shape.bounding_radius / 4) < way; };
-  for (std::uint32_t slot = world.scene.first_collider[body]; slot != kInvalid; slot = c.next[slot])
-    if (!c.disabled[slot] && !c.is_sensor(slot) && !is_scenery(*c.shape[slot]) && is_less(*c.shape[slot])) return true;
-  return false;
+  return any_convex(world, body, [&](std::uint32_t slot) {
+    const Shape& shape = *world.scene.colliders.shape[slot];
+    return std::max(thickness(shape), shape.bounding_radius / 4) < way;
+  });
 }
 
 /// Whether what a host moves comes far for its thinnest collider: what lies still in its way may be on either side of
 /// that after a step.
 bool sweeps_others(const World& world, std::uint32_t body, Real dt) {
   if (world.scene.type[body] != BodyType::kinematic) return false;
-  const Colliders& c = world.scene.colliders;
-  for (std::uint32_t slot = world.scene.first_collider[body]; slot != kInvalid; slot = c.next[slot])
-    if (!c.disabled[slot] && !c.is_sensor(slot) && !is_scenery(*c.shape[slot]) && comes_far(world, slot, dt))
-      return true;
-  return false;
+  return any_convex(world, body, [&](std::uint32_t slot) { return comes_far(world, slot, dt); });
 }
 
 void clear(Continuous& c) {

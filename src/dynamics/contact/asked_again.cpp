@@ -35,10 +35,6 @@ bool leave_tangent(const World& world, const Pair& pair, const StepTime& time, c
   return leaves > 0 && leaves > kAskedAgain * tolerable_depth(world, pair);
 }
 
-bool is_round(const Shape& s) {
-  return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && !is_scenery(s);
-}
-
 /// m, by which a pair of two that are round leaves the plane between them within a time, as their middles pass each other:
 /// the normal turns meanwhile, whether they spin or not.
 Real passes_by(const World& world, const Pair& pair, const Vec3& n, Real time) {
@@ -59,7 +55,7 @@ Real passes_by(const World& world, const Pair& pair, const Vec3& n, Real time) {
 bool bends_away(const World& world, const Pair& pair, const Vec3& n, Real tolerance, Real time) {
   const Colliders& c = world.scene.colliders;
   const Shape &a = *c.shape[pair.a], &b = *c.shape[pair.b];
-  return is_round(a) && is_round(b) &&
+  return is_curved(a) && is_curved(b) &&
          passes_by(world, pair, n, time) > tolerance * std::min(a.bounding_radius, b.bounding_radius);
 }
 

@@ -199,6 +199,14 @@ struct DirectGroups {
 
   StoodGroup& stood_of(std::size_t group) { return stood[bodies[begin[group].body].slot]; }
 
+  std::span<ConeBody> bodies_of(std::size_t group) {
+    return {bodies.data() + begin[group].body, begin[group + 1].body - begin[group].body};
+  }
+  /// Of contacts, as WideContacts has them.
+  std::span<const std::uint32_t> rows_of(std::size_t group) const {
+    return {row.data() + begin[group].contact, begin[group + 1].contact - begin[group].contact};
+  }
+
   bool is_few(std::size_t group) const { return rest[group].is_few; }
   bool is_joined(std::size_t group) const { return begin[group].link < begin[group + 1].link; }
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }

@@ -27,10 +27,6 @@ struct GivenMotion {
   Vec3 at(const Vec3& r) const { return v + omega.cross(r); }
 };
 
-bool is_curved(const Shape& s) {
-  return s.form != Form::box && s.form != Form::polytope && s.form != Form::half_space && !is_scenery(s);
-}
-
 /// Whether one of two that touch is not known to be a polytope, nor to roll on a ball (rolling.h).
 bool is_curved(const World& world, const RowGeometry& g) {
   const Pair& pair = world.pairs.place(g.pair).pair;
@@ -148,29 +144,25 @@ void load_contacts(const World& world, std::span<const std::uint32_t> rows, cons
 
 void load_group(const World& world, std::size_t g) {
   DirectGroups& d = *world.direct;
-  const DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
-  for (ConeBody& b : std::span(d.bodies.data() + from.body, to.body - from.body)) {
+  for (ConeBody& b : d.bodies_of(g)) {
     load_mass(world, b);
     b.v = {world.state.v[b.slot], world.state.omega[b.slot]};
   }
-  load_contacts(world, {d.row.data() + from.contact, to.contact - from.contact}, d.bodies.data(),
-                d.contacts.data() + from.contact, LoadWhat::all);
+  load_contacts(world, d.rows_of(g), d.bodies.data(), d.contacts.data() + d.begin[g].contact, LoadWhat::all);
 }
 
 void load_groups(const World& world, SolverMemory& memory, Real h) {
   constexpr std::size_t kGroupsAPart = 4;
   DirectGroups& d = *world.direct;
   d.stood.resize(world.scene.bodies.slots());
+  if (d.groups() == 0) return;
   const std::uint64_t of_step = print_of_step(world, h);
   in_parallel(world.jobs, d.groups(), kGroupsAPart, [&](std::uint32_t g) {
     GroupRest& rest = d.rest[g];
-    const DirectGroups::Begin &from = d.begin[g], &to = d.begin[g + 1];
-    const std::span<const ConeBody> bodies(d.bodies.data() + from.body, to.body - from.body);
-    const std::span<const std::uint32_t> rows(d.row.data() + from.contact, to.contact - from.contact);
-    rest.problem = rest.in_lanes || d.is_joined(g) ? 0 : print_of_problem(world, bodies, rows, of_step);
+    rest.problem = rest.in_lanes || d.is_joined(g) ? 0 : print_of_problem(world, d.bodies_of(g), d.rows_of(g), of_step);
     rest.is_unchanged = rest.lasts = rest.problem != 0 && rest.problem == d.stood_of(g).problem;
     if (rest.is_unchanged) return;
-    for (const ConeBody& b : bodies) hold_orientation(world, memory, b.slot);
+    for (const ConeBody& b : d.bodies_of(g)) hold_orientation(world, memory, b.slot);
     load_group(world, g);
   });
 }
