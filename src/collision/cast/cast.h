@@ -36,6 +36,7 @@ struct CastResult {
   Vec3 normal = Vec3::zero();   // unit, from A (or the ray) to B; zero for a miss
   Vec3 point_a = Vec3::zero();  // m, on A's surface (of a ray: where it is)
   Vec3 point_b = Vec3::zero();  // m, on B's surface
+  Vec3 plane = Vec3::zero();    // unit, from A to B: normal of the last plane that a time of impact asked for
   bool at_start = false;        // touched or overlapped at the start
   int iterations = 0, support_calls = 0;
 };

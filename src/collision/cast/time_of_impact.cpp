@@ -2,6 +2,7 @@
 #include "collision/cast/time_of_impact.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "collision/cast/overlap.h"
 #include "collision/cast/rounding.h"
@@ -87,6 +88,15 @@ class Advance {
     write_points();
   }
 
+  /// @see collision::is_kept_apart()
+  bool is_apart(const Vec3& normal, Vec3& point) {
+    seen_.t = 0, seen_.normal = normal;
+    Real gap, until;
+    if (!plane_gap(0, normal, gap)) return false;
+    point = origin_ + (flat(b_) || (!flat(a_) && a_.bounding_radius < b_.bounding_radius) ? reach_a_ : reach_b_);
+    return gap > 0 && clear_until(0, gap, until) && until >= duration_;
+  }
+
  private:
   Real size() const { return (flat(a_) ? 0 : a_.bounding_radius) + (flat(b_) ? 0 : b_.bounding_radius); }
 
@@ -105,7 +115,7 @@ class Advance {
     memory_.direction = seen_.frame_a.rotate(memory_.direction);
     ++result_.iterations;
     result_.support_calls += seen_.found.support_calls;
-    seen_.normal = seen_.frame_a.rotate(seen_.found.normal);
+    result_.plane = seen_.normal = seen_.frame_a.rotate(seen_.found.normal);
     seen_.rounding = rounding_at(t);
     return seen_.found.status != QueryStatus::fault || fail();
   }
@@ -118,57 +128,118 @@ class Advance {
            ((kPoseRounding + kTurnRounding) * (travel + size() + arm_a_ + arm_b_) + kTurnRounding * turn);
   }
 
-  /// What the gap along the normal can lose per second, at most, at any later time.
-  Real closing_bound() const {
-    const Real exact = -seen_.normal.dot(mb_.velocity) + seen_.normal.cross(ma_.omega).norm() * arm_a_ +
-                       seen_.normal.cross(mb_.omega).norm() * arm_b_;
+  /// What the gap along a normal can lose per second, at most, at any later time.
+  Real closing_bound(const Vec3& n) const {
+    const Real exact = -n.dot(mb_.velocity) + n.cross(ma_.omega).norm() * arm_a_ + n.cross(mb_.omega).norm() * arm_b_;
     return exact + 16 * kUnitRoundoff * (mb_.velocity.norm() + ma_.omega.norm() * arm_a_ + mb_.omega.norm() * arm_b_);
   }
 
-  /// How long the plane found at time t, of a gap beyond the target, keeps its gap: by the bound on its speed, or by
-  /// the gap that it has a little later, and the sag in between.
-  ///
-  /// Seen from a body that turns by theta, the normal n = n1 + n2 (along and across its axis) sweeps a cone. Between
-  /// two instants alpha apart, by sines, n(t) = l n(0) + m n(alpha) - (l + m - 1) n1 with l + m - 1 <= sec(alpha/2) -
-  /// 1, and a support function h is sublinear: h(n(t)) <= l h(n(0)) + m h(n(alpha)) + (l + m - 1) h(-n1). So the gap
-  /// lies no lower than the chord between its two values by more than 2 r (sec(alpha/2) - 1) a body, which for alpha <=
-  /// 1 is less than 0.28 r alpha^2: of second order, where the bound on speed is of first.
-  /// @return false if a support function misbehaved
-  bool clear_until(Real t, Real gap, Real& until) {
-    const Real fastest = closing_bound();
-    until = fastest > 0 ? std::min(t + gap / fastest, duration_) : duration_;
+  /// Until when a plane that stays as it is keeps its gap, by the bound on its speed.
+  Real clear_until_bound(Real t, Real gap, const Vec3& n) const {
+    const Real fastest = closing_bound(n);
+    return fastest > 0 ? std::min(t + gap / fastest, duration_) : duration_;
+  }
+
+  /// A plane stays as it is, or turns along with A or B, as that of a face does.
+  enum class Along { none, a, b };
+
+  /// A plane on its way: what it keeps apart at time t, and how far it looks next.
+  struct March {
+    Along along;
+    Real bend;  // m/s^2
+    Real t, gap, step;
+    Vec3 n;
+    int shorter = 0;  // looks in a row that did not find it clear
+  };
+
+  /// m/s^2: by how much the gap may lie below the chord between its values at two instants, over the square of the time
+  /// between them. With n = n(t), of unit length, and m = -n as B sees it, gap(t) = n.d - g_B(m) - g_A(-m'), d from centre to
+  /// centre, g support functions about these: convex, and no steeper than the arms. So the deviation is that of d.n and m
+  /// from their chords, an eighth of their second derivatives. Of the body that the plane goes along with g is constant.
+  Real bend_of(Along along, Real t) const {
     const Real wa = ma_.omega.norm(), wb = mb_.omega.norm();
-    const Real bend = 0.28 * (arm_a_ * wa * wa + arm_b_ * wb * wb);  // m/s^2
-    if (until >= duration_ || !(bend > 0)) return true;
-    Real step = std::min({std::sqrt(gap / (2 * bend)), 1 / std::max(wa, wb), duration_ - t});
-    for (int i = 0; i < 2 && t + step > until; ++i) {
-      Real later;
-      if (!plane_gap(t + step, later)) return false;
-      const Real sag = bend * step * step, fall = gap - later;
-      if (later > sag) {  // as the gap itself is: clear all along
-        until = std::max(until, t + step);
-        return true;
-      }
-      until = std::max(until, std::min(t + step * std::max((gap - sag) / fall, Real(0)), t + step));
-      step = std::min(step, 1.25 * step * gap / fall);  // about where the chord meets the target: less sag
+    if (along == Along::none) return (arm_a_ * wa * wa + arm_b_ * wb * wb) / 8;
+    const Real w = along == Along::a ? wa : wb, arm = along == Along::a ? arm_b_ : arm_a_;
+    const auto apart = [&](Real at) { return (mb_.centre + at * mb_.velocity - ma_.centre).norm(); };
+    const Real turns = (ma_.omega - mb_.omega).norm() * (wa + wb);
+    return (w * w * std::max(apart(t), apart(duration_)) + 2 * w * mb_.velocity.norm() + arm * turns) / 8;
+  }
+
+  /// As far as its bend takes half of the gap.
+  Real longest_step(const March& m) const {
+    const Real left = duration_ - m.t;
+    return 2 * m.bend * left * left > m.gap ? std::sqrt(m.gap / (2 * m.bend)) : left;
+  }
+
+  /// Just short of where a gap that falls at a speed, and bends, is used up.
+  static Real step_to_end(const March& m, Real speed) {
+    constexpr Real kShort = 0.98;
+    return kShort * 2 * m.gap / (speed + std::sqrt(speed * speed + 4 * m.bend * m.gap));
+  }
+
+  /// One look ahead along the way of a plane.   @return false if a support function misbehaved
+  bool march(March& m, Real& until) {
+    const Vec3 axis = m.along == Along::a ? ma_.omega : m.along == Along::b ? mb_.omega : Vec3::zero();
+    const Vec3 turned = m.along == Along::none ? m.n : exp_map(m.step * axis) * m.n;
+    const Vec3 n = turned / turned.norm();
+    Real later;
+    if (!plane_gap(m.t + m.step, n, later)) return false;
+    const Real sag = m.bend * m.step * m.step, speed = (m.gap - later) / m.step;
+    if (later > sag) {  // as the gap itself is: clear all along
+      m.t += m.step, m.gap = later, m.n = n, m.shorter = 0;
+      until = std::max(until, std::max(m.t, clear_until_bound(m.t, m.gap, m.n)));
+      m.step = std::min(longest_step(m), speed > 0 ? step_to_end(m, speed) : kInfinity);
+      return true;
     }
+    until = std::max(until, std::min(m.t + std::max(m.gap - sag, Real(0)) / speed, m.t + m.step));
+    m.step = std::min(m.step / 2, step_to_end(m, speed)), ++m.shorter;
     return true;
   }
 
-  /// Gap beyond the target that the plane of the last look has at another time, rounding taken off.
-  bool plane_gap(Real t, Real& gap) {
-    const auto farthest = [&](Core core, const RigidMotion& m, const Vec3& n, Real& value) {
+  /// How long the plane found at time t, of a gap beyond the target, keeps its gap: by the bound on its speed, or by
+  /// the gap that it has a little later, and the sag in between. The latter is of second order. Which way it goes is tried; the
+  /// best one goes on, at a tenth of the cost of a distance query, as long as it comes farther.
+  /// @return false if a support function misbehaved
+  bool clear_until(Real t, Real gap, Real& until) {
+    constexpr int kLooks = 16, kShorter = 2;
+    until = clear_until_bound(t, gap, seen_.normal);
+    if (ma_.omega == Vec3::zero() && mb_.omega == Vec3::zero()) return true;
+    const bool any_flat = flat(a_) || flat(b_);
+    const Real enough = 0.25 * tolerance_;
+    std::optional<March> best;
+    Real best_until = 0;
+    for (const Along along : {Along::a, Along::b, Along::none}) {
+      if (until >= duration_) return true;
+      const Vec3& omega = along == Along::a ? ma_.omega : mb_.omega;
+      if (along != Along::none && (any_flat || omega == Vec3::zero())) continue;
+      March m{along, bend_of(along, t), t, gap, 0, seen_.normal};
+      m.step = longest_step(m);
+      Real found = 0;
+      if (!march(m, found)) return false;
+      until = std::max(until, found);
+      if (!best || found > best_until) best = m, best_until = found;
+    }
+    for (int i = 0; i < kLooks && until < duration_ && best->shorter < kShorter && best->gap > enough; ++i)
+      if (!march(*best, until)) return false;
+    return true;
+  }
+
+  /// Gap beyond the target that a plane has at a time, rounding taken off.   @param n  unit
+  bool plane_gap(Real t, const Vec3& normal, Real& gap) {
+    const auto farthest = [&](Core core, const RigidMotion& m, const Vec3& n, Real& value, Vec3& reach) {
       const Shape& s = core.shape();
       const Frame frame(m.after(t));
       Vec3 p = s.offset * s.normal;
       const Vec3 d = frame.rotate_inverse(n);
       if (!flat(s) && !core.support(d, p)) return core.blame(d, p, fault_);
-      value = n.dot(frame.apply(p)) + s.core_radius;
+      reach = frame.apply(p);
+      value = n.dot(reach) + s.core_radius;
       return true;
     };
     Real of_a = 0, of_b = 0;
     ++result_.support_calls;
-    if (!farthest(Core(a_), ma_, seen_.normal, of_a) || !farthest(Core(b_), mb_, -seen_.normal, of_b)) return fail();
+    if (!farthest(Core(a_), ma_, normal, of_a, reach_a_) || !farthest(Core(b_), mb_, -normal, of_b, reach_b_))
+      return fail();
     gap = -of_b - of_a - settings_.target - rounding_at(t) - kBracketRounding * kUnitRoundoff * size();
     return true;
   }
@@ -203,7 +274,7 @@ class Advance {
     if (!(speed > 0) || settings_.target < 0) return;  // of an overlap no depth is proven by a yes or no
     const Real safe = until_;
     Real step = (std::max(left, Real(0)) + 0.5 * contact) / speed;
-    if (!(closing_bound() * step <= kGraze * contact))
+    if (!(closing_bound(seen_.normal) * step <= kGraze * contact))
       return;  // it slides along: where it crosses says nothing of when
     for (int i = 0; i < 4; ++i, step *= 2) {
       const Real later = std::min(t + step, duration_);
@@ -261,8 +332,9 @@ class Advance {
   const CastSettings& settings_;
   CastResult& result_;
   SupportFault& fault_;
-  Real arm_a_, arm_b_, tolerance_;  // m
-  Real until_ = 0;                  // s: nothing touches before
+  Real arm_a_, arm_b_, tolerance_;                        // m
+  Real until_ = 0;                                        // s: nothing touches before
+  Vec3 reach_a_ = Vec3::zero(), reach_b_ = Vec3::zero();  // m: of cores, towards the last plane
   /// What a look saw.
   struct Seen {
     Real t = 0, rounding = 0;  // s; m, of the poses
@@ -283,6 +355,13 @@ void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b,
   if (!settings.ignore_touched || !result.at_start) return;
   result = CastResult();
   result.time = result.lower = duration;
+}
+
+bool is_kept_apart(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b,
+                   Real duration, const CastSettings& settings, const Vec3& normal, Vec3& point) {
+  CastResult unused;
+  SupportFault fault;
+  return Advance(a, motion_a, b, motion_b, duration, settings, unused, fault).is_apart(normal, point);
 }
 
 }  // namespace carom::collision

@@ -36,4 +36,13 @@ struct RigidMotion {
 void time_of_impact(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b,
                     Real duration, const CastSettings& settings, CastResult& result, SupportFault& fault);
 
+/// Whether a plane that is known, as of a time of impact just before, keeps two farther apart than settings.target in all
+/// of [0, duration]: two to six support evaluations, where a distance query takes some thirty.
+/// @param normal  unit, from A to B, in the frame of the poses; that of a half-space, if one of them is
+/// @param point   m, in that frame: where the smaller of the two reaches farthest towards the other, at time 0
+/// @accuracy      true is proven, rounding included; false says nothing
+/// @oracle        tests/unit/collision/cast/test_time_of_impact
+bool is_kept_apart(const Shape& a, const RigidMotion& motion_a, const Shape& b, const RigidMotion& motion_b,
+                   Real duration, const CastSettings& settings, const Vec3& normal, Vec3& point);
+
 }  // namespace carom::collision

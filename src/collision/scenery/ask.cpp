@@ -104,6 +104,19 @@ class Sum {
 /// m; nothing, where nothing moves or no time passes
 Real way(Real speed, Real time) { return speed > 0 && time > 0 ? speed * time : 0; }
 
+/// Whether a shape is farther above the plane of a triangle than some distance: it is so from the triangle then, too.
+/// @param frame  A -> scenery
+bool is_above(const Shape& a, const Frame& frame, const Triangle& triangle, Real distance) {
+  if (!finite(distance)) return false;
+  Vec3 p;
+  Core core(a);
+  if (!core.support(-frame.rotate_inverse(triangle.normal), p)) return false;  // whoever asks for the distance says so
+  const Vec3& corner = triangle.corner[0];
+  const Vec3 lowest = frame.apply(p);
+  const Real rounding = kPoseRounding * kUnitRoundoff * (lowest.norm() + corner.norm() + a.bounding_radius);
+  return triangle.normal.dot(lowest - corner) - a.core_radius > distance + rounding;
+}
+
 /// In which a shape moves by what a bracket may be wide.
 Real time_of(const CastSettings& settings, const Shape& a, Real speed) {
   return speed > 0 ? settings.tolerance * a.bounding_radius / speed : 0;
@@ -261,7 +274,10 @@ void time_of_impact_at_triangles(const Shape& a, const RigidMotion& motion_a, co
     RigidMotion of_triangle = motion;
     of_triangle.at.p = motion.at.apply(at.shape.origin());
     CastResult one;
-    // Later than the first so far is no matter: a shorter question is a cheaper one.
+    // Later than the first so far is no matter: a shorter question is a cheaper one. Mostly A stays above the plane.
+    Vec3 lowest;
+    const Vec3 down = -frame.rotate(triangle.normal);
+    if (is_kept_apart(a, motion_a, at.shape.shape(), of_triangle, first.end(duration), settings, down, lowest)) return;
     time_of_impact(a, motion_a, at.shape.shape(), of_triangle, first.end(duration), settings, one, fault);
     sum.add(one);
     if (one.outcome == CastOutcome::miss) return;
@@ -314,7 +330,8 @@ void distance_to_triangles(const Shape& a, const Shape& shape, const Frame& scen
   QuerySettings own = settings;
   scenery.each_around(box, settings.max_distance, [&](std::uint32_t index) {
     Triangle triangle;
-    if (result.status != QueryStatus::fault && scenery.triangle(index, triangle)) {
+    if (result.status != QueryStatus::fault && scenery.triangle(index, triangle) &&
+        !is_above(a, a_in_scenery, triangle, own.max_distance)) {
       at.shape.set(triangle);
       QueryResult one;
       const Frame frame = at.place(scenery_in_a);

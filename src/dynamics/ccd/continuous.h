@@ -32,6 +32,9 @@
 // Contacts ahead of a touch (speculative ones) of a participant that closes fast are taken from the solver: at such speeds
 // their planes would stop what merely passes by, and the sweep knows better.
 //
+// The plane that was last found between two is asked first (PartingPlanes): mostly it keeps them apart for the rest of the step.
+// What touches and comes no farther than half its thickness is asked at the end of the substep alone whether it sank.
+//
 // A swept body costs a query of the broad phase's tree, of the sleepers' and of the other participants', and some
 // microseconds for each pair of convex shapes whose bounds its path crosses. All on the stepping thread: the order of
 // hits is one of time.
@@ -104,6 +107,27 @@ struct SweptBody {
   Vec3 normal, point;  // unit, from own to other; m, world
 };
 
+/// What was found between two in this step, by their colliders: a plane that may keep them apart for longer. As many as there is
+/// capacity for, the newer of two that share a place.
+class PartingPlanes {
+ public:
+  explicit PartingPlanes(Memory* m) : planes_(m) {}
+  /// Forgets all.   @param about  how many there may be
+  void clear(std::size_t about);
+  /// @return zero: none is known
+  Vec3 find(std::uint32_t a, std::uint32_t b) const;
+  /// @param normal  unit, world, from A to B
+  void keep(std::uint32_t a, std::uint32_t b, const Vec3& normal);
+
+ private:
+  struct Plane {
+    Pair pair;
+    Vec3 normal;  // from the lower slot to the higher
+  };
+  std::size_t place(const Pair& pair) const;
+  Array<Plane> planes_;
+};
+
 struct Continuous {
   explicit Continuous(Memory* m);
 
@@ -123,16 +147,22 @@ struct Continuous {
   std::size_t participants = 0;                // of bodies
   BoxTree tree;                                // of participants, by place in bodies; boxes of this substep
   Array<Aabb> boxes;                           // m, by place in bodies
-  Array<std::uint32_t> leaves;                 // 0, 1, 2, ...
   Array<std::uint32_t> loose;                  // places in bodies
   Array<SweepHit> hits;                        // of this step, by time; as many as are reserved
   Array<Pair> passed;                          // with a sensor, of this step; as many as are reserved; may repeat
+  PartingPlanes planes;                        // of this step
   std::size_t most_bodies = 0, most_hits = 0;  // of this step: not what arrays have grown to, which is of the past
   Array<std::uint32_t> near;                   // slots of bodies within a participant's way, wherever a hit turns it
   Array<std::uint32_t> found;                  // scratch: colliders
   Participants one, more, merged;              // scratch, for rotation methods
   SupportFault fault;                          // the first of this step
 
+  /// The tree of the boxes of participants, afresh.
+  void build_tree() {
+    found.clear();
+    for (std::uint32_t k = 0; k < participants; ++k) found.push_back(k);
+    tree.build(found, boxes);
+  }
   SweptBody* find(std::uint32_t body) {
     const std::uint32_t at = body < index.size() ? index[body] : kInvalid;
     return at == kInvalid ? nullptr : &bodies[at];

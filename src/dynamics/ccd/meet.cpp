@@ -21,9 +21,14 @@ constexpr Real kMostSlack = 0.05, kLeastSlack = 1e-5;
 
 }  // namespace
 
+/// m: what two that touch and come less far than half of it can't pass through.
+Real Sweeper::thinner(const Side& a, const Side& b) const {
+  return std::min(thickness(*a.part.shape), thickness(*b.part.shape));
+}
+
 /// m: how deep two may sink in a substep without a hit.
 Real Sweeper::slack(const Side& a, const Side& b) const {
-  const Real thin = std::min(thickness(*a.part.shape), thickness(*b.part.shape));
+  const Real thin = thinner(a, b);
   return std::clamp(tolerance_, kLeastSlack * thin, kMostSlack * thin);
 }
 
@@ -104,12 +109,41 @@ bool Sweeper::is_at_seam(const Side& a, const Side& b, const FirstContact& m) {
   return false;
 }
 
+/// Whether the plane that was last found between two keeps them from meeting, or, where they touch and are slow, from sinking
+/// by more than the slack.
+bool Sweeper::is_parted(const Side& a, const Side& b, Real from, Real to) {
+  const Vec3 normal = is_scenery(*b.part.shape) ? Vec3::zero() : c_.planes.find(a.collider, b.collider);
+  if (normal == Vec3::zero()) return false;
+  const RigidMotion motion_a = a.path.motion(a.part, from), motion_b = b.path.motion(b.part, from);
+  CastSettings settings;
+  Vec3 point;
+  const auto by_more_than = [&](Real target) {
+    settings.target = target;
+    return is_kept_apart(*a.part.shape, motion_a, *b.part.shape, motion_b, to - from, settings, normal, point);
+  };
+  return by_more_than(0) || (by_more_than(-slack(a, b)) && is_slow(a, b, {from, normal, point}));
+}
+
+/// Whether at a time they are no deeper in each other than they may be.   @param allowed  m
+bool Sweeper::ends_above(const Side& a, const Side& b, Real time, Real allowed) {
+  const Frame frame_a = a.path.frame(a.part, time), frame_b = b.path.frame(b.part, time);
+  QuerySettings query;
+  query.tolerance =
+      kDepthTolerance * slack(a, b) / std::min(a.part.shape->bounding_radius, b.part.shape->bounding_radius);
+  QueryResult found;
+  SupportFault fault;
+  any_shape::distance(*a.part.shape, *b.part.shape, relative(frame_a, frame_b), query, nullptr, found, fault);
+  return fault.kind == SupportFault::none && found.lower > allowed;
+}
+
 Sweeper::FirstContact Sweeper::meet(const Side& a, const Side& b, Real from, Real to) {
   // What comes no nearer than two may sink is the solver's, wherever it is.
   const auto arm = [](const Side& s) { return s.part.local.p.norm() + s.part.shape->bounding_radius; };
   const Real a_turns = a.path.w == Vec3::zero() ? 0 : a.path.w.norm() * arm(a),
              b_turns = b.path.w == Vec3::zero() ? 0 : b.path.w.norm() * arm(b);
-  if (((a.path.u - b.path.u).norm() + a_turns + b_turns) * (to - from) <= kDeeper * slack(a, b)) return {};
+  const Real speed = (a.path.u - b.path.u).norm() + a_turns + b_turns;  // m/s, at most
+  if (speed * (to - from) <= kDeeper * slack(a, b)) return {};
+  if (is_parted(a, b, from, to)) return {};
   CastSettings settings;
   settings.tolerance = kTolerance;
   settings.cap = kMeetCap;
@@ -121,6 +155,7 @@ Sweeper::FirstContact Sweeper::meet(const Side& a, const Side& b, Real from, Rea
     any_shape::time_of_impact(*a.part.shape, a.path.motion(a.part, start), *b.part.shape, b.path.motion(b.part, start),
                               to - start, settings, r, fault);
     if (fault.kind != SupportFault::none && c_.fault.kind == SupportFault::none) c_.fault = fault;
+    if (r.plane != Vec3::zero()) c_.planes.keep(a.collider, b.collider, r.plane);
     if (r.outcome == CastOutcome::miss || r.status == QueryStatus::fault || r.normal == Vec3::zero()) return {};
     // What could not be decided is as good as touching: nothing touches before.
     return {start + r.time, r.normal, (r.point_a + r.point_b) / 2};
@@ -131,6 +166,8 @@ Sweeper::FirstContact Sweeper::meet(const Side& a, const Side& b, Real from, Rea
   const Real most = slack(a, b), depth = r.outcome == CastOutcome::overlap ? std::min(r.separation, Real(0)) : 0;
   allowed = std::min(-most, depth - kDeeper * most);
   start = first.when;
+  const bool is_convex = !is_scenery(*b.part.shape);  // a distance to all triangles costs more than the sweep
+  if (is_convex && speed * (to - start) < thinner(a, b) / 2 && ends_above(a, b, to, allowed)) return {};
   const Real smaller = std::min(a.part.shape->bounding_radius, b.part.shape->bounding_radius);  // m
   settings.tolerance = std::max(kTolerance, kDepthTolerance * most / smaller);
   const FirstContact second = look();

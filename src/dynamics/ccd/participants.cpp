@@ -1,5 +1,6 @@
 // Who is swept in a step: whom a host asked for, and who outruns its contacts. Who stands in their way.
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "dynamics/ccd/continuous.h"
@@ -144,15 +145,36 @@ Continuous::Continuous(Memory* m)
       bodies(m),
       tree(m),
       boxes(m),
-      leaves(m),
       loose(m),
       hits(m),
       passed(m),
+      planes(m),
       near(m),
       found(m),
       one(m),
       more(m),
       merged(m) {}
+
+void PartingPlanes::clear(std::size_t bodies) {
+  constexpr std::size_t kOfEach = 8;
+  planes_.assign(std::bit_ceil(kOfEach * bodies), {{kInvalid, kInvalid}, Vec3::zero()});
+}
+
+std::size_t PartingPlanes::place(const Pair& pair) const {
+  return (pair.a * 0x9E3779B1u ^ pair.b * 0x85EBCA77u) >> 7 & (planes_.size() - 1);
+}
+
+Vec3 PartingPlanes::find(std::uint32_t a, std::uint32_t b) const {
+  const Pair pair{std::min(a, b), std::max(a, b)};
+  const Plane& known = planes_[place(pair)];
+  if (!(known.pair == pair)) return Vec3::zero();
+  return a < b ? known.normal : -known.normal;
+}
+
+void PartingPlanes::keep(std::uint32_t a, std::uint32_t b, const Vec3& normal) {
+  const Pair pair{std::min(a, b), std::max(a, b)};
+  planes_[place(pair)] = {pair, a < b ? normal : -normal};
+}
 
 SweptBody& know(const World& world, std::uint32_t body) {
   Continuous& c = *world.continuous;
@@ -314,14 +336,12 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
       std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kHit + kHitEach * c.participants);
   c.most_bodies = std::max(most, c.bodies.size()), c.most_hits = kHitsEach * (c.participants + 1);
   c.bodies.reserve(most), c.loose.reserve(most), c.boxes.resize(c.participants);
-  c.leaves.resize(c.participants);
   c.tree.grow(c.participants);
-  for (std::uint32_t k = 0; k < c.participants; ++k) {
-    c.leaves[k] = k;
+  for (std::uint32_t k = 0; k < c.participants; ++k)
     c.boxes[k] = straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt);
-  }
-  c.tree.build(c.leaves, c.boxes);
+  c.build_tree();
   carry_all_known(world);
+  c.planes.clear(c.bodies.size());
   c.hits.reserve(c.most_hits);
   if (senses_sweeps(world)) c.passed.reserve(kPassedEach * c.participants);
   c.one.clear(), c.one.add(0);

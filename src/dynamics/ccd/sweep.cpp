@@ -96,7 +96,7 @@ void Sweeper::box_participants() {
     c_.bodies[k].loose = c_.bodies[k].swept;
     if (c_.bodies[k].loose) c_.loose.push_back(k);
   }
-  c_.tree.build(c_.leaves, c_.boxes);
+  c_.build_tree();
 }
 
 /// m, world: what a collider sweeps on its body's path until the end. Between two poses less than a radian apart its

@@ -65,9 +65,12 @@ class Sweeper {
 
   // meet.cpp: when do two meet
   FirstContact meet(const Side& a, const Side& b, Real from, Real to);
+  bool is_parted(const Side& a, const Side& b, Real from, Real to);
   bool is_slow(const Side& a, const Side& b, const FirstContact& m);
   bool is_at_seam(const Side& a, const Side& b, const FirstContact& m);
+  Real thinner(const Side& a, const Side& b) const;
   Real slack(const Side& a, const Side& b) const;
+  bool ends_above(const Side& a, const Side& b, Real time, Real allowed);
   Velocity velocity(const Side& side, Real moment, Real now);
   Vec3 turned(const Side& side, Real from, Real by, const Vec3& omega);
 
