@@ -73,7 +73,7 @@ def stubs(api):
         return indent + '"""' + text.replace("\\", "\\\\").replace('"""', "'''").replace("\n", "\n" + indent) + '"""'
 
     out = ['"""Written by bindings/gen/generate from include/carom; do not edit."""', "import builtins", "import ctypes",
-           "from typing import Any", "", "VERSION: str", "LIBRARY: str", "lib: ctypes.CDLL",
+           "from typing import Any", "", "VERSION: str", "FILE: str", "LIBRARY: str", "lib: ctypes.CDLL",
            "STRUCTS: dict[str, type[ctypes.Structure]]", "HANDLES: dict[str, dict[str, str]]", "FUNCTIONS: dict[str, tuple[str, Any, tuple[Any, ...]]]",
            "def layout() -> dict[str, tuple[int, int, str]]: ...",
            "def check_layout(manifest: str, ours: dict[str, tuple[int, int, str]] | None = ...) -> None: ..."]

@@ -31,10 +31,41 @@ local M = setmetatable({check_layout = check_layout}, {__index = constants})
 
 -- Load the library; an error says what does not fit.
 function M.load(path)
-  M.lib = ffi.load(path)
-  check_layout(ffi.string(M.lib.carom_abi_manifest()))
+  local found, lib = pcall(ffi.load, path)
+  if not found then
+    error(("cannot load %s (%s). Install libcarom %s for this system and processor, or give the path of one"):format(path, lib, constants.VERSION), 2)
+  end
+  local fits, why = pcall(function() return check_layout(ffi.string(lib.carom_abi_manifest())) end)
+  if not fits then
+    error(("%s does not fit: %s. Install a libcarom and a module of one version"):format(path, why), 2)
+  end
+  M.lib = lib
   M.error = ffi.new("carom_error", {struct_size = ffi.sizeof("carom_error")})
-  -- A world as a string (flags: carom.CAROM_SNAPSHOT_STATE, the default, or _WHOLE), and back.
+  return M
+end
+
+-- Room for one value that a call writes.
+function M.out(type) return ffi.new(ffi.typeof("$[1]", ffi.typeof(type))) end
+
+-- A struct, with its defaults where it has an _init.
+function M.new(type)
+  local struct = ffi.new(type)
+  local has_init, init = pcall(function() return M.lib[type .. "_init"] end)
+  if has_init then init(struct, ffi.sizeof(type)) else struct.struct_size = ffi.sizeof(type) end
+  return struct
+end
+
+-- Call a function whose last argument is a carom_error*.
+function M.check(name, ...)
+  local arguments = {...}
+  local n = select("#", ...)
+  arguments[n + 1] = M.error
+  if M.lib[name](unpack(arguments, 1, n + 1)) ~= constants.CAROM_OK then
+    error(("%s: %s. Remedy: %s"):format(ffi.string(M.lib.carom_result_name(M.error.code)), ffi.string(M.error.message), ffi.string(M.error.remedy)), 2)
+  end
+end
+
+-- A world as a string (flags: carom.CAROM_SNAPSHOT_STATE, the default, or _WHOLE), and back.
 function M.save(world, flags)
   local size = M.out("uint64_t")
   M.check("carom_world_save", world, flags or 0, nil, 0, size)
@@ -66,30 +97,6 @@ function M.record(world, file, states)
     local ended, why = pcall(M.check, "carom_world_record_end", world)
     write:free()
     if not ended then error(why, 2) end
-  end
-end
-
-return M
-end
-
--- Room for one value that a call writes.
-function M.out(type) return ffi.new(ffi.typeof("$[1]", ffi.typeof(type))) end
-
--- A struct, with its defaults where it has an _init.
-function M.new(type)
-  local struct = ffi.new(type)
-  local has_init, init = pcall(function() return M.lib[type .. "_init"] end)
-  if has_init then init(struct, ffi.sizeof(type)) else struct.struct_size = ffi.sizeof(type) end
-  return struct
-end
-
--- Call a function whose last argument is a carom_error*.
-function M.check(name, ...)
-  local arguments = {...}
-  local n = select("#", ...)
-  arguments[n + 1] = M.error
-  if M.lib[name](unpack(arguments, 1, n + 1)) ~= constants.CAROM_OK then
-    error(("%s: %s. Remedy: %s"):format(ffi.string(M.lib.carom_result_name(M.error.code)), ffi.string(M.error.message), ffi.string(M.error.remedy)), 2)
   end
 end
 

@@ -196,6 +196,8 @@ int32_t carom_material_create(carom_world *world, const carom_material_desc *des
 int32_t carom_material_update(carom_world *world, carom_material material, const carom_material_desc *desc, carom_error *error);
 int32_t carom_material_set_resistance(carom_world *world, carom_material material, double rolling, double spinning, carom_error *error);
 int32_t carom_material_get_resistance(carom_world *world, carom_material material, double *rolling, double *spinning, carom_error *error);
+int32_t carom_material_set_pair(carom_world *world, carom_material material_a, carom_material material_b, const double *surface, carom_error *error);
+int32_t carom_material_get_pair(carom_world *world, carom_material material_a, carom_material material_b, double *surface, carom_error *error);
 int32_t carom_material_destroy(carom_world *world, carom_material material, carom_error *error);
 int32_t carom_body_desc_init(carom_body_desc *desc, uint32_t struct_size);
 int32_t carom_body_create(carom_world *world, const carom_body_desc *desc, carom_body *body, carom_error *error);

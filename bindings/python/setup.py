@@ -37,10 +37,10 @@ class BuildLibrary(build_py):
         except subprocess.CalledProcessError:
             sys.exit("carom: the library could not be built, see above. It takes a C++20 compiler and Eigen: apt install g++ libeigen3-dev")
         (lib / "plugins").mkdir(parents=True)
-        for file in (build / "lib").glob("libcarom*.0.9*"):
-            if file.is_symlink():  # under the name that is looked for
+        for file in [*(build / "lib").glob("libcarom*.0.9*"), *(build / "bin").glob("carom.dll")]:
+            if file.is_symlink() or file.suffix == ".dll":  # under the name that is looked for
                 shutil.copy(file.resolve(), lib / file.name)
-        for plugin in (build / "plugins").glob("*.so"):
+        for plugin in [*(build / "plugins").glob("*.so"), *(build / "plugins").glob("*.dll")]:
             if plugin.stem != "template":  # the one to copy, not to use
                 shutil.copy(plugin, lib / "plugins")
 

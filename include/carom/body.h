@@ -19,7 +19,8 @@ extern "C" {
 #define CAROM_MIX_AVERAGE 3u        /* (a + b) / 2 */
 #define CAROM_MIX_MULTIPLY 4u       /* a b */
 
-/** Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides. */
+/** Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides; of two in particular
+ *  carom_material_set_pair() says what they are to each other. */
 typedef struct carom_material_desc {
   uint32_t struct_size;
   uint32_t friction_mix;    /**< CAROM_MIX_*, default GEOMETRIC_MEAN */
@@ -47,6 +48,18 @@ CAROM_API int32_t carom_material_set_resistance(carom_world *world, carom_materi
 /** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
 CAROM_API int32_t carom_material_get_resistance(carom_world *world, carom_material material, double *rolling,
                                                 double *spinning, carom_error *error);
+/** Say what two materials are to each other, instead of mixing them. Wakes what touches so. It ends with either material.
+ *  @param material_a, material_b  in any order; the same twice: colliders of that material among themselves
+ *  @param surface [4] friction, [0, 1e3]; restitution, [0, 1]; resistance to rolling and to spinning, m, [0, 1e3].
+ *                 NULL: they mix again
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 0.9 */
+CAROM_API int32_t carom_material_set_pair(carom_world *world, carom_material material_a, carom_material material_b,
+                                          const double surface[4], carom_error *error);
+/** What two materials are to each other: what was said of them, or else what they mix to.
+ *  @param surface out, [4]: as carom_material_set_pair() takes it
+ *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 0.9 */
+CAROM_API int32_t carom_material_get_pair(carom_world *world, carom_material material_a, carom_material material_b,
+                                          double surface[4], carom_error *error);
 /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY */
 CAROM_API int32_t carom_material_destroy(carom_world *world, carom_material material, carom_error *error);
 

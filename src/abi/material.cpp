@@ -1,8 +1,11 @@
 // Materials: surfaces that colliders wear.
 #include <carom/body.h>
 
+#include <algorithm>
+
 #include "abi/record_calls.h"
 #include "abi/world.h"
+#include "dynamics/contact/contact.h"
 
 namespace carom::abi {
 namespace {
@@ -106,6 +109,37 @@ int32_t carom_material_get_resistance(carom_world* world, carom_material materia
       return;
     const Material& m = reading->scene.material[handle_slot(material)];
     *rolling = m.rolling, *spinning = m.spinning;
+  });
+}
+
+int32_t carom_material_set_pair(carom_world* world, carom_material material_a, carom_material material_b,
+                                const double surface[4], carom_error* error) {
+  return guarded(error, [&](Call& call) {
+    const Recorded changing(call, world, record::material_set_pair(material_a, material_b, surface));
+    if (!changing || !resolve(call, 2, "material_a", changing->scene.material_slots, material_a) ||
+        !resolve(call, 3, "material_b", changing->scene.material_slots, material_b))
+      return;
+    const auto [a, b] = std::minmax({handle_slot(material_a), handle_slot(material_b)});
+    if (!surface) return changing->remove_material_pair(a, b);
+    if (!in_range(call, 4, "surface[0]", surface[0], 0, kLargestFriction) ||
+        !in_range(call, 4, "surface[1]", surface[1], 0, 1) ||
+        !in_range(call, 4, "surface[2]", surface[2], 0, kLargestResistance) ||
+        !in_range(call, 4, "surface[3]", surface[3], 0, kLargestResistance))
+      return;
+    changing->set_material_pair({a, b, surface[0], surface[1], surface[2], surface[3]});
+  });
+}
+
+int32_t carom_material_get_pair(carom_world* world, carom_material material_a, carom_material material_b,
+                                double surface[4], carom_error* error) {
+  return glanced(error, [&](Call& call) {
+    const Reading reading(call, world);
+    if (!reading || !resolve(call, 2, "material_a", reading->scene.material_slots, material_a) ||
+        !resolve(call, 3, "material_b", reading->scene.material_slots, material_b) ||
+        !present(call, 4, "surface", surface))
+      return;
+    const MixedMaterial m = mixed_materials(reading->scene, handle_slot(material_a), handle_slot(material_b));
+    surface[0] = m.friction, surface[1] = m.restitution, surface[2] = m.rolling, surface[3] = m.spinning;
   });
 }
 

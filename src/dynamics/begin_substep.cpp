@@ -3,6 +3,7 @@
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/contact/impact.h"
 #include "dynamics/contact/mean_motion.h"
+#include "dynamics/integrate/driven.h"
 #include "dynamics/joint/wide_joints.h"
 
 namespace carom::dynamics {
@@ -25,7 +26,8 @@ void reserve_begun(const World& world, const StepTime&) {
   if (any) world.plan->begun.resize(world.scene.bodies.slots());
 }
 
-void begin_substep(const World& world, const StepTime&) {
+void begin_substep(const World& world, Velocities& to, const StepTime& time) {
+  lead(world, to, time);
   const State& s = world.state;
   each_asked(world, [&](std::uint32_t i) { world.plan->begun[i] = {s.v[i], s.omega[i]}; });
   begin_paths(world);

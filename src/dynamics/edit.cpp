@@ -25,6 +25,12 @@ void count_resistance(Scene& s) {
   s.resists = false;
   for (std::uint32_t i = 0; i < s.material_slots.slots(); ++i)
     s.resists |= s.material_slots.alive(i) && (s.material[i].rolling > 0 || s.material[i].spinning > 0);
+  for (const MaterialPair& pair : s.material_pairs) s.resists |= pair.rolling > 0 || pair.spinning > 0;
+}
+
+auto lower_bound_of_pair(Array<MaterialPair>& pairs, std::uint32_t a, std::uint32_t b) {
+  return std::find_if(pairs.begin(), pairs.end(),
+                      [&](const MaterialPair& p) { return p.a > a || (p.a == a && p.b >= b); });
 }
 
 /// The slot that take() will hand out can be at most the number of slots there are.
@@ -210,7 +216,27 @@ void World::set_material(std::uint32_t material, const Material& m) {
 
 void World::remove_material(std::uint32_t material) {
   scene.material_slots.release(material);
+  std::erase_if(scene.material_pairs, [&](const MaterialPair& p) { return p.a == material || p.b == material; });
   count_resistance(scene);
+  ++scene.revision;
+}
+
+void World::set_material_pair(const MaterialPair& pair) {
+  scene.material_pairs.reserve(scene.material_pairs.size() + 1);
+  const auto at = lower_bound_of_pair(scene.material_pairs, pair.a, pair.b);
+  if (at != scene.material_pairs.end() && at->a == pair.a && at->b == pair.b)
+    *at = pair;
+  else
+    scene.material_pairs.insert(at, pair);
+  count_resistance(scene);
+  wake_wearing(*this, pair.a), wake_wearing(*this, pair.b);
+  ++scene.revision;
+}
+
+void World::remove_material_pair(std::uint32_t a, std::uint32_t b) {
+  if (std::erase_if(scene.material_pairs, [&](const MaterialPair& p) { return p.a == a && p.b == b; }) == 0) return;
+  count_resistance(scene);
+  wake_wearing(*this, a), wake_wearing(*this, b);
   ++scene.revision;
 }
 

@@ -83,7 +83,7 @@ struct PlannedEffect {
   Owned<Participants> calling;  // where it is forced on some: the candidates that would be without that; else null
   bool is_forced = false;
   Served served = Served::stage;
-  std::uint64_t wanted = 0;       // candidates of the scene, whatever a host forbids or forces
+  std::uint32_t wanted = 0;       // candidates of the scene, whatever a host forbids or forces
   std::uint64_t evaluations = 0;  // participants served since the world was made
   double seconds = 0;             // of this step, as far as it has a stage of its own, @see World::times_effects
 };
@@ -100,6 +100,7 @@ struct PredictedPose {
   Array<Vec3> omega;  // rad/s, world: what a rotation method turned the body by, where plan.turns_by_method
 };
 
+struct LedBody;          // dynamics/integrate/driven.h
 struct FreeFlight;       // dynamics/integrate/free_flight.h: who takes the step in one go
 struct Integrator;       // dynamics/integrate/integrator.h
 struct Rotation;         // dynamics/integrate/rotation/rotation.h
@@ -135,6 +136,8 @@ struct Plan {
   PredictedPose predicted;
   std::array<Owned<Decays>, 3> decays;  // of the rows that decay: linear and angular damping, drag
   Owned<FreeFlight> flight;             // null: no body has flown beside others yet
+  Array<LedBody> led;                   // kinematic bodies whose velocity changes within the step
+  Array<DrivenMemory> driven;           // scratch
   struct Begun {
     Vec3 v, omega;  // m/s, rad/s, world: before the forces of the substep
   };

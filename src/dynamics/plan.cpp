@@ -9,6 +9,7 @@
 #include "dynamics/effects.h"
 #include "dynamics/force/floats.h"
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/driven.h"
 #include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -183,6 +184,8 @@ Plan::Plan(Memory* m)
       principal(m),
       turns_by_method(m),
       predicted(m),
+      led(m),
+      driven(m),
       begun(m),
       touched(m),
       rotation(m),

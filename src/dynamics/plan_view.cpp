@@ -218,7 +218,8 @@ PlanLine plan_line(const World& world, std::size_t index) {
   line.runs = ran(world, effect);
   line.participants = line.runs ? effect.participants.count : 0;
   // What is found in contacts, or is fast for its size, was not counted before.
-  line.wanted = line.mode == EffectMode::force ? effect.wanted : std::max(effect.wanted, line.participants);
+  line.wanted =
+      line.mode == EffectMode::force ? effect.wanted : std::max<std::uint64_t>(effect.wanted, line.participants);
   line.evaluations = effect.evaluations;
   line.seconds = line.timing == Timing::own ? effect.seconds : 0;
   explain(world, row, effect, line);

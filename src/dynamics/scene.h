@@ -30,6 +30,13 @@ struct Material {
   Mix restitution_mix = Mix::maximum;
 };
 
+/// What two materials are to each other where a host said so, and not as they mix.
+struct MaterialPair {
+  std::uint32_t a = 0, b = 0;  // material slots, a <= b
+  Real friction = 0, restitution = 0;
+  Real rolling = 0, spinning = 0;  // m
+};
+
 /// What a host says about a body (ABI: carom_body_desc), already validated, and what does not change in a step.
 struct BodySettings {
   BodyType type = BodyType::dynamic;
@@ -103,6 +110,7 @@ struct Scene : Revisions {
         colliders(m),
         surface(m),
         material(m),
+        material_pairs(m),
         apart(m),
         joined(m),
         modes(m),
@@ -127,10 +135,11 @@ struct Scene : Revisions {
   Colliders colliders;             // by collider slot
   Array<SurfaceVelocity> surface;  // likewise, the first so many; the others stand still
   std::uint32_t moving_surfaces = 0;
-  bool resists = false;      // some material resists rolling or spinning
-  Array<Material> material;  // by material slot
-  PairCounts apart;          // of body slots: they do not touch, whatever their filters say
-  PairCounts joined;         // likewise, as joints hold them together
+  bool resists = false;                // some material, or pair of them, resists rolling or spinning
+  Array<Material> material;            // by material slot
+  Array<MaterialPair> material_pairs;  // by a, then b
+  PairCounts apart;                    // of body slots: they do not touch, whatever their filters say
+  PairCounts joined;                   // likewise, as joints hold them together
 
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
   Vec3 wind = Vec3::zero();          // m/s, world: how the air moves

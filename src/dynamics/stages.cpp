@@ -15,6 +15,7 @@
 #include "dynamics/contact/surface.h"
 #include "dynamics/detect.h"
 #include "dynamics/events/events.h"
+#include "dynamics/integrate/driven.h"
 #include "dynamics/integrate/free_flight.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/island.h"
@@ -43,6 +44,9 @@ constexpr StageEntry kStageTable[] = {
     stage<refresh>({.name = "refresh",
      .what = "participants of each effect, if the scene changed; frames and bounds of colliders",
      .stage = Stage::refresh, .reads = kMotion | Part::sleep | Part::quarantine}),
+    stage<find_led>({.name = "find led",
+     .what = "kinematic bodies whose velocity goes on changing, to be led evenly",
+     .stage = Stage::refresh, .reads = kMotion | Part::memory}),
     stage<wake_touched>({.name = "wake touched",
      .what = "islands asleep that something touches, or will within the step",
      .stage = Stage::refresh, .reads = kContactsRead | Part::sleep, .account = LedgerAccount::opens}),
@@ -84,6 +88,9 @@ constexpr StageEntry kStageTable[] = {
     stage<find_groups>({.name = "find groups",
      .what = "islands: contacts and joints that bodies connect",
      .stage = Stage::group, .by_island = ByIsland::too}),
+    stage<begin_leading>({.name = "begin leading",
+     .what = "they get the velocity of the first substep",
+     .stage = Stage::integrate, .account = LedgerAccount::by_itself, .by_island = ByIsland::too}),
     stage<begin_contacts>({.name = "begin contacts",
      .what = "arrays of the solver for a step",
      .stage = Stage::solve, .reads = kMotion | Part::joints,
@@ -107,8 +114,8 @@ constexpr StageEntry kStageTable[] = {
      .stage = Stage::integrate}),
     // ---- each substep ----
     stage<begin_substep>({.name = "begin substep",
-     .what = "velocities and gaps before the forces are saved for all that need them",
-     .stage = Stage::solve, .reads = kMotion, .each_substep = true}),
+     .what = "kinematic bodies are led; velocities and gaps before the forces are saved for all that need them",
+     .stage = Stage::solve, .reads = kMotion, .account = LedgerAccount::by_itself, .each_substep = true}),
     stage<ask_again>({.name = "ask again",
      .what = "contacts of what turns far within a step, where they are by now",
      .stage = Stage::narrow, .effect = +EffectId::collision, .reads = kContactsRead, .each_substep = true}),
@@ -154,6 +161,9 @@ constexpr StageEntry kStageTable[] = {
      .stage = Stage::solve, .effect = +EffectId::continuous, .reads = kMotion | Part::joints,
      .account = LedgerAccount::sweeps, .each_substep = true}),
     // ---- once: what is left of the step, and its reports ----
+    stage<stop_leading>({.name = "stop leading",
+     .what = "kinematic bodies have the velocity that the host said",
+     .stage = Stage::integrate, .account = LedgerAccount::by_itself}),
     stage<quarantine_outliers>({.name = "quarantine outliers",
      .what = "bodies with a state out of range go into quarantine",
      .stage = Stage::solve, .reads = kMotion, .account = LedgerAccount::lost_bodies}),
@@ -312,6 +322,10 @@ std::array<std::uint64_t, kPartCount> prints_of(const World& world) {
   add_sleep(of(Part::sleep), world);
   add_all(of(Part::memory), s.held_q), add_all(of(Part::memory), s.loaded_steps),
       add_all(of(Part::memory), s.cooldown_steps);
+  for (const DrivenMemory& d : s.driven) {
+    of(Part::memory).add(std::uint64_t(handle_slot(d.body))), of(Part::memory).add(double(d.dt));
+    for (const Vec3& of_body : {d.v, d.omega, d.a, d.alpha}) of(Part::memory).add_coefficients(of_body);
+  }
   for (const AccuracyMemory& note : s.accuracy)
     of(Part::memory).add(std::uint64_t(note.level + 256u * note.wait)), of(Part::memory).add(double(note.place));
   add_particles(of(Part::particles), world);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/memory.h"
+#include "core/pool.h"
 #include "core/pose.h"
 
 namespace carom::dynamics {
@@ -77,14 +78,23 @@ struct AccuracyMemory {
   bool operator==(const AccuracyMemory&) const = default;
 };
 
-/// What solvers remember of bodies.
+/// How a body that a host moves went in the last step, @see integrate/driven.h
+struct DrivenMemory {
+  Handle body = 0;
+  Real dt = 0;                                  // s
+  Vec3 v = Vec3::zero(), omega = Vec3::zero();  // m/s, rad/s, world
+  Vec3 a = Vec3::zero(), alpha = Vec3::zero();  // m/s^2, rad/s^2, from the step before
+};
+
+/// What steps remember of bodies.
 struct SolverMemory {
-  explicit SolverMemory(Memory* m) : held_q(m), loaded_steps(m), cooldown_steps(m), accuracy(m) {}
+  explicit SolverMemory(Memory* m) : held_q(m), loaded_steps(m), cooldown_steps(m), accuracy(m), driven(m) {}
   Array<Quat> held_q;  // a recent q, by which solvers in lanes turn the arms of contacts, @see Dial::hold_angle
   // Of a solver that chooses: for how long a body has borne too much, and for how long its group is not to be given to
   // the direct solver, for which it was too much.
   Array<std::uint8_t> loaded_steps, cooldown_steps;
   Array<AccuracyMemory> accuracy;
+  Array<DrivenMemory> driven;  // of those that moved, ascending
 };
 
 /// All of it. A stage gets the parts that it writes, @see part.h

@@ -107,6 +107,8 @@ class World {
   Handle add_material(const Material& m);
   void set_material(std::uint32_t material, const Material& m);
   void remove_material(std::uint32_t material);
+  void set_material_pair(const MaterialPair& pair);
+  void remove_material_pair(std::uint32_t a, std::uint32_t b);
   void set_mass(std::uint32_t body, const MassGiven& given);  // of a dynamic one
   void set_damping(std::uint32_t body, Real linear, Real angular);
   void set_type(std::uint32_t body, BodyType type);  // its joints and shapes bear it

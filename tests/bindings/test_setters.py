@@ -20,7 +20,8 @@ class Setters(unittest.TestCase):
     def test_each_call_of_C_has_one(self):
         kinds = {"body": carom.Body, "collider": carom.Collider, "material": carom.Material, "joint": carom.Joint, "world": carom.World,
                  "particles": carom.Particles, "force_field": carom.ForceField, "spring": carom.Spring}
-        elsewhere = {"body.attribute": carom.Attributes.__setitem__, "world.dial": carom.dials.Dials.__setitem__}
+        elsewhere = {"body.attribute": carom.Attributes.__setitem__, "world.dial": carom.dials.Dials.__setitem__,
+                     "material.pair": carom.Material.set_against}
         seen = 0
         for name in raw.FUNCTIONS:
             kind, set_, what = name.replace("carom_", "").partition("_set_")

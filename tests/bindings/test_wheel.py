@@ -41,6 +41,24 @@ class Wheel(unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertIn(done.stdout.strip(), wheel.name)
 
+    def test_of_other_systems(self):
+        """A wheel has the library under the name that the package asks for on that system, and plugins with its ending."""
+        of_package = ("import importlib, sys, carom; sys.platform = sys.argv[1]\n"
+                      "print(importlib.reload(carom.raw).FILE, importlib.reload(carom.engine).PLUGIN_SUFFIX)")
+        for system, tag, built in (("win32", "win_amd64", "carom.dll"), ("darwin", "macosx_11_0_arm64", "libcarom.0.9.0.dylib"),
+                                   ("linux", "linux_aarch64", "libcarom.so.0.9.0")):
+            with self.subTest(system), tempfile.TemporaryDirectory() as folder:
+                done = subprocess.run([sys.executable, "-B", "-c", of_package, system], capture_output=True, text=True)
+                self.assertEqual(done.stderr, "")
+                file, suffix = done.stdout.split()
+                Path(folder, "plugins").mkdir()
+                for name in (built, f"plugins/box{suffix}", f"plugins/template{suffix}"):
+                    Path(folder, name).write_bytes(b"not run here")
+                wheel = build(Path(folder, built), Path(folder, "plugins"), Path(folder, "made"), tag)
+                self.assertTrue(wheel.name.endswith(f"-py3-none-{tag}.whl"), wheel.name)
+                there = [name for name in zipfile.ZipFile(wheel).namelist() if name.startswith("carom/lib/")]
+                self.assertEqual(sorted(there), sorted([f"carom/lib/{file}", f"carom/lib/plugins/box{suffix}"]))
+
 
 if __name__ == "__main__":
     unittest.main()

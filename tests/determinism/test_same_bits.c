@@ -220,8 +220,8 @@ static void so_are_those_of_joints(void** state) {
 /* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver, and of sequential and
  * soft_step with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void** state) {
-  const uint64_t golden[6] = {0x83a3b7ab7884b05au, 0x22e764d33cb317bcu, 0xf83512b1841b117bu,
-                              0x82828252053e52e1u, 0x3a6732af935aa6cfu, 0x11372563e5ca6756u};
+  const uint64_t golden[6] = {0x83a3b7ab7884b05au, 0x22e764d33cb317bcu, 0x022c8a935a57aae1u,
+                              0x3bead9c50fe6ae35u, 0x3a6732af935aa6cfu, 0x11372563e5ca6756u};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;

@@ -1,5 +1,6 @@
 """Names of the interface exist that pages give: the site's, those of bindings and of the kit. They are carom_... and CAROM_..., functions,
-structs, fields, constants, callbacks of api.json, or macros. A name that ends in * stands for those that begin so.
+structs, fields, constants, callbacks of api.json, or macros. A name that ends in * stands for those that begin so. And each header is
+in the tables of headers.
 
 usage: check_names.py ROOT
 """
@@ -11,6 +12,7 @@ from pathlib import Path
 
 PAGES = ("README.md", "include/README.md", "bindings/**/README.md", "src/kit/README.md", "src/site/docs/**/*.md")
 NOT_OURS = {"CAROM_LIBRARY", "CAROM_LIBRARY_DIR", "CAROM_PLUGIN_PATH", "CAROM_GOLDEN", "CAROM_SITE_STEPS"}  # of the environment
+TABLES = ("ABI.md", "include/README.md")
 FILES = ("h", "hpp", "c", "so", "lua", "wasm", "py")
 LEAST = 30  # names on the page of other engines
 
@@ -37,6 +39,11 @@ def main():
                 good = name in names or name.split(".")[-1] in FILES
             if not good and not name.endswith("_"):
                 wrong.append(f"{page.relative_to(root)}: {name}")
+    for table in TABLES:
+        text = (root / table).read_text(encoding="utf-8")
+        missing = [header.name for header in sorted((root / "include/carom").glob("*.h")) if header.name != "carom.h" and header.name not in text]
+        if missing:
+            sys.exit(f"{table} does not name {', '.join(missing)} of include/carom")
     if len(found[root / "src/site/docs/topics/coming_from.md"]) < LEAST:
         sys.exit(f"coming_from.md has {len(found['coming_from.md'])} names: the pattern of this check no longer fits it")
     if wrong:

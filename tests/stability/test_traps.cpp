@@ -175,6 +175,66 @@ void bears(Real ratio, JointKind kind) {
   assert_true(lowest > -most);
 }
 
+/// Whether all of a structure stays within the tolerance of where it was put.
+void stays(TestWorld& t, std::initializer_list<std::uint32_t> bodies, const char* what, Real ratio) {
+  std::vector<Vec3> begun;
+  for (const std::uint32_t body : bodies) begun.push_back(t.world.state.x[body]);
+  Real off = 0;
+  for (int i = 0; i < 300; ++i) {
+    t.world.step(1. / 60);
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      off = std::max(off, (t.world.state.x[bodies.begin()[k]] - begun[k]).norm());
+  }
+  constexpr Real kMost = 1e-5;  // m
+  if (!(off < kMost)) print_message("%s, 1:%g: off by %g m\n", what, double(ratio), double(off));
+  assert_true(off < kMost);
+}
+/// A slab on four legs; a load that hangs from a plank between two posts; a chassis on balls for wheels.
+void on_legs(Real ratio, JointKind kind) {
+  TestWorld t;
+  t.ground();
+  const std::uint32_t slab = test_body(t, Vec3(0.5, 0.1, 0.5), Vec3(0, 1.1, 0), 10 * ratio);
+  std::uint32_t leg[4];
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 at(i & 1 ? 0.4 : -0.4, 0.5, i & 2 ? 0.4 : -0.4);
+    leg[i] = test_body(t, Vec3(0.05, 0.5, 0.05), at, 100);
+    join(t, kind, slab, leg[i], at + Vec3(0, 0.5, 0), Quat::identity());
+  }
+  stays(t, {slab, leg[0], leg[1], leg[2], leg[3]}, "legs", ratio);
+}
+void on_a_plank(Real ratio) {
+  TestWorld t;
+  const Shape* const post = t.keep(box(Vec3(0.2, 0.5, 0.2)));
+  for (const Real x : {-1.0, 1.0}) t.add(post, Vec3(x, 0.5, 0), BodyType::fixed);
+  const std::uint32_t plank = test_body(t, Vec3(1.2, 0.05, 0.1), Vec3(0, 1.05, 0), 50);
+  const std::uint32_t load = test_body(t, Vec3::constant(0.2), Vec3(0, 0.5, 0), 50 * ratio);
+  join(t, JointKind::ball, plank, load, Vec3(0, 1, 0));
+  stays(t, {plank, load}, "plank", ratio);
+}
+void on_balls(Real ratio) {
+  TestWorld t;
+  t.ground();
+  const std::uint32_t chassis = test_body(t, Vec3(1, 0.2, 0.5), Vec3(0, 0.6, 0), 10 * ratio);
+  const Shape* const ball = t.keep(sphere(0.3));
+  std::uint32_t wheel[4];
+  for (int i = 0; i < 4; ++i) {
+    wheel[i] = t.add(ball, Vec3(i & 1 ? 0.8 : -0.8, 0.3, i & 2 ? 0.7 : -0.7));
+    join(t, JointKind::hinge, chassis, wheel[i], t.world.state.x[wheel[i]], x_along(Vec3(0, 0, 1)));
+  }
+  stays(t, {chassis, wheel[0], wheel[3]}, "balls", ratio);
+}
+/// Each of three weighs more than the one below it by the root of the ratio.
+void on_each_other(Real ratio) {
+  TestWorld t;
+  t.ground();
+  std::uint32_t of[3];
+  for (int i = 0; i < 3; ++i) {
+    of[i] = test_body(t, Vec3::constant(0.2), Vec3(0, 0.2 + 0.4 * i, 0), 100 * std::pow(ratio, Real(i) / 2));
+    if (i > 0) join(t, JointKind::weld, of[i - 1], of[i], Vec3(0, 0.4 * i, 0));
+  }
+  stays(t, {of[0], of[1], of[2]}, "tower", ratio);
+}
+
 /// A motor presses a ram through a block against a thin wall.
 void presses(Real thickness, Real force) {
   TestWorld t(Vec3::zero());
@@ -257,8 +317,15 @@ static void what_rests_is_not_solved_for_ever(void**) {
   rests(prop, 0);
 }
 static void what_is_light_is_not_pressed_into_the_ground(void**) {
-  for (const Real ratio : {1e2, 1e3, 1e4})
+  for (const Real ratio : {1e2, 1e3, 1e4, 1e6, 1e8})
     for (const JointKind kind : {JointKind::hinge, JointKind::ball, JointKind::weld}) bears(ratio, kind);
+  for (const Real ratio : {10.0, 1e3, 1e5, 1e7}) {
+    on_legs(ratio, JointKind::weld);
+    on_legs(ratio, JointKind::hinge);
+    on_a_plank(ratio);
+    on_balls(ratio);
+    on_each_other(ratio);
+  }
 }
 static void what_is_pressed_does_not_pass_thin_walls(void**) {
   presses(0.01, 1e3);

@@ -117,6 +117,85 @@ static void the_arch_can_stand(void**) {
   assert_false(stands(1.8, 2.2, 0.2, 1));
 }
 
+/// J, per kg/m^2, m of depth and g: what weight does as half an arch begins to fall, its crown straight down. It turns about
+/// the foot's outer end, opens inside at joint k, and outside at the joint next to the crown. The rest of it goes along.
+static double falling_gains(int stones, double thick, int k) {
+  const double pi = std::acos(-1), turn = pi / stones, inner = 1 - thick / 2, outer = 1 + thick / 2;
+  const auto at = [](double r, double angle) { return Eigen::Vector2d(r * std::sin(angle), r * std::cos(angle)); };
+  const double crown = stones % 2 ? turn / 2 : 0;
+  const Eigen::Vector2d foot = at(outer, pi / 2), hip = at(inner, crown + k * turn), top = at(outer, crown);
+  const auto turning = [](double rate, const Eigen::Vector2d& arm) {
+    return Eigen::Vector2d(-rate * arm.y(), rate * arm.x());
+  };
+  const Eigen::Vector2d hip_moves = turning(-1, hip - foot);  // outwards
+  const double rate = hip_moves.x() / (top - hip).y();        // of the upper part: its top goes straight down
+  const auto moves = [&](bool is_upper, const Eigen::Vector2d& p) {
+    return Eigen::Vector2d(is_upper ? hip_moves + turning(rate, p - hip) : turning(-1, p - foot));
+  };
+  double gained = 0;
+  for (int i = 0; i < stones / 2; ++i)  // each stone as two triangles about the arch's middle, the inner one taken away
+    for (const double r : {inner, outer}) {
+      const double a = crown + i * turn, area = r * r * std::sin(turn) / 2;
+      const Eigen::Vector2d middle = (at(r, a) + at(r, a + turn)) / 3;
+      gained -= (r == outer ? area : -area) * moves(i < k, middle).y();
+    }
+  const double half_key = stones % 2 ? (outer * outer - inner * inner) * std::sin(turn) / 4 : 0;
+  return gained - half_key * moves(true, top).y();
+}
+
+static void the_thinnest_arch_falls_by_its_hinges_where_it_is_thinner(void**) {
+  for (const int stones : {9, 12, 17, 33, 60}) {
+    const double least = least_arch(stones, 1);
+    for (const double share : {0.999, 1.001}) {
+      double most = -HUGE_VAL;
+      for (int k = 1; k < stones / 2; ++k) most = std::max(most, falling_gains(stones, share * least, k));
+      assert_true((most > 0) == (share < 1));
+    }
+  }
+  // With ever more stones, Milankovitch's 0.1075 of the mean radius; friction of 0.5 holds as well as any.
+  assert_true(std::fabs(least_arch(2001, 1) - 0.1075) < 1e-4);
+  for (const int stones : {5, 8, 17, 99})
+    assert_true(std::fabs(least_arch(stones, 0.5) - least_arch(stones, 5)) < 1e-12);
+}
+
+static void an_arm_loses_what_its_drives_take_and_ends_at_the_mark(void**) {
+  using A = ReachingArm;
+  for (const double load : {0.5, 15.0, 50.0}) {
+    const A arm{load};
+    const auto targets = arm.targets();
+    const auto energy = [&](const Eigen::Vector4d& x) {
+      const double a = x[0], b = x[1], da = x[2], db = x[3];
+      const auto speed2 = [&](double along) {  // of a point so far along the forearm
+        return A::kUpper * A::kUpper * da * da + along * along * db * db +
+               2 * A::kUpper * along * std::cos(a - b) * da * db;
+      };
+      const auto rod = [](double mass, double length) { return mass * length * length / 12; };
+      const double kinetic = A::kUpperMass * A::kUpper * A::kUpper * da * da / 8 +
+                             rod(A::kUpperMass, A::kUpper) * da * da / 2 + A::kForeMass * speed2(A::kFore / 2) / 2 +
+                             rod(A::kForeMass, A::kFore) * db * db / 2 + load * speed2(A::kFore) / 2 +
+                             0.2 * load * A::kRadius * A::kRadius * db * db;
+      const double height = A::kUpperMass * A::kUpper / 2 * std::sin(a) +
+                            A::kForeMass * (A::kUpper * std::sin(a) + A::kFore / 2 * std::sin(b)) +
+                            load * (A::kUpper * std::sin(a) + A::kFore * std::sin(b));
+      return kinetic + kGravity * height + A::kStiff[0] * std::pow(targets[0] - a, 2) / 2 +
+             A::kStiff[1] * std::pow(targets[1] - (b - a), 2) / 2;
+    };
+    Eigen::Matrix<double, 5, 1> x = Eigen::Matrix<double, 5, 1>::Zero();  // and what the drives have taken
+    const auto rate = [&](const Eigen::Matrix<double, 5, 1>& s) {
+      Eigen::Matrix<double, 5, 1> to;
+      to << arm.rate(s.head<4>()), A::kDamp[0] * s[2] * s[2] + A::kDamp[1] * std::pow(s[3] - s[2], 2);
+      return to;
+    };
+    const double first = energy(x.head<4>());
+    for (int i = 0; i < 200000; ++i) {
+      x = runge_kutta(x, 1e-4, rate);  // the elbow comes to rest at 190 / s where the load is light
+      assert_true(std::fabs(energy(x.head<4>()) + x[4] - first) < 1e-9 * first);
+    }
+    assert_true(x[4] > 100 && x.segment<2>(2).norm() < 1e-6);
+    assert_true(std::fabs(x[0] - A::kAtMark[0]) < 1e-6 && std::fabs(x[1] - A::kAtMark[1]) < 1e-6);
+  }
+}
+
 static void what_turns_round_does_so_at_its_moment(void**) {
   const double way = 2, speed = 130, e = 0.4, h = 1e-7;
   double x = -way, v = speed;
@@ -462,6 +541,8 @@ int main() {
       cmocka_unit_test(a_skidding_ball_loses_speed_and_gains_spin_until_they_meet),
       cmocka_unit_test(a_cannon_keeps_momentum_and_energy),
       cmocka_unit_test(the_arch_can_stand),
+      cmocka_unit_test(the_thinnest_arch_falls_by_its_hinges_where_it_is_thinner),
+      cmocka_unit_test(an_arm_loses_what_its_drives_take_and_ends_at_the_mark),
       cmocka_unit_test(bricards_ring_is_shut_and_its_motion_keeps_energy),
       cmocka_unit_test(a_governor_loses_what_its_dampers_take),
       cmocka_unit_test(a_wheel_keeps_its_lean),

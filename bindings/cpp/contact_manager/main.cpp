@@ -1,5 +1,5 @@
 // An arm of seven capsules among boxes, balls and cylinders: contacts at random poses and on ways between them. Checks what it finds by
-// asking every pair anew, and by walking along the motion; compiled with -DWITH_FCL it asks FCL about the same pairs.
+// asking every pair anew, and by walking along the motion; compiled with -DWITH_FCL or -DWITH_COAL it asks these about the same pairs.
 #include "contact_manager.hpp"
 
 #include <chrono>
@@ -8,6 +8,10 @@
 #include <random>
 #if defined(WITH_FCL)
 #include <fcl/fcl.h>
+#endif
+#if defined(WITH_COAL)
+#include <coal/distance.h>
+#include <coal/shape/geometric_shapes.h>
 #endif
 
 using namespace contacts;
@@ -29,6 +33,38 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 void demand(bool holds, const char* what) {
   if (!holds) std::fprintf(stderr, "amiss: %s\n", what), std::exit(1);
 }
+
+#if defined(WITH_FCL) || defined(WITH_COAL)
+/// Its pose as others have it, whose capsules and cylinders lie along z.
+template <class Transform>
+Transform frame_along_z(const Pose& p, bool is_round) {
+  const Eigen::Quaterniond q(p.orientation[3], p.orientation[0], p.orientation[1], p.orientation[2]);
+  const double turn = is_round ? -std::acos(-1.0) / 2 : 0;
+  const Eigen::Matrix3d r = q.toRotationMatrix() * Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const Eigen::Vector3d at(p.position[0], p.position[1], p.position[2]);
+  if constexpr (requires { Transform(r, at); })
+    return Transform(r, at);
+  else
+    return Eigen::Translation3d(at) * Eigen::Quaterniond(r);
+}
+
+/// @param prepare  of a pair -> a function that gives its distance, which alone is timed
+template <class Prepare>
+void compare(const char* name, const std::vector<Pair>& pairs, Prepare&& prepare) {
+  double farthest = 0, time = 0;
+  std::size_t off = 0, asked = 0;
+  for (const Pair& p : pairs) {
+    const auto distance = prepare(p);
+    const double start = seconds(), found = distance();
+    if (p.form == 0) time += seconds() - start, ++asked;
+    const double error = std::fabs(found - p.separation);
+    farthest = std::max(farthest, error), off += error > 1e-4;
+  }
+  std::printf(
+      "%s: %.2f us a distance of a capsule and a box; %zu of %zu pairs differ by more than 0.1 mm, at most %.3g m\n",
+      name, 1e6 * time / double(asked), off, pairs.size(), farthest);
+}
+#endif
 
 }  // namespace
 
@@ -139,38 +175,39 @@ int main() {
   }
   std::printf("Carom: %.2f us a distance of a capsule and a box, bracket included\n", 1e6 * best);
 #if defined(WITH_FCL)
-  const auto frame = [](const Pose& p) {
-    fcl::Transform3d t = fcl::Transform3d::Identity();
-    t.linear() =
-        fcl::Quaterniond(p.orientation[3], p.orientation[0], p.orientation[1], p.orientation[2]).toRotationMatrix();
-    t.translation() = fcl::Vector3d(p.position[0], p.position[1], p.position[2]);
-    return t;
-  };
-  const fcl::Matrix3d y_to_z =
-      fcl::AngleAxisd(-std::acos(-1.0) / 2, fcl::Vector3d::UnitX()).toRotationMatrix();  // its axis is z
-  const auto arm = std::make_shared<fcl::Capsuled>(0.08, 0.3);
-  double farthest = 0, time = 0;
-  std::size_t off = 0, asked = 0;
-  for (const Pair& p : pairs) {
+  const auto fcl_arm = std::make_shared<fcl::Capsuled>(0.08, 0.3);
+  compare("FCL", pairs, [&](const Pair& p) {
     std::shared_ptr<fcl::CollisionGeometryd> shape;
-    fcl::Transform3d a = frame(p.arm), b = frame(p.thing);
-    a.linear() = a.linear() * y_to_z;
     if (p.form == 0) shape = std::make_shared<fcl::Boxd>(2 * p.size[0], 2 * p.size[1], 2 * p.size[2]);
     if (p.form == 1) shape = std::make_shared<fcl::Sphered>(p.size[0]);
-    if (p.form == 2)
-      shape = std::make_shared<fcl::Cylinderd>(p.size[0], 2 * p.size[1]), b.linear() = b.linear() * y_to_z;
-    fcl::CollisionObjectd one(arm, a), other(shape, b);
-    fcl::DistanceRequestd request;
-    request.enable_signed_distance = true, request.gjk_solver_type = fcl::GST_LIBCCD, request.distance_tolerance = 1e-6;
-    fcl::DistanceResultd result;
-    const double start = seconds();
-    fcl::distance(&one, &other, request, result);
-    if (p.form == 0) time += seconds() - start, ++asked;
-    const double error = std::fabs(result.min_distance - p.separation);
-    farthest = std::max(farthest, error), off += error > 1e-4;
-  }
-  std::printf(
-      "FCL: %.2f us a distance of a capsule and a box; %zu of %zu pairs differ by more than 0.1 mm, at most %.3g m\n",
-      1e6 * time / double(asked), off, pairs.size(), farthest);
+    if (p.form == 2) shape = std::make_shared<fcl::Cylinderd>(p.size[0], 2 * p.size[1]);
+    const fcl::CollisionObjectd one(fcl_arm, frame_along_z<fcl::Transform3d>(p.arm, true)),
+        other(shape, frame_along_z<fcl::Transform3d>(p.thing, p.form == 2));
+    return [=] {
+      fcl::DistanceRequestd request;
+      request.enable_signed_distance = true, request.gjk_solver_type = fcl::GST_LIBCCD;
+      request.distance_tolerance = 1e-6;
+      fcl::DistanceResultd result;
+      fcl::distance(&one, &other, request, result);
+      return result.min_distance;
+    };
+  });
+#endif
+#if defined(WITH_COAL)
+  const coal::Capsule coal_arm(0.08, 0.3);
+  compare("Coal", pairs, [&](const Pair& p) {
+    std::shared_ptr<coal::CollisionGeometry> shape;
+    if (p.form == 0) shape = std::make_shared<coal::Box>(2 * p.size[0], 2 * p.size[1], 2 * p.size[2]);
+    if (p.form == 1) shape = std::make_shared<coal::Sphere>(p.size[0]);
+    if (p.form == 2) shape = std::make_shared<coal::Cylinder>(p.size[0], 2 * p.size[1]);
+    const auto one = frame_along_z<coal::Transform3s>(p.arm, true),
+               other = frame_along_z<coal::Transform3s>(p.thing, p.form == 2);
+    return [=, &coal_arm] {
+      coal::DistanceRequest request;
+      request.gjk_tolerance = request.epa_tolerance = 1e-6;
+      coal::DistanceResult result;
+      return coal::distance(&coal_arm, one, shape.get(), other, request, result);
+    };
+  });
 #endif
 }

@@ -18,7 +18,7 @@ namespace Carom
         {
             string given = Environment.GetEnvironmentVariable("CAROM_LIBRARY");
             string usual = RuntimeInformation.IsOSPlatform(OSPlatform.Windows) ? "carom.dll"
-                : RuntimeInformation.IsOSPlatform(OSPlatform.OSX) ? "libcarom.0.9.dylib" : Raw.Soname;
+                : RuntimeInformation.IsOSPlatform(OSPlatform.OSX) ? Raw.Soname.Replace(".so", "") + ".dylib" : Raw.Soname;
             file = string.IsNullOrEmpty(given) ? usual : given;
             try { return NativeLibrary.Load(file); }
             catch (Exception problem) when (problem is DllNotFoundException || problem is BadImageFormatException)

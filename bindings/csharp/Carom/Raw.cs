@@ -183,7 +183,8 @@ namespace Carom
         public static BatchInfo New() { return new BatchInfo { StructSize = (uint)sizeof(BatchInfo) }; }
     }
 
-    /// <summary>Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides.</summary>
+    /// <summary>Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides; of two in particular
+    /// carom_material_set_pair() says what they are to each other.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe struct MaterialDesc
     {
@@ -3493,6 +3494,20 @@ namespace Carom
             Call.Check(carom_material_get_resistance(world, material, &rolling, &spinning, Call.Error));
             return (rolling, spinning);
         }
+
+        /// <summary>Say what two materials are to each other, instead of mixing them. Wakes what touches so. It ends with either material.
+        /// @param material_a, material_b  in any order; the same twice: colliders of that material among themselves
+        /// @param surface [4] friction, [0, 1e3]; restitution, [0, 1]; resistance to rolling and to spinning, m, [0, 1e3].
+        ///                NULL: they mix again
+        /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_material_set_pair(World world, ulong material_a, ulong material_b, double* surface, Error* error);
+
+        /// <summary>What two materials are to each other: what was said of them, or else what they mix to.
+        /// @param surface out, [4]: as carom_material_set_pair() takes it
+        /// @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 0.9</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_material_get_pair(World world, ulong material_a, ulong material_b, double* surface, Error* error);
 
         /// <summary>@status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]

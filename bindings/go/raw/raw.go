@@ -1511,7 +1511,8 @@ func NewBatchInfo() BatchInfo {
 	return BatchInfo{StructSize: uint32(unsafe.Sizeof(BatchInfo{}))}
 }
 
-// Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides.
+// Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides; of two in particular
+// carom_material_set_pair() says what they are to each other.
 type MaterialDesc struct {
 	StructSize uint32
 
@@ -4505,6 +4506,22 @@ func MaterialSetResistance(world *World, material Material, rolling float64, spi
 // @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY
 func MaterialGetResistance(world *World, material Material, rolling *float64, spinning *float64, error_ *Error) int32 {
 	return int32(C.carom_material_get_resistance((*C.carom_world)(unsafe.Pointer(world)), C.carom_material(material), (*C.double)(unsafe.Pointer(rolling)), (*C.double)(unsafe.Pointer(spinning)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// Say what two materials are to each other, instead of mixing them. Wakes what touches so. It ends with either material.
+// @param material_a, material_b  in any order; the same twice: colliders of that material among themselves
+// @param surface [4] friction, [0, 1e3]; restitution, [0, 1]; resistance to rolling and to spinning, m, [0, 1e3].
+// NULL: they mix again
+// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 0.9
+func MaterialSetPair(world *World, material_a Material, material_b Material, surface *float64, error_ *Error) int32 {
+	return int32(C.carom_material_set_pair((*C.carom_world)(unsafe.Pointer(world)), C.carom_material(material_a), C.carom_material(material_b), (*C.double)(unsafe.Pointer(surface)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
+// What two materials are to each other: what was said of them, or else what they mix to.
+// @param surface out, [4]: as carom_material_set_pair() takes it
+// @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 0.9
+func MaterialGetPair(world *World, material_a Material, material_b Material, surface *float64, error_ *Error) int32 {
+	return int32(C.carom_material_get_pair((*C.carom_world)(unsafe.Pointer(world)), C.carom_material(material_a), C.carom_material(material_b), (*C.double)(unsafe.Pointer(surface)), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
 // @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY

@@ -14,11 +14,13 @@ final class Library {
 
     private static Found find() {
         String given = System.getProperty("carom.library", System.getenv("CAROM_LIBRARY"));
-        String file = given == null ? Raw.SONAME : given;
+        String system = System.getProperty("os.name");
+        String usual = system.startsWith("Windows") ? "carom.dll" : system.startsWith("Mac") ? Raw.SONAME.replace(".so", "") + ".dylib" : Raw.SONAME;
+        String file = given == null ? usual : given;
         try {
             return new Found(file, SymbolLookup.libraryLookup(file, Arena.global()), null);
         } catch (IllegalArgumentException problem) {
-            String remedy = "install libcarom " + Raw.VERSION + ", or set CAROM_LIBRARY to the path of " + Raw.SONAME;
+            String remedy = "install libcarom " + Raw.VERSION + ", or set CAROM_LIBRARY to the path of " + usual;
             return new Found(file, null, new CaromException(Raw.CAROM_E_NOT_FOUND, "cannot load " + file, remedy));
         }
     }

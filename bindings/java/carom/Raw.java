@@ -1027,7 +1027,8 @@ public final class Raw {
         public BatchInfo stateBytes(long it) { segment.set(JAVA_LONG, 40, it); return this; }
     }
 
-    /** Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides. */
+    /** Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides; of two in particular
+     *  carom_material_set_pair() says what they are to each other. */
     public static final class MaterialDesc {
         public static final int SIZE = 32;
         public final MemorySegment segment;
@@ -3816,6 +3817,28 @@ public final class Raw {
     /** param: rolling, spinning out: m   status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public static int carom_material_get_resistance(MemorySegment world, long material, MemorySegment rolling, MemorySegment spinning, MemorySegment error) {
         try { return (int) carom_material_get_resistance_.CALL.invokeExact(world, material, rolling, spinning, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_material_set_pair_ {
+        static final MethodHandle CALL = Library.call("carom_material_set_pair", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** Say what two materials are to each other, instead of mixing them. Wakes what touches so. It ends with either material.
+     *  param: material_a, material_b  in any order; the same twice: colliders of that material among themselves
+     *  param: surface [4] friction, [0, 1e3]; restitution, [0, 1]; resistance to rolling and to spinning, m, [0, 1e3].
+     *                 NULL: they mix again
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   since: 0.9 */
+    public static int carom_material_set_pair(MemorySegment world, long materialA, long materialB, MemorySegment surface, MemorySegment error) {
+        try { return (int) carom_material_set_pair_.CALL.invokeExact(world, materialA, materialB, surface, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
+    private static final class carom_material_get_pair_ {
+        static final MethodHandle CALL = Library.call("carom_material_get_pair", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
+    }
+    /** What two materials are to each other: what was said of them, or else what they mix to.
+     *  param: surface out, [4]: as carom_material_set_pair() takes it
+     *  status: OK; NULL_ARGUMENT; *_HANDLE; BUSY   since: 0.9 */
+    public static int carom_material_get_pair(MemorySegment world, long materialA, long materialB, MemorySegment surface, MemorySegment error) {
+        try { return (int) carom_material_get_pair_.CALL.invokeExact(world, materialA, materialB, surface, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
     private static final class carom_material_destroy_ {

@@ -42,8 +42,12 @@ export class Body {
   get type() {
     return TYPES[this.desc.type];
   }
+  /** Anything of the host's, a bigint of 64 bits; snapshots keep it. */
   get user() {
     return this.desc.user;
+  }
+  set user(value) {
+    this.world.module.call("carom_body_set_user", this.world.pointer, this.handle, BigInt.asUintN(64, value));
   }
 
   /** All of carom_body_desc, as the engine uses it. */

@@ -159,7 +159,7 @@ export class Body {
   readonly center: number[];
   readonly mass: number;
   readonly type: "static" | "kinematic" | "dynamic";
-  readonly user: bigint;
+  user: bigint;
   readonly asleep: boolean;
   enabled: boolean;
   setPose(position: Vector, orientation?: Quaternion): void;

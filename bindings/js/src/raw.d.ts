@@ -148,6 +148,16 @@ export interface Raw {
   carom_material_set_resistance(world: number, material: bigint, rolling: number, spinning: number, error: number): number;
   /** @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY */
   carom_material_get_resistance(world: number, material: bigint, rolling: number, spinning: number, error: number): number;
+  /** Say what two materials are to each other, instead of mixing them. Wakes what touches so. It ends with either material.
+   *  @param material_a, material_b  in any order; the same twice: colliders of that material among themselves
+   *  @param surface [4] friction, [0, 1e3]; restitution, [0, 1]; resistance to rolling and to spinning, m, [0, 1e3].
+   *                 NULL: they mix again
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 0.9 */
+  carom_material_set_pair(world: number, material_a: bigint, material_b: bigint, surface: number, error: number): number;
+  /** What two materials are to each other: what was said of them, or else what they mix to.
+   *  @param surface out, [4]: as carom_material_set_pair() takes it
+   *  @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 0.9 */
+  carom_material_get_pair(world: number, material_a: bigint, material_b: bigint, surface: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY */
   carom_material_destroy(world: number, material: bigint, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */

@@ -4,6 +4,7 @@ export const CALLS = {
   carom_material_create: [["struct", "desc", "carom_material_desc", []], ["out", "material"]],
   carom_material_update: [["handle", "material"], ["struct", "desc", "carom_material_desc", []]],
   carom_material_set_resistance: [["handle", "material"], ["number", "rolling", "double"], ["number", "spinning", "double"]],
+  carom_material_set_pair: [["handle", "material_a"], ["handle", "material_b"], ["vector", "surface", 4]],
   carom_material_destroy: [["handle", "material"]],
   carom_body_create: [["struct", "desc", "carom_body_desc", []], ["out", "body"]],
   carom_body_destroy: [["handle", "body"]],

@@ -727,6 +727,8 @@ FUNCTIONS = {
     "carom_material_update": ("0.9", c_int32, (c_void_p, carom_material, POINTER(carom_material_desc), POINTER(carom_error),)),
     "carom_material_set_resistance": ("0.9", c_int32, (c_void_p, carom_material, c_double, c_double, POINTER(carom_error),)),
     "carom_material_get_resistance": ("0.9", c_int32, (c_void_p, carom_material, POINTER(c_double), POINTER(c_double), POINTER(carom_error),)),
+    "carom_material_set_pair": ("0.9", c_int32, (c_void_p, carom_material, carom_material, POINTER(c_double), POINTER(carom_error),)),
+    "carom_material_get_pair": ("0.9", c_int32, (c_void_p, carom_material, carom_material, POINTER(c_double), POINTER(carom_error),)),
     "carom_material_destroy": ("0.9", c_int32, (c_void_p, carom_material, POINTER(carom_error),)),
     "carom_body_desc_init": ("0.9", c_int32, (POINTER(carom_body_desc), c_uint32,)),
     "carom_body_create": ("0.9", c_int32, (c_void_p, POINTER(carom_body_desc), POINTER(carom_body), POINTER(carom_error),)),

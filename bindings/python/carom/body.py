@@ -107,6 +107,22 @@ class Material(Thing):
     def resistance(self, value: tuple[float, float]) -> None:
         self._assign(("resistance[0]", "resistance[1]"), raw.carom_material_set_resistance, *vector(value, 2, "resistance"))
 
+    def against(self, other: Material) -> tuple[float, float, float, float]:
+        """Friction, restitution, resistance to rolling and to spinning, m: what two materials are to each other."""
+        surface = (ctypes.c_double * 4)()
+        self._call(raw.carom_material_get_pair, handle_of(other, "other", "carom_material", False), surface)
+        return tuple(surface)
+
+    def set_against(self, other: Material, friction: float, restitution: float = 0, rolling: float = 0, spinning: float = 0) -> None:
+        """Say what two materials are to each other, in place of what they mix to; @see mix_with().   @param rolling, spinning  m"""
+        surface = (ctypes.c_double * 4)(number(friction, "friction"), number(restitution, "restitution"), number(rolling, "rolling"),
+                                        number(spinning, "spinning"))
+        self._call(raw.carom_material_set_pair, handle_of(other, "other", "carom_material", False), surface)
+
+    def mix_with(self, other: Material) -> None:
+        """Undo set_against()."""
+        self._call(raw.carom_material_set_pair, handle_of(other, "other", "carom_material", False), None)
+
     def _about(self) -> str:
         rolling, spinning = self.resistance
         return f"resistance {rolling:g} m to rolling, {spinning:g} m to spinning"

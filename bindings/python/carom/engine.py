@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import sys
 import weakref
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Sequence
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
     from .records import DialKeywords, FormWord
 
 
+PLUGIN_SUFFIX = ".dll" if sys.platform == "win32" else ".so"
+
+
 def _file_of_library() -> Path:
     """Where the library is, also where the system's loader found it by its name."""
     class Info(ctypes.Structure):
@@ -33,7 +37,7 @@ def _file_of_library() -> Path:
 
     info = Info()
     if not os.path.dirname(raw.LIBRARY) and os.name == "posix":
-        if ctypes.CDLL(None).dladdr(ctypes.cast(raw.carom_version, ctypes.c_void_p), ctypes.byref(info)) and info.file:
+        if ctypes.CDLL(None).dladdr(ctypes.cast(raw.lib.carom_version, ctypes.c_void_p), ctypes.byref(info)) and info.file:
             return Path(os.fsdecode(info.file))
     return Path(raw.LIBRARY)
 
@@ -115,12 +119,12 @@ class Engine(Root, PairQuestions):
         return plugin.value
 
     def plugin(self, id: str) -> int:
-        """The handle of a plugin that is loaded, or found as NAME.so of "carom.NAME" in plugin_folders()."""
+        """The handle of a plugin that is loaded, or found as NAME.so (Windows: NAME.dll) of "carom.NAME" in plugin_folders()."""
         if id not in self._plugins:
             try:
                 self._plugins[id] = self._find_plugin(id)
             except NotFound:
-                file = id.rpartition(".")[2] + ".so"
+                file = id.rpartition(".")[2] + PLUGIN_SUFFIX
                 found = next((folder / file for folder in plugin_folders() if (folder / file).exists()), None)
                 if found is None:
                     raise

@@ -27,7 +27,7 @@ from multiprocessing import get_context
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Literal, Optional
 
 from ._values import whole
-from .engine import Engine, plugin_folders
+from .engine import PLUGIN_SUFFIX, Engine, plugin_folders
 from .errors import CaromError
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ def _do(data: bytes, function: Function, setup: Setup, seed: int) -> Any:
         engine = _own.engine = Engine()
         _own.setup = setup
         for folder in plugin_folders():
-            for name in sorted(folder.glob("*.so")) if folder.is_dir() else ():
+            for name in sorted(folder.glob("*" + PLUGIN_SUFFIX)) if folder.is_dir() else ():
                 try:
                     engine.plugin(f"carom.{name.stem}")
                 except CaromError:

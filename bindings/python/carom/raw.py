@@ -2,16 +2,18 @@
 
 Loading this module finds the library, compares the layout of every struct with the one that the library's compiler made
 (carom_abi_manifest), and gives every function its argument types. `carom` is built on it; use it for what that leaves out.
-The library is $CAROM_LIBRARY, else the one in this package, else what its SONAME says (`_c.SONAME`), where the system's loader finds it.
+The library is $CAROM_LIBRARY, else the one in this package, else the one of the name `FILE`, where the system's loader finds it.
 """
 import ctypes
 import os
+import sys
 from pathlib import Path
 
 from . import _c
 from ._c import *  # noqa: F401,F403
 from ._c import FUNCTIONS, HANDLES, SONAME, STRUCTS, VERSION  # noqa: F401
 
+FILE = {"win32": "carom.dll", "darwin": SONAME.replace(".so", "") + ".dylib"}.get(sys.platform, SONAME)
 _KINDS = {ctypes.c_uint32: "u32", ctypes.c_int32: "i32", ctypes.c_uint64: "u64", ctypes.c_double: "f64", ctypes.c_char: "char"}
 
 
@@ -19,8 +21,8 @@ def _find():
     given = os.environ.get("CAROM_LIBRARY")
     if given:
         return given
-    packaged = Path(__file__).with_name("lib") / SONAME
-    return str(packaged) if packaged.exists() else SONAME
+    packaged = Path(__file__).with_name("lib") / FILE
+    return str(packaged) if packaged.exists() else FILE
 
 
 def _kind(type):
@@ -65,7 +67,7 @@ def _load(path):
     try:
         library = ctypes.CDLL(path)  # CDLL, not PyDLL: every call lets other Python threads run
     except OSError as problem:
-        raise ImportError(f"cannot load Carom's library ({problem}). Install the wheel, or set CAROM_LIBRARY to the path of {SONAME}") from None
+        raise ImportError(f"cannot load Carom's library ({problem}). Install the wheel, or set CAROM_LIBRARY to the path of {FILE}") from None
     for name, (since, result, arguments) in FUNCTIONS.items():
         try:
             function = getattr(library, name)

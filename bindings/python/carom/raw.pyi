@@ -4,6 +4,7 @@ import ctypes
 from typing import Any
 
 VERSION: str
+FILE: str
 LIBRARY: str
 lib: ctypes.CDLL
 STRUCTS: dict[str, type[ctypes.Structure]]
@@ -504,7 +505,8 @@ class carom_batch_info(ctypes.Structure):
     real_worlds: int
     state_bytes: int
 class carom_material_desc(ctypes.Structure):
-    """Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides."""
+    """Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides; of two in particular
+    carom_material_set_pair() says what they are to each other."""
     struct_size: int
     friction_mix: int
     restitution_mix: int
@@ -1576,6 +1578,18 @@ def carom_material_set_resistance(world: Any, material: Any, rolling: Any, spinn
     ...
 def carom_material_get_resistance(world: Any, material: Any, rolling: Any, spinning: Any, error: Any) -> int:
     """@param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY"""
+    ...
+def carom_material_set_pair(world: Any, material_a: Any, material_b: Any, surface: Any, error: Any) -> int:
+    """Say what two materials are to each other, instead of mixing them. Wakes what touches so. It ends with either material.
+    @param material_a, material_b  in any order; the same twice: colliders of that material among themselves
+    @param surface [4] friction, [0, 1e3]; restitution, [0, 1]; resistance to rolling and to spinning, m, [0, 1e3].
+                   NULL: they mix again
+    @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 0.9"""
+    ...
+def carom_material_get_pair(world: Any, material_a: Any, material_b: Any, surface: Any, error: Any) -> int:
+    """What two materials are to each other: what was said of them, or else what they mix to.
+    @param surface out, [4]: as carom_material_set_pair() takes it
+    @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 0.9"""
     ...
 def carom_material_destroy(world: Any, material: Any, error: Any) -> int:
     """@status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY"""

@@ -19,10 +19,11 @@ fn main() {
         Some(given) => PathBuf::from(given),
         None => installed(),
     };
-    let file = folder.join("libcarom.so");
+    let name = library_name();
+    let file = folder.join(name);
     if !file.exists() {
         refuse(&format!(
-            "{} does not exist. Set CAROM_LIBRARY_DIR to the folder that holds libcarom.so: \
+            "{} does not exist. Set CAROM_LIBRARY_DIR to the folder that holds {name}: \
              PREFIX/lib after `cmake --install`, or the `lib` of a build",
             file.display()
         ));
@@ -31,10 +32,23 @@ fn main() {
     println!("cargo:rustc-link-lib=dylib=carom");
 }
 
+fn target() -> String {
+    env::var("CARGO_CFG_TARGET_OS").unwrap()
+}
+
+/// What is linked with.
+fn library_name() -> &'static str {
+    match target().as_str() {
+        "windows" => "libcarom.dll.a",
+        "macos" => "libcarom.dylib",
+        _ => "libcarom.so",
+    }
+}
+
 fn installed() -> PathBuf {
     let at_least = format!("carom >= {}", env!("CARGO_PKG_VERSION"));
     let cure = "Install Carom (`cmake --install`), set PKG_CONFIG_PATH to the folder that holds carom.pc, or \
-                CAROM_LIBRARY_DIR to the one that holds libcarom.so; or take the feature `vendored`";
+                CAROM_LIBRARY_DIR to the folder with the library; or take the feature `vendored`";
     match Command::new("pkg-config").args(["--print-errors", "--variable=libdir", &at_least]).output() {
         Ok(done) if done.status.success() => PathBuf::from(String::from_utf8_lossy(&done.stdout).trim()),
         Ok(done) => refuse(&format!("pkg-config says: {}\n{cure}", String::from_utf8_lossy(&done.stderr).trim())),
@@ -81,5 +95,5 @@ fn vendored() {
     cmake(Command::new("cmake").arg("--build").arg(&build).args(["--target", "carom_static", "-j", &jobs]));
     println!("cargo:rustc-link-search=native={}", archive.display());
     println!("cargo:rustc-link-lib=static=carom");
-    println!("cargo:rustc-link-lib=dylib=stdc++");
+    println!("cargo:rustc-link-lib=dylib={}", if target() == "macos" { "c++" } else { "stdc++" });
 }

@@ -8,6 +8,7 @@
 #include "dynamics/detect.h"
 #include "dynamics/filter.h"
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/driven.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/sleep/sleep.h"
 
@@ -102,7 +103,9 @@ void list_candidates(const World& world) {
 Aabb straight_way(const World& world, std::uint32_t body, Real radius, Real dt) {
   const State& s = world.state;
   const Path path{0, s.x[body], s.q[body], s.v[body], s.omega[body]};
-  return path.swept(0, dt, radius + dt * dt * world.scene.gravity.norm());
+  const LedBody* const led = led_body(world, body);
+  const Real gained = dt * (world.scene.gravity.norm() + (led ? led->a.norm() : 0));
+  return path.swept(0, dt, radius + dt * gained);
 }
 
 /// Bodies that a participant may come to within the step, whichever way hits turn it.

@@ -324,6 +324,9 @@ struct MixedMaterial {
   Real friction, restitution;
   Real rolling, spinning;  // m
 };
+/// Of two slots of materials, or Colliders::kNoMaterial: what a host said of the pair, or else what they mix to.
+MixedMaterial mixed_materials(const Scene& scene, std::uint32_t slot_a, std::uint32_t slot_b);
+/// The same of two colliders, less what effects are forbidden to do to their bodies.
 MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t collider_b);
 /// Mixed coefficient of two, by the rule with the larger number.
 Real mix(Mix rule_a, Real a, Mix rule_b, Real b);

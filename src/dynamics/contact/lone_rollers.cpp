@@ -6,6 +6,7 @@
 #include "dynamics/body_state.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/driven.h"
 #include "dynamics/ledger/accounts.h"
 
 namespace carom::dynamics {
@@ -240,7 +241,9 @@ FlatTouch as_begun(const World& world, const ContactPair& m, const Stand& stand)
   }
   to.friction = row.friction;
   to.is_open = g.separation > kRollOpen * shape_of(world, to.collider).bounding_radius;
-  to.surface_x = s.x[other], to.surface_v = s.v[other], to.surface_spin = s.omega[other];
+  const LedBody* const led = led_body(world, other);
+  to.surface_x = s.x[other];
+  to.surface_v = led ? led->v : s.v[other], to.surface_spin = led ? led->omega : s.omega[other];
   return to;
 }
 

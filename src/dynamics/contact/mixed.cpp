@@ -1,30 +1,51 @@
 // What two colliders are to each other where they touch.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dynamics/contact/contact.h"
 
 namespace carom::dynamics {
 
-const Material& material_of(const Scene& scene, std::uint32_t collider) {
+namespace {
+
+const Material& in_slot(const Scene& scene, std::uint32_t slot) {
   static constexpr Material kDefault;
-  const std::uint32_t slot = scene.colliders.material[collider];
   return slot == Colliders::kNoMaterial ? kDefault : scene.material[slot];
 }
 
-MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t collider_b) {
-  const Material &a = material_of(scene, collider_a), &b = material_of(scene, collider_b);
-  const EffectModes& modes = scene.modes;
-  const auto allowed = [&](std::size_t row, Real value) {
-    const auto forbids = [&](std::uint32_t c) { return modes.forbids(row, scene.colliders.body[c]); };
-    return value > 0 && modes.forbidden_anywhere && (forbids(collider_a) || forbids(collider_b)) ? Real(0) : value;
-  };
-  MixedMaterial m{
-      allowed(+EffectId::friction, mix(a.friction_mix, a.friction, b.friction_mix, b.friction)),
-      allowed(+EffectId::restitution, mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution)), 0, 0};
+}  // namespace
+
+const Material& material_of(const Scene& scene, std::uint32_t collider) {
+  return in_slot(scene, scene.colliders.material[collider]);
+}
+
+MixedMaterial mixed_materials(const Scene& scene, std::uint32_t slot_a, std::uint32_t slot_b) {
+  const auto [first, second] = std::minmax(slot_a, slot_b);
+  const auto said = std::lower_bound(
+      scene.material_pairs.begin(), scene.material_pairs.end(), std::pair(first, second),
+      [](const MaterialPair& p, std::pair<std::uint32_t, std::uint32_t> key) { return std::pair(p.a, p.b) < key; });
+  if (said != scene.material_pairs.end() && said->a == first && said->b == second)
+    return {said->friction, said->restitution, said->rolling, said->spinning};
+  const Material &a = in_slot(scene, slot_a), &b = in_slot(scene, slot_b);
+  MixedMaterial m{mix(a.friction_mix, a.friction, b.friction_mix, b.friction),
+                  mix(a.restitution_mix, a.restitution, b.restitution_mix, b.restitution), 0, 0};
   if (!scene.resists) return m;
-  m.rolling = allowed(+EffectId::rolling_resistance, mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling));
-  m.spinning = allowed(+EffectId::spinning_resistance, mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning));
+  m.rolling = mix(a.friction_mix, a.rolling, b.friction_mix, b.rolling);
+  m.spinning = mix(a.friction_mix, a.spinning, b.friction_mix, b.spinning);
+  return m;
+}
+
+MixedMaterial mixed(const Scene& scene, std::uint32_t collider_a, std::uint32_t collider_b) {
+  MixedMaterial m = mixed_materials(scene, scene.colliders.material[collider_a], scene.colliders.material[collider_b]);
+  const EffectModes& modes = scene.modes;
+  if (!modes.forbidden_anywhere) return m;
+  const auto drop = [&](EffectId effect, Real& value) {
+    const auto forbids = [&](std::uint32_t c) { return modes.forbids(+effect, scene.colliders.body[c]); };
+    if (value > 0 && (forbids(collider_a) || forbids(collider_b))) value = 0;
+  };
+  drop(EffectId::friction, m.friction), drop(EffectId::restitution, m.restitution);
+  drop(EffectId::rolling_resistance, m.rolling), drop(EffectId::spinning_resistance, m.spinning);
   return m;
 }
 

@@ -356,8 +356,36 @@ struct Shells {
   }
 };
 
+/// How bodies that a host moves went in the last step. Of what is gone since nothing is kept.
+struct Leads {
+  template <class Io, class W>
+  static void go(Io& io, W& world) {
+    auto& driven = world.state.driven;
+    const SlotPool& bodies = world.scene.bodies;
+    const auto is_there = [&](const DrivenMemory& d) { return bodies.handle(handle_slot(d.body)) == d.body; };
+    const std::uint64_t n = io.count(
+        Io::saves ? static_cast<std::uint64_t>(std::ranges::count_if(driven, is_there)) : std::uint64_t(0), 108);
+    if constexpr (Io::checks) io.needs.driven = n;
+    if constexpr (Io::loads) driven.resize(n);
+    std::uint32_t next = 0, at = 0;
+    for (std::uint64_t k = 0; k < n && !io.bad(); ++k, ++at) {
+      if constexpr (Io::saves)
+        while (!is_there(driven[at])) ++at;
+      const DrivenMemory now = Io::saves ? driven[at] : DrivenMemory();
+      const std::uint32_t slot = io.value(handle_slot(now.body));
+      io.begin_item(), io.name_item(Item::body, slot);
+      io.demand(slot >= next && bodies.alive(slot));
+      next = slot + 1;
+      DrivenMemory d{0, io.real(now.dt), io.vec(now.v), io.vec(now.omega), io.vec(now.a), io.vec(now.alpha)};
+      io.demand(d.dt > 0);
+      if constexpr (Io::loads) d.body = bodies.handle(slot), driven[k] = d;
+    }
+  }
+};
+
 }  // namespace
 
+constinit const Section kDriven = section<Leads>("LEAD", "driven bodies");
 constinit const Section kBodies = section<Bodies>("BODY", "bodies");
 constinit const Section kColliders = section<Shells>("COLL", "colliders");
 

@@ -26,9 +26,11 @@ enum class Item : std::uint8_t { none, body, collider, pair, joint, set, field, 
 struct Needs {
   std::size_t places = 0, records = 0, free_records = 0, inactive = 0;  // of the pair table
   std::size_t old = 0, kept = 0;                                        // impulses
+  std::size_t driven = 0;                                               // bodies that a host moves
   std::size_t sleepers = 0;                                             // slots of the arrays of sleep
   std::size_t fallen = 0, woken = 0, touched_by_host = 0, rejoined = 0;
   std::size_t touching = 0, within = 0, slept = 0, faulty = 0, apart = 0, unbroken = 0, axes = 0;
+  std::size_t material_pairs = 0;
   std::uint32_t attributes = 0;  // of bodies: a bit for each that some body has
   bool modes = false, certificates = false;
   bool filter = false, sensor = false, surface = false;

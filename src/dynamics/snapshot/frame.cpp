@@ -138,9 +138,10 @@ class Writer {
 const Section* const* sections(std::size_t& n) {
   static constexpr Section kProgress = section<Progress>("STEP", "progress");
   static constexpr Section kStructure = section<StructurePrint>("STRU", "structure");
-  static constexpr const Section* kAll[] = {&kStructure, &kHappenings, &kDials,  &kBodies, &kColliders, &kPairs,
-                                            &kImpulses,  &kSleepers,   &kJoints, &kTurns,  &kMaterials, &kFields,
-                                            &kSprings,   &kWater,      &kApart,  &kSets,   &kProgress};
+  static constexpr const Section* kAll[] = {&kStructure, &kHappenings,    &kDials,    &kBodies,  &kColliders,
+                                            &kPairs,     &kImpulses,      &kSleepers, &kJoints,  &kTurns,
+                                            &kMaterials, &kMaterialPairs, &kFields,   &kSprings, &kWater,
+                                            &kApart,     &kSets,          &kDriven,   &kProgress};
   static_assert(std::size(kAll) <= kMostSections);
   n = std::size(kAll);
   return kAll;

@@ -27,11 +27,12 @@ constexpr Section section(const char (&tag)[5], const char* name) {
 }
 
 // What a snapshot needs of each module of a world. Loading wants the capacity that checking found out (reserve()).
-extern const Section kBodies, kColliders;                                                     // bodies.cpp
-extern const Section kPairs, kImpulses;                                                       // pairs.cpp
-extern const Section kSleepers, kHappenings;                                                  // sleep.cpp
-extern const Section kDials, kWater, kMaterials, kFields, kSprings, kJoints, kTurns, kApart;  // settings.cpp
-extern const Section kSets;                                                                   // particles.cpp
+extern const Section kBodies, kColliders, kDriven;  // bodies.cpp
+extern const Section kPairs, kImpulses;             // pairs.cpp
+extern const Section kSleepers, kHappenings;        // sleep.cpp
+extern const Section kDials, kWater, kMaterials, kMaterialPairs, kFields, kSprings, kJoints, kTurns,
+    kApart;                  // settings.cpp
+extern const Section kSets;  // particles.cpp
 
 /// Of a world's pair table, for loading.
 void reserve_pairs(World& world, const Needs& needs);

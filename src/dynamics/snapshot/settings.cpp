@@ -306,11 +306,37 @@ struct HeldApart {
   }
 };
 
+struct MaterialPairs {
+  template <class Io, class W>
+  static void go(Io& io, W& world) {
+    auto& s = world.scene;
+    const std::uint64_t n = io.count(s.material_pairs.size(), 8 + 4 * sizeof(Real));
+    if constexpr (Io::checks) io.needs.material_pairs = n;
+    if constexpr (Io::loads) s.material_pairs.clear();
+    MaterialPair before;
+    for (std::uint64_t k = 0; k < n && !io.bad(); ++k) {
+      MaterialPair now;
+      if constexpr (Io::saves) now = s.material_pairs[k];
+      MaterialPair pair;
+      pair.a = io.value(now.a), pair.b = io.value(now.b);
+      pair.friction = io.real(now.friction), pair.restitution = io.real(now.restitution);
+      pair.rolling = io.real(now.rolling), pair.spinning = io.real(now.spinning);
+      io.demand(pair.a <= pair.b && (k == 0 || before.a < pair.a || (before.a == pair.a && before.b < pair.b)) &&
+                pair.friction >= 0 && pair.restitution >= 0 && pair.restitution <= 1 && pair.rolling >= 0 &&
+                pair.spinning >= 0);
+      if constexpr (Io::checks) io.demand(s.material_slots.alive(pair.a) && s.material_slots.alive(pair.b));
+      if constexpr (Io::loads) s.material_pairs.push_back(pair), s.resists |= pair.rolling > 0 || pair.spinning > 0;
+      before = pair;
+    }
+  }
+};
+
 }  // namespace
 
 constinit const Section kDials = section<DialsAndGravity>("DIAL", "dials");
 constinit const Section kWater = section<Waters>("WATR", "water");
 constinit const Section kMaterials = section<Materials>("MATE", "materials");
+constinit const Section kMaterialPairs = section<MaterialPairs>("MAPA", "pairs of materials");
 constinit const Section kFields = section<AllFields>("FIEL", "force fields");
 constinit const Section kSprings = section<AllSprings>("SPRI", "springs");
 constinit const Section kJoints = section<AllJoints>("JOIN", "joints");

@@ -8,6 +8,7 @@
 #include "dynamics/contact/lone_rollers.h"
 #include "dynamics/contact_views.h"
 #include "dynamics/events/events.h"
+#include "dynamics/integrate/driven.h"
 #include "dynamics/sleep/sleep.h"
 #include "dynamics/snapshot/frame.h"
 
@@ -50,7 +51,7 @@ void reserve_for(World& world, const Needs& n) {
   widen(s.colliders.sensor, colliders, std::uint8_t(0), n.sensor);
   widen(s.surface, colliders, SurfaceVelocity{}, n.surface);
   reserve_pairs(world, n);
-  world.impulses.old.reserve(n.old);
+  world.impulses.old.reserve(n.old), world.state.driven.reserve(n.driven);
   const std::size_t sleepers = n.sleepers;
   world.state.asleep.reserve(sleepers), z.inactive.reserve(sleepers), z.ring.reserve(sleepers),
       z.sleep_timer.reserve(sleepers);
@@ -61,6 +62,7 @@ void reserve_for(World& world, const Needs& n) {
   z.kept.reserve(n.kept), z.kept_free.reserve(z.kept.capacity());
   e.touching.reserve(n.touching), e.within.reserve(n.within), e.slept.reserve(std::max(e.slept.size(), n.slept));
   world.plan->faulty.reserve(n.faulty);
+  s.material_pairs.reserve(n.material_pairs);
   s.apart.reserve(n.apart), s.joined.reserve(n.unbroken);
   world.joints.axes.reserve(world.joints.axes.size() + n.axes);
   for (const Needs::Set& need : n.sets) {
@@ -114,6 +116,7 @@ void load_state(World& world, Found& found) {
 }  // namespace snapshot
 
 void World::abandon_step() {
+  stop_leading(*this, state, {});
   for (auto& phase : broad) phase.reset();
   clear_sleepers(*this, ClearingSleepers(*this));
   snapshot::clear_last_step(*this);

@@ -108,7 +108,7 @@ export function peersPicture({ when, engines, rows } = peers()) {
   );
   const head = `<text x="${LEFT}" y="${bottom + 20}">time, or memory, over the best peer that holds: left is better</text>`;
   return [
-    '<figure class="curve"><div class="wide" tabindex="0" role="region" aria-label="Picture">',
+    '<figure class="drawn"><div class="wide" tabindex="0" role="region" aria-label="Picture">',
     `<svg viewBox="0 0 ${WIDTH} ${bottom + 30}" style="min-width: 600px" role="img" aria-label="Cost of each engine over that of the best peer, by scene">`,
     ...grid,
     ...drawn,

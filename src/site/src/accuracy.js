@@ -27,11 +27,13 @@ const NOTES = {
 
 /** Where it shows without a word: scenes whose truth is known. */
 export const TRIALS = [
+  ["accuracy_overhang", "A tower at its limit, less 1 %"],
+  ["accuracy_thin_arch", "An arch 1 % thicker than falls"],
+  ["accuracy_reach", "A robot's arm that must reach a mark"],
+  ["accuracy_tray", "A coin that rolls on a tray"],
   ["accuracy_tower100", "A tower that carries 100 kg on 1 kg"],
-  ["accuracy_arch", "An arch of loose stones"],
   ["accuracy_cards", "A house of cards"],
   ["accuracy_massratio1e4", "10 t on a cube of 1 kg"],
-  ["accuracy_stack50", "Fifty cubes"],
   ["accuracy_pendulum", "A pendulum"],
   ["accuracy_bricard", "A ring that turns inside out"],
 ];

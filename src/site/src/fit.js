@@ -4,10 +4,10 @@ import * as THREE from "three";
 const ROOM = 1.12; // of the picture, about what is to be seen
 
 /** @param balls [[x, y, z, r]] m   @param direction  unit, from what is looked at to the camera
- *  @param camera  its field of view and aspect count   @param covered  share of the height, at the top, that tools hide
+ *  @param camera  its field of view, aspect and up count   @param covered  share of the height, at the top, that tools hide
  *  @returns { target, distance } */
 export function fit(balls, direction, camera, covered) {
-  const look = new THREE.Matrix4().lookAt(direction, new THREE.Vector3(), new THREE.Vector3(0, 1, 0)),
+  const look = new THREE.Matrix4().lookAt(direction, new THREE.Vector3(), camera.up),
     [right, up] = [0, 1].map((k) => new THREE.Vector3().setFromMatrixColumn(look, k)),
     half = Math.tan((camera.fov * Math.PI) / 360),
     tall = (half / ROOM) * (1 - covered),

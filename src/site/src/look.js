@@ -85,8 +85,13 @@ export function creased(indexed, drawn = true) {
   return withRim(geometry, rim);
 }
 
-/** Shared by all materials: is there time for soft shadows? The grid of the ground. */
-export const common = { soft: { value: 1 }, spacing: { value: 1 }, line: { value: 1 } };
+/** Shared by all materials: is there time for soft shadows? The grid of the ground, and where up is. */
+export const common = {
+  soft: { value: 1 },
+  spacing: { value: 1 },
+  line: { value: 1 },
+  up: { value: new THREE.Vector3(0, 1, 0) },
+};
 
 // Light is computed at corners and only dimmed by shadows between them: where the processor draws, pixels are what costs.
 const VERTEX = `
@@ -175,8 +180,11 @@ export const bodyMaterial = (options) =>
 /** Level ground to the horizon: lines of a grid, which fade with the distance. */
 export const groundMaterial = () =>
   material({
-    uniforms: { spacing: common.spacing, line: common.line },
-    vertex: ["varying vec2 vCell; uniform float spacing;", "vCell = worldPosition.xz / spacing;"],
+    uniforms: { spacing: common.spacing, line: common.line, up: common.up },
+    vertex: [
+      "varying vec2 vCell; uniform float spacing; uniform vec3 up;",
+      "vCell = (up.y > 0.5 ? worldPosition.xz : up.z > 0.5 ? worldPosition.xy : worldPosition.yz) / spacing;",
+    ],
     fragment: [
       "varying vec2 vCell; uniform float line;",
       `vec2 width = fwidth(vCell);

@@ -410,14 +410,19 @@ function bring(plugin, name) {
   say(`${name}: click where a body of the shape ${id} should fall`, true);
 }
 
-/** A file that was opened or dropped. What is wrong with it is told, and the scene stays as it was. */
-async function openFile(file) {
+/** A file that was opened or dropped; beside it may be that of a robot's names. What is wrong is told, and the scene stays
+ *  as it was. */
+async function openFiles(files) {
+  const names = [...files].find(({ name }) => name.endsWith(".json")),
+    file = [...files].find((other) => other !== names) ?? names;
   if (!file) return;
   try {
     const { start, row, shape, action, note } = await opened(
       carom,
       file.name,
       new Uint8Array(await file.arrayBuffer()),
+      [],
+      names ? await names.text() : null,
     );
     if (shape) return bring(shape, file.name);
     if (action) {
@@ -458,9 +463,9 @@ function controls() {
   $("scene").onchange = () => open($("scene").value).catch((e) => say(e.message));
   $("link").onclick = link;
   $("save").onclick = () => download(new Blob([state.sims[0].world.save({ whole: true })]), "world");
-  $("open").onchange = () => openFile($("open").files[0]).then(() => ($("open").value = ""));
+  $("open").onchange = () => openFiles($("open").files).then(() => ($("open").value = ""));
   $("stage").ondragover = (e) => e.preventDefault();
-  $("stage").ondrop = (e) => (e.preventDefault(), openFile(e.dataTransfer.files[0]));
+  $("stage").ondrop = (e) => (e.preventDefault(), openFiles(e.dataTransfer.files));
   $("theme").onclick = () => {
     const { dataset } = document.documentElement;
     dataset.theme = dataset.theme === "dark" ? "light" : "dark";
@@ -533,7 +538,9 @@ async function start() {
   pointer = new Pointer({
     canvas: $("view"),
     camera: stage.camera,
-    controls: stage.controls,
+    get controls() {
+      return stage.controls;
+    },
     act,
     say,
     place: (u, v) => ((pointer.view = stage.place(u, v)), pointer.view),

@@ -77,7 +77,7 @@ export class Pointer {
       page.act({
         do: "spawn",
         ...(this.tool === "shape" ? this.shape : { shape: "box", params: Array(3).fill(this.#far() / 45) }),
-        position: [hit.point.x, hit.point.y + this.#far() / 8, hit.point.z],
+        position: hit.point.clone().addScaledVector(page.camera.up, this.#far() / 8).toArray(),
       });
     } else if (this.tool === "explode") {
       const far = this.#far();

@@ -22,6 +22,12 @@ const FOLLOWS = 1.8, // 1/s, of the camera, at leisure
   TURNS = 2, // 1/s, behind a car
   BEHIND = 0.08; // of its distance: farther from where it should look it hurries
 
+/** The axis that points against gravity, or nearly so; without gravity y.   @param gravity [3] m/s^2   @returns [3] */
+export function upOf(gravity) {
+  const most = Math.max(...gravity.map((x) => -x));
+  return most > 0 ? gravity.map((x, k) => Number(k === gravity.findIndex((g) => -g === most))) : [0, 1, 0];
+}
+
 /** Does the processor draw? Then even the first picture is a cheap one. */
 function software() {
   const gl = document.createElement("canvas").getContext("webgl2"),
@@ -43,14 +49,12 @@ export class Stage {
     this.scene = new THREE.Scene();
     this.scene.fog = new THREE.Fog();
     this.camera = new THREE.PerspectiveCamera(38, 1);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener("start", () => (this.auto = false));
+    this.#stand([0, 1, 0]);
     this.light = new THREE.DirectionalLight("#fff1dc");
     this.light.castShadow = true;
     this.light.shadow.bias = -0.0004;
     this.bounce = new THREE.HemisphereLight();
     this.ground = new THREE.Mesh(new THREE.CircleGeometry(1, 48), groundMaterial());
-    this.ground.rotation.x = -Math.PI / 2;
     this.ground.receiveShadow = true;
     this.ground.renderOrder = 0.5; // after what hides it
     this.heaven = { high: { value: new THREE.Color() }, horizon: { value: new THREE.Color() } };
@@ -66,16 +70,31 @@ export class Stage {
     Object.assign(this, { slow: 0, fast: 0, wait: 0, best: 0, auto: true, drift: new THREE.Vector3() });
   }
 
-  /** Stand where the scene says, as far off as this picture asks.   @param row  camera, ground, floor, water of the index
-   *  @param pictures  of it */
+  /** With this direction up. What turns the camera is made for one.   @param up [3] */
+  #stand(up) {
+    this.camera.up.fromArray(up);
+    common.up.value.copy(this.camera.up);
+    this.controls?.dispose();
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.addEventListener("start", () => (this.auto = false));
+    this.turned = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), this.camera.up);
+  }
+
+  /** Stand where the scene says, as far off as this picture asks.   @param row  camera, ground, floor, water of the index;
+   *  without a camera, as of a robot's file, up is against gravity   @param pictures  of it */
   look(row, pictures) {
-    const { from = [6, 5, 9], to = [0, 1, 0] } = row.camera ?? {};
-    this.direction = new THREE.Vector3(...from).sub(new THREE.Vector3(...to)).normalize();
+    const { from = [6, 5, 9], to = [0, 1, 0] } = row.camera ?? {},
+      up = row.camera ? [0, 1, 0] : upOf(pictures[0].sim.world.gravity);
+    if (this.camera.up.toArray().some((x, k) => x !== up[k])) this.#stand(up);
+    this.direction = new THREE.Vector3(...from).sub(new THREE.Vector3(...to)).normalize().applyQuaternion(this.turned);
+    this.ground.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), this.camera.up);
+    this.dome.quaternion.copy(this.turned);
+    this.bounce.position.copy(this.camera.up);
     this.floor = row.ground !== 0;
     this.water.visible = row.water !== undefined;
     this.water.scale.setScalar(2 * Math.max(row.ground ?? 10, 4));
     this.water.position.y = row.water ?? 0;
-    this.ground.position.y = (row.floor ?? 0) - 0.002;
+    this.level = (row.floor ?? 0) - 0.002; // m, of the ground that is drawn
     this.auto = true;
     this.size = undefined;
     this.best = 0; // what was too much for another scene may not be for this one
@@ -171,18 +190,19 @@ export class Stage {
     Object.assign(this.camera, { near: far / 200, far: 400 * far });
     Object.assign(this.scene.fog, { near: 2.2 * far, far: 14 * far });
     this.ground.visible = this.floor;
-    this.ground.position.set(target.x, this.ground.position.y, target.z);
+    const { up } = this.camera;
+    this.ground.position.copy(target).addScaledVector(up, this.level - target.dot(up));
     this.ground.scale.setScalar(30 * far);
     this.dome.position.copy(this.camera.position);
     this.dome.scale.setScalar(100 * far);
     common.spacing.value = 10 ** Math.round(Math.log10(far / 12));
     // From over the visitor's left shoulder: what is looked at is lit.
-    const ahead = target.clone().sub(this.camera.position).setY(0).normalize();
-    this.light.position.set(
-      target.x + reach * (-0.7 * ahead.x + 0.9 * ahead.z),
-      target.y + 1.7 * reach,
-      target.z + reach * (-0.7 * ahead.z - 0.9 * ahead.x),
-    );
+    const ahead = target.clone().sub(this.camera.position).projectOnPlane(up).normalize();
+    this.light.position
+      .copy(target)
+      .addScaledVector(ahead, -0.7 * reach)
+      .addScaledVector(up.clone().cross(ahead), 0.9 * reach)
+      .addScaledVector(up, 1.7 * reach);
     this.light.target.position.copy(target);
     const { camera } = this.light.shadow;
     Object.assign(camera, {

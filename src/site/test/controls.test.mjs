@@ -143,7 +143,7 @@ test("every scene can be chosen, and each trial", { skip, timeout: 300000 }, asy
     await page.waitForFunction((n) => caromViewer.state.row.name === n && caromViewer.state.playing, name);
     assert.ok(await page.evaluate(() => caromViewer.state.pictures[0].ghosts), name);
   }
-  assert.equal(trials.length, 7);
+  assert.equal(trials.length, 9);
   t.diagnostic(`${names.length} scenes`);
   await page.close();
 });

@@ -265,6 +265,121 @@ test(
   },
 );
 
+/** The world and the names that an importer writes, opened together. */
+async function openRobot(page, world, names) {
+  const files = [join(folder, "robot.world"), join(folder, "robot.world.json")];
+  await writeFile(files[0], world);
+  await writeFile(files[1], names);
+  await page.evaluate(() => (document.getElementById("message").hidden = true));
+  await page.setInputFiles("#open", files);
+  await page.waitForFunction(
+    () => caromViewer.state.row.name === undefined || !document.getElementById("message").hidden,
+  );
+  return page.evaluate(() => {
+    const { state, stage } = caromViewer,
+      [picture] = state.pictures;
+    return {
+      dt: state.sims[0].dt,
+      names: state.sims[0].bodies.map((_, i) => picture.nameOf(i)),
+      up: stage.camera.up.toArray(),
+      message: document.getElementById("message").hidden ? "" : document.getElementById("message").textContent,
+    };
+  });
+}
+
+test("a robot's file: its own step, its names, and up is against gravity", { skip, timeout: 120000 }, async () => {
+  const page = await browser.visit("?scene=stacks&step=1", small);
+  const world = Buffer.from(
+    await page.evaluate(() => {
+      const { engine } = caromViewer.state,
+        made = engine.world();
+      made.gravity = [0, 0, -9.81];
+      made.body({ shape: engine.box(0.2, 0.2, 0.1), type: "static", position: [0, 0, 0.1] });
+      const link = made.body({ shape: engine.box(0.3, 0.05, 0.05), position: [0.35, 0, 1], density: 1000 });
+      made.joint("hinge", null, link, { at: [0, 0, 1], axes: [0, 0, Math.SQRT1_2, Math.SQRT1_2] });
+      const bytes = made.save({ whole: true });
+      made.free();
+      return bytes.toBase64();
+    }),
+    "base64",
+  );
+  for (const names of ["nonsense", "null", "{}", '{"dt":0,"bodies":{"link":1}}', '{"dt":0.002,"bodies":{"link":"1"}}']) {
+    const told = await openRobot(page, world, names);
+    assert.match(told.message, /the file of names is none/);
+    assert.equal((await now(page)).step, 1);
+  }
+  const told = await openRobot(page, world, JSON.stringify({ dt: 0.002, bodies: { link: 1, tool: 1 } }));
+  assert.deepEqual(told, { dt: 0.002, names: ["body 0", "link"], up: [0, 0, 1], message: "" });
+  const after = await page.evaluate(() => {
+    const { sims, pictures } = caromViewer.state;
+    caromViewer.seek(150); // 0.3 s: a rod that was let go level, 3 g / 4 l t^2 down at first
+    return { z: sims[0].bodies[1].position[2], name: pictures[0].nameOf(1) };
+  });
+  assert.ok(after.z < 0.9 && after.z > 0.6 && after.name === "link", JSON.stringify(after));
+  // What is dropped falls along gravity. Scenes have their own up again.
+  await page.click('[data-tool="box"]');
+  const box = await page.locator("#view").boundingBox();
+  const [u, v] = await page.evaluate(() => {
+    for (let k = 1; k < 400; ++k) {
+      const at = [(k % 20) / 20, Math.floor(k / 20) / 20];
+      if (caromViewer.probe(...at)) return at;
+    }
+    return null;
+  });
+  await page.mouse.click(box.x + u * box.width, box.y + v * box.height);
+  const fallen = await page.evaluate(() => {
+    const [sim] = caromViewer.state.sims,
+      from = sim.bodies[2].position;
+    for (let i = 0; i < 50; ++i) sim.advance();
+    return sim.bodies[2].position.map((x, k) => x - from[k]);
+  });
+  assert.ok(Math.abs(fallen[0]) < 1e-3 && Math.abs(fallen[1]) < 1e-3 && fallen[2] < -0.02, `${fallen}`);
+  await page.selectOption("#scene", "stacks");
+  await page.waitForFunction(() => caromViewer.state.row.name === "stacks");
+  assert.deepEqual(await page.evaluate(() => caromViewer.stage.camera.up.toArray()), [0, 1, 0]);
+  await page.close();
+});
+
+const robots = new URL("../../../build/robots", import.meta.url).pathname,
+  importer = existsSync(robots) && carom;
+test(
+  "what python3 -m carom.robots wrote of a model opens",
+  { skip: skip || (!importer && "build/robots has no reader of models: .ci/test fetches it"), timeout: 120000 },
+  async () => {
+    await writeFile(
+      join(folder, "arm.xml"),
+      `<mujoco><worldbody><geom type="plane" size="5 5 .1"/><body name="upper" pos="0 0 1"><joint name="shoulder" axis="0 1 0"/>
+       <geom type="capsule" fromto="0 0 0 .5 0 0" size=".05"/><body name="fore" pos=".5 0 0"><joint name="elbow" axis="0 1 0"/>
+       <geom type="capsule" fromto="0 0 0 .4 0 0" size=".04"/></body></body></worldbody></mujoco>`,
+    );
+    const build = join(carom, "..", "..");
+    execFileSync("python3", ["-m", "carom.robots", join(folder, "arm.xml"), "-o", join(folder, "arm.world")], {
+      env: {
+        ...process.env,
+        PYTHONPATH: `${new URL("../../../bindings/python", import.meta.url).pathname}:${robots}`,
+        CAROM_LIBRARY: join(build, "lib", "libcarom.so.0.9"),
+        CAROM_PLUGIN_PATH: join(build, "plugins"),
+      },
+    });
+    const page = await browser.visit("?scene=stacks&step=1", small);
+    const told = await openRobot(
+      page,
+      await readFile(join(folder, "arm.world")),
+      await readFile(join(folder, "arm.world.json")),
+    );
+    assert.equal(told.message, "");
+    assert.deepEqual(told.up, [0, 0, 1]);
+    assert.ok(told.dt === 0.002 && told.names.includes("upper") && told.names.includes("fore"), `${told.names}`);
+    const low = await page.evaluate(() => {
+      const { sims, pictures } = caromViewer.state;
+      caromViewer.seek(200);
+      return sims[0].bodies.map((b, i) => [pictures[0].nameOf(i), b.position[2]]);
+    });
+    assert.ok(low.find(([name]) => name === "fore")[1] < 0.9, `${low}`);
+    await page.close();
+  },
+);
+
 test(
   "carom view: a recording comes first, and has the recorded hashes",
   { skip: skip || (!carom && "no native carom is built"), timeout: 120000 },

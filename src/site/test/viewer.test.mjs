@@ -237,7 +237,15 @@ test(
   "beside a rough step, in one click: what stands falls there, and a link has both",
   { skip, timeout: 180000 },
   async () => {
-    for (const scene of ["accuracy_tower100", "accuracy_arch", "accuracy_massratio1e4"]) {
+    // m, at most, after 120 steps: what stands does not move; a coin on a tray is led astray by each step's error.
+    for (const [scene, most] of [
+      ["accuracy_tower100", 1e-6],
+      ["accuracy_overhang", 1e-6],
+      ["accuracy_thin_arch", 1e-6],
+      ["accuracy_massratio1e4", 1e-6],
+      ["accuracy_reach", 1e-3],
+      ["accuracy_tray", 1e-2],
+    ]) {
       const page = await visit(`?scene=${scene}&step=1`);
       await page.locator("#accuracy-slider").fill("4");
       // What has fallen does not rise: the scene begins anew, with that setting.
@@ -247,7 +255,7 @@ test(
       await page.click("#play");
       await page.evaluate(() => caromViewer.seek(120));
       const off = await page.evaluate(() => caromViewer.state.sims.map((sim) => sim.errors[120]));
-      assert.ok(off[0] > 0.01 && off[1] < 1e-6, `${scene}: ${off} m`);
+      assert.ok(off[0] > 0.01 && off[1] < most, `${scene}: ${off} m`);
       assert.match(await page.locator("#label-a").innerText(), /^A: a rough step, [\d.]+ c?m off$/);
       assert.match(await page.locator("#label-b").innerText(), /^B: 1 mm accepted, /);
       await page.click("#link");

@@ -121,6 +121,37 @@ Vector3d HeavyTop::middle(const Vector3d& state) {
   return kArm * Vector3d(s * std::cos(state[2]), std::cos(state[0]), -s * std::sin(state[2]));
 }
 
+// Rods of thickness 0, the load fixed to the forearm. With a and b the angles, the kinetic energy is
+// A a'^2 / 2 + B b'^2 / 2 + C cos(a - b) a' b', and weight pulls them by U cos a and V cos b.
+std::array<double, 2> ReachingArm::targets() const {
+  const double beyond = kFore * (kForeMass / 2 + load), all = kUpper * (kUpperMass / 2 + kForeMass + load);
+  const double fore = kGravity * beyond * std::cos(kAtMark[1]), upper = kGravity * all * std::cos(kAtMark[0]);
+  return {kAtMark[0] + (upper + fore) / kStiff[0], kAtMark[1] - kAtMark[0] + fore / kStiff[1]};
+}
+
+Eigen::Vector4d ReachingArm::rate(const Eigen::Vector4d& state) const {
+  const auto [upper_to, fore_to] = targets();
+  const double a = state[0], b = state[1], da = state[2], db = state[3];
+  const double beyond = kFore * (kForeMass / 2 + load), all = kUpper * (kUpperMass / 2 + kForeMass + load);
+  const double upper = kUpper * kUpper * (kUpperMass / 3 + kForeMass + load),
+               fore = kFore * kFore * (kForeMass / 3 + load) + 0.4 * load * kRadius * kRadius,
+               both = kUpper * beyond * std::cos(a - b), swing = kUpper * beyond * std::sin(a - b);
+  const double shoulder = kStiff[0] * (upper_to - a) - kDamp[0] * da,
+               elbow = kStiff[1] * (fore_to - (b - a)) - kDamp[1] * (db - da);
+  const double on_upper = shoulder - elbow - kGravity * all * std::cos(a) - swing * db * db,
+               on_fore = elbow - kGravity * beyond * std::cos(b) + swing * da * da;
+  const double det = upper * fore - both * both;
+  return {da, db, (fore * on_upper - both * on_fore) / det, (upper * on_fore - both * on_upper) / det};
+}
+
+Vector3d ReachingArm::elbow(double shoulder) {
+  return {kUpper * std::cos(shoulder), kShoulder + kUpper * std::sin(shoulder), 0};
+}
+
+Vector3d ReachingArm::hand(double shoulder, double elbow_angle) {
+  return elbow(shoulder) + kFore * Vector3d(std::cos(elbow_angle), std::sin(elbow_angle), 0);
+}
+
 Eigen::Vector3d TurningWheel::axis() const { return {std::sin(lean), std::cos(lean), 0}; }
 
 Eigen::Vector3d TurningWheel::to_ground() const {

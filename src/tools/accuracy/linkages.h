@@ -73,6 +73,25 @@ struct HeavyTop {
   static Eigen::Vector3d middle(const Eigen::Vector3d& state);  ///< m, of the disk, from the point that stays
 };
 
+/// An arm of two links in an upright plane that carries a load, let go level and straight. At its shoulder and its elbow
+/// drives of fixed gains pull it to where, sagging under gravity along -y, its hand is at a mark. (shoulder, elbow and their
+/// rates): angles of the links above the level.
+struct ReachingArm {
+  static constexpr double kUpper = 1, kFore = 0.9;        ///< m
+  static constexpr double kUpperMass = 8, kForeMass = 4;  ///< kg, of thin rods
+  static constexpr double kShoulder = 0.9;                ///< m, above the ground
+  static constexpr double kStiff[2] = {2000, 800};        ///< N m/rad: shoulder, elbow
+  static constexpr double kDamp[2] = {300, 80};           ///< N m s/rad
+  static constexpr double kRadius = 0.1;                  ///< m, of the load, a ball about the hand
+  static constexpr double kAtMark[2] = {1.0, -0.6};       ///< rad, at the mark
+
+  double load;                                                 ///< kg
+  std::array<double, 2> targets() const;                       ///< rad: of the drives, the elbow's from the upper arm
+  Eigen::Vector4d rate(const Eigen::Vector4d& state) const;    ///< @oracle its energy, and where it rests
+  static Eigen::Vector3d elbow(double shoulder);               ///< m, world
+  static Eigen::Vector3d hand(double shoulder, double elbow);  ///< m, world
+};
+
 /// A wheel that rolls round on level ground and leans, its axis at a constant angle to the vertical; a uniform disk.
 struct TurningWheel {
   double radius, half;                ///< m; half its thickness

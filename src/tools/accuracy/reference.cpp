@@ -1,8 +1,10 @@
 // Closed forms that accuracy scenes are judged by.
 #include "accuracy/reference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace carom::tools::accuracy {
 
@@ -110,6 +112,69 @@ double Coin::tilt_of(double wanted, double g) const {
     (energy(middle, g) < wanted ? low : high) = middle;
   }
   return (low + high) / 2;
+}
+
+namespace {
+
+/// A joint of half an arch: from the upright, and what of the arch is between it and the crown.
+struct ArchJoint {
+  double angle, weight, moment;  ///< rad; m^2; m^3, about the crown's upright
+};
+
+std::vector<ArchJoint> joints_of(int stones, double inner, double outer) {
+  const double turn = std::numbers::pi / stones, half = turn / 2;
+  const double squares = outer * outer - inner * inner, cubes = std::pow(outer, 3) - std::pow(inner, 3);
+  const double weight = squares * std::sin(turn) / 2, middle = 2 * cubes / (3 * squares) * std::cos(half);
+  ArchJoint at{0, 0, 0};
+  if (stones % 2)
+    at = {half, weight / 2, cubes / 6 * std::pow(std::sin(half), 2) * std::cos(half)};  // half a key stone
+  std::vector<ArchJoint> joints = {at};
+  for (int i = 0; i < stones / 2; ++i) {
+    at.moment += weight * middle * std::sin(at.angle + half);
+    at.weight += weight, at.angle += turn;
+    joints.push_back(at);
+  }
+  return joints;
+}
+
+/// The crown bears a level thrust, at a height that each joint bounds from below and from above. How far the bounds are
+/// apart is concave in the thrust: by thirds to where that is most.
+bool arch_stands(int stones, double mu, double thick) {
+  const double inner = 1 - thick / 2, outer = 1 + thick / 2;
+  const std::vector<ArchJoint> joints = joints_of(stones, inner, outer);
+  double least = 0, most = HUGE_VAL;
+  for (const ArchJoint& j : joints) {
+    const double s = std::sin(j.angle), c = std::cos(j.angle);
+    least = std::max(least, j.weight * (c - mu * s) / (s + mu * c));
+    if (s > mu * c) most = std::min(most, j.weight * (c + mu * s) / (s - mu * c));
+  }
+  const auto space = [&](double thrust) {
+    double low = -HUGE_VAL, high = HUGE_VAL;
+    for (const ArchJoint& j : joints) {
+      const double along = thrust * std::cos(j.angle) + j.weight * std::sin(j.angle);
+      low = std::max(low, inner * along - j.moment), high = std::min(high, outer * along - j.moment);
+    }
+    return high - low;
+  };
+  for (int i = 0; i < 200 && least < most; ++i) {
+    const double low = least + (most - least) / 3, high = most - (most - least) / 3;
+    if (space(low) < space(high))
+      least = low;
+    else
+      most = high;
+  }
+  return least <= most && space((least + most) / 2) >= 0;
+}
+
+}  // namespace
+
+double least_arch(int stones, double mu) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (arch_stands(stones, mu, middle) ? high : low) = middle;
+  }
+  return high;
 }
 
 double LeaningRod::x() const { return -half * std::cos(angle) + thin * std::sin(angle); }

@@ -78,6 +78,11 @@ struct Coin {
   double tilt_of(double energy, double g) const;  ///< rad
 };
 
+/// How thick the thinnest half circle of equal stones is that stands on level ground, over its mean radius: a line of
+/// thrust just fits into it. Stones are straight between joints that point at the middle; thrust leaves a joint within
+/// its cone of friction.   @param mu  at least 0.5: with less it slides before it is thin   @oracle its collapse by hinges
+double least_arch(int stones, double mu);
+
 /// rad/s: a uniform ball that rolls on a level table which turns at `rate` goes round at this, on a circle.
 constexpr double turntable_round(double rate) { return 2.0 / 7 * rate; }
 

@@ -1,4 +1,4 @@
-// `carom import`: a mesh as one hull or as several convex parts, and what they are off by.
+// `carom import`: a mesh as one hull or as several convex parts, and what they are off by; a robot as a snapshot.
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/table.h"
+#include "host/system.h"
 #include "mesh/parts.h"
 #include "mesh/read_mesh.h"
 #include "scenefile/scenefile.h"
@@ -39,7 +40,26 @@ void write_result(const ImportOptions& options, const Parts& parts, const Contex
   std::printf("wrote %s, a body of these parts; see it with: carom run %s\n", options.out.c_str(), options.out.c_str());
 }
 
+bool is_robot(const std::string& path) { return mesh_ending(path) == ".xml" || mesh_ending(path) == ".urdf"; }
+
+/// MuJoCo reads robots, in Python: the snapshot that is written needs neither.
+void import_robot(const ImportOptions& options) {
+  if (!options.which.empty() || options.height != 0 || options.concavity != 0)
+    throw Error("--mesh, --height and --concavity are for meshes, and " + options.mesh + " is a robot",
+                "leave them out");
+  std::vector<std::string> words{"python3", "-m", "carom.robots"};
+  if (!options.out.empty()) words.insert(words.end(), {"-o", options.out});
+  words.insert(words.end(), {"--", options.mesh});
+  std::fflush(stdout);
+  const int status = run_program(words);
+  if (status == 0) return;
+  throw Error(status == kNoProgram ? "there is no python3, which reads robots"
+                                   : "python3 -m carom.robots did not read " + options.mesh + ", and says why above",
+              "pip install 'carom[robots]', or mend the model");
+}
+
 void run_import(const ImportOptions& options, const Context& context) {
+  if (is_robot(options.mesh)) return import_robot(options);
   Mesh mesh = read_any_mesh(options);
   if (options.height < 0) throw Error("--height is out of range", "give metres, more than 0");
   if (options.height > 0) fit_to_height(mesh, options.height);
@@ -71,9 +91,12 @@ void run_import(const ImportOptions& options, const Context& context) {
 
 void add_import_command(CLI::App& app, Context& context) {
   const auto options = std::make_shared<ImportOptions>();
-  CLI::App* command = app.add_subcommand("import", "A mesh as one hull or as several convex parts, for colliders");
+  CLI::App* command = app.add_subcommand(
+      "import", "A mesh as one hull or as several convex parts, for colliders; a robot as a snapshot");
   command
-      ->add_option("MESH", options->mesh, "An OBJ, STL, PLY, glTF or GLB file of a closed mesh; small holes do no harm")
+      ->add_option(
+          "MESH", options->mesh,
+          "An OBJ, STL, PLY, glTF or GLB file of a closed mesh; small holes do no harm. A robot of MJCF (.xml) or URDF")
       ->required();
   command
       ->add_option("--mesh", options->which,
@@ -95,8 +118,11 @@ void add_import_command(CLI::App& app, Context& context) {
                    "Scale it to so many metres along y, its middle at the origin; 0: leave it")
       ->type_name("M")
       ->capture_default_str();
-  command->add_option("--out", options->out, "Write the parts: an object each, or one body of a scene file")
-      ->type_name("FILE.obj|FILE.gltf|FILE.glb");
+  command
+      ->add_option(
+          "-o,--out", options->out,
+          "Write the parts: an object each, or one body of a scene file. Of a robot a whole snapshot, and FILE.json, its names")
+      ->type_name("FILE.obj|FILE.gltf|FILE.glb|FILE");
   command->footer("Parts cover the mesh: they are hulls of its own faces within boxes that leave no gap.");
   command->callback([options, &context] { run_import(*options, context); });
 }

@@ -52,7 +52,7 @@ std::string index_with(const nlohmann::json& row, const std::string& folder) {
   const nlohmann::json others = nlohmann::json::parse(read_file(own, "build the page again"), nullptr, false);
   if (!others.is_array()) throw Error(own + " is damaged", "build the page again: cd src/site && npm run build");
   for (const nlohmann::json& other : others)
-    if (other.is_object() && other.value("name", "") != row["name"]) index.push_back(other);
+    if (other.is_object() && other.value("name", "") != row.value("name", "")) index.push_back(other);
   return index.dump();
 }
 

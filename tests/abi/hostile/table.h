@@ -1192,6 +1192,13 @@ inline const Row kRows[] = {
     ROW(carom_material_update, world(c), handle(c, kMaterial), material_desc(c), error(c)),
     ROW(carom_material_set_resistance, world(c), handle(c, kMaterial), number(c, {0, 1e3, false, 0, 0.1}), number(c, {0, 1e3, false, 0, 0.1}), error(c)),
     ROW(carom_material_get_resistance, world(c), handle(c, kMaterial), out(c, 8), out(c, 8), error(c)),
+    {"carom_material_set_pair", [](Context& c) {
+       Argument surface = vector(c, 4, {0, 1, false, 0, 1});
+       std::erase_if(surface.wrong, [](const Wrong& w) { return w.codes == kNull; });  // NULL: they mix
+       if (c.source.below(3) == 0) surface = fixed(nullptr);
+       return call("carom_material_set_pair", carom_material_set_pair, {world(c), handle(c, kMaterial), handle(c, kMaterial), surface, error(c)});
+     }},
+    ROW(carom_material_get_pair, world(c), handle(c, kMaterial), handle(c, kMaterial), out(c, 32), error(c)),
     ROW_THAT(carom_material_destroy, may(kInUse).ends(kMaterial), world(c), handle(c, kMaterial), error(c)),
     // bodies
     INIT(carom_body_desc_init, carom_body_desc),

@@ -51,7 +51,7 @@ class Island {
     for (ConeContact& c : contacts_) c.u = c.surface + relative<&ConeBody::v>(bodies_.data(), c);
     for (ConeLink& c : links_) c.u = c.surface + relative<&ConeBody::v>(bodies_.data(), c);
     solve_yielding(problem, 1e-3, 0.1, kTolerance, kSteps);
-    solve_closer(problem, 1e-3, kTolerance, kSteps);
+    solve_closer(problem, 1e-3, kTolerance, 1e-4, kSteps);
   }
 
   ConeProblem problem;

@@ -68,7 +68,7 @@ def load(source: str | os.PathLike[str] | Any, world: World | None = None, *, st
         if owned is not None:
             gravity = (0.0, 0.0, 0.0) if _gravity_is_off(model) else tuple(float(x) for x in model.opt.gravity)
             chosen: Any = {"substeps": max(1, math.ceil(step / LONGEST_SUBSTEP - 1e-9)), **dials}
-            if any(model.body_jntnum > 1) or have_chains(model):  # nodes that weigh nothing are for the direct solver alone
+            if any(model.body_jntnum > 1) or any((model.body_mass == 0) & (model.body_dofnum > 0)) or have_chains(model):  # nodes that weigh nothing are for the direct solver alone
                 chosen.setdefault("solver", "direct")
             world = owned.world(gravity=gravity, **chosen)
         assert world is not None
@@ -83,7 +83,7 @@ def load(source: str | os.PathLike[str] | Any, world: World | None = None, *, st
             for body in world.bodies:
                 if body.handle not in bodies:
                     body.destroy()
-            for thing in made:
+            for thing in reversed(made):  # hulls before what they are made of
                 thing.destroy()
         raise
 

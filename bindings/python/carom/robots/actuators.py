@@ -40,6 +40,7 @@ class Actuator:
     states: tuple[float, float] = (-math.inf, math.inf)
     site: int = -1                     # that it pushes at, by `wrench`, site axes, for 1 N
     wrench: Any = None
+    body: int = -1                     # of MuJoCo's, whose contacts it pulls together
     path: Path | None = None           # of the spatial tendon that it pulls, `gear` times
     gear: float = 1.0
     servo: tuple[float, float] | None = None  # stiffness and damping along the joint, of a drive of the world's
@@ -106,6 +107,7 @@ class Actuators:
             if np.any(getattr(m, what)[k]):
                 out(f"its {what[len('actuator_'):]}: it acts without")
         pulls, site, wrench = self._through(k, through, out)
+        body = int(m.actuator_trnid[k][0]) if through == "body" else -1
         if pulls is None:
             return None
         tendon = int(m.actuator_trnid[k][0]) if through == "tendon" else -1
@@ -120,7 +122,7 @@ class Actuators:
             tuple(b) if bias == "affine" else (0.0, 0.0, 0.0),  # type: ignore[arg-type]
             bounds(m.actuator_ctrllimited[k] and not self.bodies.disabled.clamp, m.actuator_ctrlrange[k]),
             bounds(m.actuator_forcelimited[k], m.actuator_forcerange[k]), dynamics, float(m.actuator_dynprm[k][0]),
-            bounds(m.actuator_actlimited[k], m.actuator_actrange[k]), site, wrench, self.tendons.paths.get(tendon), float(m.actuator_gear[k][0]))
+            bounds(m.actuator_actlimited[k], m.actuator_actrange[k]), site, wrench, body, self.tendons.paths.get(tendon), float(m.actuator_gear[k][0]))
 
     def _through(self, k: int, through: str, out: Any) -> tuple[dict[int, float] | None, int, Any]:
         """@return shares of joints; site and wrench of one that pushes at a site. (None, -1, None): it is left out"""
@@ -135,6 +137,8 @@ class Actuators:
             if target in self.tendons.paths:
                 return {}, -1, None
             out("its tendon winds about a geom")
+        elif through == "body":
+            return {}, -1, None
         elif through == "site" and m.actuator_trnid[k][1] < 0:
             if self.bodies.of_link(self.links.of_body[int(m.site_bodyid[target])]) is not None:
                 return {}, target, np.array(gear)
@@ -224,6 +228,8 @@ class Actuators:
         for a, force in zip(self.all, forces):
             if a.site >= 0:
                 self._push_at(a, float(force))
+            elif a.body >= 0 and force:
+                self._stick(a.body, float(force))
             elif a.path is not None:
                 a.path.push(a.gear * float(force), dt / 2)
         for spring in self.bungees:
@@ -252,6 +258,20 @@ class Actuators:
         on_link = turns.on(self.links.within[body_of], (np.array(m.site_pos[a.site]), turns.from_mujoco(m.site_quat[a.site])))
         at, turn = turns.on(body.pose, on_link)  # type: ignore[arg-type]
         body.add_force(turns.rotate(turn, force * a.wrench[:3]), turns.rotate(turn, force * a.wrench[3:]), point=at)
+
+    def _stick(self, body: int, force: float) -> None:
+        """Pull what touches a body towards it: each contact point of the last step by an equal part."""
+        world, known = self.bodies.world, self.bodies.of_link(self.links.of_body[body])
+        if known is None:
+            return
+        rows = world.contact_array()
+        rows = rows[((rows["body_a"] == known.handle) | (rows["body_b"] == known.handle)) & ((rows["separation"] <= 0) | (rows["normal_impulse"] > 0))]
+        for row in rows:
+            pull = force / len(rows) * row["normal"]  # A to B
+            for handle, along in ((int(row["body_a"]), pull), (int(row["body_b"]), -pull)):
+                on = self.bodies.by_handle.get(handle)
+                if on is not None:
+                    on.add_force(along, point=row["point"])
 
     def advance(self, control: Any, act: Any, dt: float) -> None:
         """Activations a step later."""

@@ -58,6 +58,7 @@ class Bodies:
         self.axes: dict[int, Any] = {}           # carom_joint_axis of hinges and slides, as set
         self.by_host: dict[int, float] = {}      # N/m or N m/rad: of springs that a substep can't carry
         self.stiffest: dict[int, float] = {}     # likewise: the stiffest that one carries
+        self.turning: dict[int, float] = {}      # N m, by free joint: friction about each axis of the body, which is the host's
         self.fastest = math.pi / (2 * substep)   # rad/s
         of_links, of_nodes = links.poses(model.qpos0)
         for link in links.moving:
@@ -65,9 +66,10 @@ class Bodies:
         for link in links.moving:
             for k, move in enumerate(link.moves):
                 if move.kind == "free":
-                    self._free(move)
+                    self._free(link, move)
                 else:
                     self._joint(link, k, move)
+        self.by_handle = {body.handle: body for body in self.nodes if body.type == "dynamic"}
         if not disabled.parents_touch:
             self._apart()
 
@@ -97,7 +99,9 @@ class Bodies:
 
     def _bodies(self, link: Link, of_nodes: list[turns.Pose]) -> None:
         factor = 1 - link.lift / link.mass if link.mass else 1.0
+        rotor = float(self.model.dof_armature[link.moves[0].v]) if link.moves and link.moves[0].kind == "free" else 0.0
         for k, (mass, center, inertia) in enumerate(node_masses(link)):
+            inertia = inertia + rotor * np.eye(3)
             position, turn = of_nodes[link.first_node + k]
             if link.mocap >= 0:
                 self.nodes.append(self.world.body(type="kinematic", position=position, orientation=turn))
@@ -112,11 +116,32 @@ class Bodies:
             self.problems.add("body", name_of(m, "body", link.body),
                               "bodies that make up one have unlike gravcomp: its mean acts at their common centre of mass")
 
-    def _free(self, move: Move) -> None:
-        m, at = self.model, slice(move.v, move.v + 6)
-        for what, values in (("armature", m.dof_armature), ("damping", m.dof_damping), ("frictionloss", m.dof_frictionloss)):
-            if np.any(values[at]):
-                self.problems.add("joint", move.name, f"{what} of a free joint: what flies freely has none")
+    def _free(self, link: Link, move: Move) -> None:
+        """What resists a free joint holds its body to the world, at the body's origin, by a joint that leaves all six ways free. What a
+        rotor about all axes weighs is the body's: it turns like it, and has no weight."""
+        m, off, v = self.model, self.disabled, move.v
+        armature = float(m.dof_armature[v])
+        damping, friction = 0.0 if off.damper else float(m.dof_damping[v]), 0.0 if off.friction else float(m.dof_frictionloss[v])
+        if not (armature or damping or friction):
+            return
+        joint = self.world.joint("six_axis", None, self.last(link), position_a=(0, 0, 0), position_b=(0, 0, 0), collide=True)
+        for axis in ("x", "y", "z"):
+            joint.axis(axis, armature=armature, friction=friction, spring_damping=damping, spring_gains="force")
+        if damping:
+            joint.orientation_drive(drive="position", gains="force", stiffness=0, damping=damping, target=(0, 0, 0, 1))
+        if friction:
+            self.turning[move.index] = friction
+        self.joints[move.index] = joint
+
+    def rub(self, dt: float) -> None:
+        """Friction of free joints that turn, for the next step: as much as stops the turn, and no more than there is."""
+        for link in self.links.moving:
+            for move in link.moves:
+                if move.index in self.turning:
+                    body, most = self.last(link), self.turning[move.index]
+                    turn = np.array(body.orientation)
+                    spin = turns.rotate(turns.inverse(turn), np.array(body.angular_velocity))
+                    body.add_force((0, 0, 0), turns.rotate(turn, np.clip(-np.diag(link.inertia) * spin / dt, -most, most)))
 
     def _joint(self, link: Link, k: int, move: Move) -> None:
         m, off = self.model, self.disabled

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterable, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Optional, Tuple
 
 import numpy as np
 
@@ -21,12 +21,28 @@ UP_Z = np.array([np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)])  # y to z, z to -y: heig
 MOST_CLASSES = 64
 
 
+def by_dim(dim: int, friction: tuple[float, ...]) -> tuple[float, float, float]:
+    """@param friction  sliding, spinning, rolling   @return those that contacts of so many dimensions have"""
+    sliding, spinning, rolling = friction
+    return sliding if dim >= 3 else 0.0, spinning if dim >= 4 else 0.0, rolling if dim >= 6 else 0.0
+
+
 @dataclass(frozen=True)
 class Surface:
-    friction: float
-    spinning: float
-    rolling: float
-    rules: str = "maximum"  # how it mixes with others: as carom_material_desc.friction_mix
+    friction: tuple[float, ...]  # sliding; spinning and rolling, m
+    dim: int
+    priority: int
+    geom: int  # of which a pair speaks, or -1
+
+    @property
+    def own(self) -> tuple[float, float, float]:
+        return by_dim(self.dim, self.friction)
+
+    def against(self, other: Surface) -> tuple[float, float, float]:
+        """MuJoCo's rule: the geom of the higher priority decides, or else the larger of two numbers, and of two dimensions."""
+        if self.priority != other.priority:
+            return max(self, other, key=lambda one: one.priority).own
+        return by_dim(max(self.dim, other.dim), tuple(max(pair) for pair in zip(self.friction, other.friction)))
 
 
 @dataclass(frozen=True)
@@ -69,15 +85,14 @@ class Geoms:
         for g in self.used:
             known = len(shapes)
             placed = self.shape(world, g, shapes)
+            made += [shape for shape in list(shapes.values())[known:] if shape is not None]
             if placed is None:
                 continue
             shape, position, turn = placed
-            if len(shapes) > known:
-                made.append(shape)
             surface = surfaces[g]
             if surface not in materials:
-                materials[surface] = world.material(friction=surface.friction, friction_mix=surface.rules,  # type: ignore[arg-type]
-                                                    spinning=surface.spinning, rolling=surface.rolling)
+                friction, spinning, rolling = surface.own
+                materials[surface] = world.material(friction=friction, friction_mix="maximum", spinning=spinning, rolling=rolling)
                 made.append(materials[surface])
             actor = self.actor(int(self.model.geom_bodyid[g]))
             if actor not in body_of:
@@ -92,6 +107,7 @@ class Geoms:
                 continue
             if filters[g] != (1, 2**64 - 1):
                 collider.set_filter(*filters[g])
+        self.mix(materials)
 
     def shape(self, world: World, g: int, shapes: dict[Any, Optional[Shape]]) -> Any:
         """@return shape, place and turn in the geom's frame; None: there is none, and why is told"""
@@ -110,17 +126,17 @@ class Geoms:
         grown = max(0.0, float(m.geom_margin[g]) - float(m.geom_gap[g]))  # MuJoCo adds those of two geoms: each is so much larger
         if grown and kind == "plane":
             at = at + (0, 0, grown)
-        elif grown and kind in ("mesh", "hfield"):
+        elif grown and kind == "hfield":
             self.problems.add("geom", name, f"margin of a {kind}: contacts begin at its surface")
-        elif grown:
+        elif grown and kind != "mesh":
             round_only = 1 if kind in ("sphere", "capsule") else 3  # a capsule is as long as it was
             size = tuple(x + grown if k < round_only and x else x for k, x in enumerate(size))
-        key = (kind, data if kind in ("mesh", "hfield") else size)
+        key = (kind, (data, grown) if kind == "mesh" else data if kind == "hfield" else size)
         if key not in shapes:
             make = {"plane": lambda: engine.half_space((0, 0, 1), 0), "sphere": lambda: engine.sphere(size[0]),
                     "capsule": lambda: engine.capsule(size[0], size[1]), "cylinder": lambda: engine.cylinder(size[0], size[1]),
                     "ellipsoid": lambda: engine.ellipsoid(*size), "box": lambda: engine.box(*size),
-                    "mesh": lambda: engine.hull(self.corners(data)), "hfield": lambda: engine.height_field(*self.heights(data))}
+                    "mesh": lambda: self.hull(engine, data, grown, shapes), "hfield": lambda: engine.height_field(*self.heights(data))}
             try:
                 shapes[key] = make[kind]() if kind in make else None
             except (CaromError, ValueError) as why:
@@ -130,6 +146,14 @@ class Geoms:
             self.problems.add("geom", name, "a signed distance field" if kind == "sdf" else "no shape can be made of it, as said above")
             return None
         return shapes[key], at, turn
+
+    def hull(self, engine: Any, mesh: int, grown: float, shapes: dict[Any, Optional[Shape]]) -> Any:
+        """@param shapes  takes the hull that one that is grown is made of"""
+        own = shapes.get(("mesh", (mesh, 0.0))) or engine.hull(self.corners(mesh))
+        if not grown:
+            return own
+        shapes[("mesh", (mesh, 0.0))] = own
+        return engine.hull_of([own], radius=grown)
 
     def corners(self, mesh: int) -> Any:
         """m, (n, 3): of the hull, where MuJoCo has found it"""
@@ -152,58 +176,31 @@ class Geoms:
     # ---- friction ----
 
     def surfaces(self) -> dict[int, Surface]:
-        """MuJoCo takes the larger friction of two geoms, or that of the geom with the higher priority, or that of a pair."""
+        """Of each geom. Those that a pair names are of a kind of their own."""
+        m = self.model
+        return {g: Surface(tuple(float(x) for x in m.geom_friction[g]), int(m.geom_condim[g]), int(m.geom_priority[g]),
+                           g if g in self.paired else -1) for g in self.used}
+
+    def said(self) -> dict[frozenset[int], tuple[float, float, float]]:
+        """Friction, spinning and rolling that pairs give their two geoms."""
         m, found = self.model, {}
-        for g in self.used:
-            friction, dim = [float(x) for x in m.geom_friction[g]], int(m.geom_condim[g])
-            found[g] = Surface(friction[0] if dim >= 3 else 0.0, friction[1] if dim >= 4 else 0.0, friction[2] if dim >= 6 else 0.0)
-        self.unlike(found)
-        ruling = [g for g in self.used if m.geom_priority[g] > min(m.geom_priority[h] for h in self.used)]
-        for g in ruling:
-            self.rule(found, g, [h for h in self.used if m.geom_priority[h] < m.geom_priority[g]], found[g], "its priority")
         for k in range(m.npair):
-            self.pair(found, k)
+            sliding, across, spinning, rolling, over = (float(x) for x in m.pair_friction[k])
+            if sliding != across or rolling != over:
+                self.problems.add("pair", name_of(m, "pair", k), "its friction differs by direction: the first of two counts")
+            found[frozenset((int(m.pair_geom1[k]), int(m.pair_geom2[k])))] = by_dim(int(m.pair_dim[k]), (sliding, spinning, rolling))
         return found
 
-    def unlike(self, found: dict[int, Surface]) -> None:
-        """What the larger of two numbers does not tell."""
-        m = self.model
-        for kind, dim, at in (("friction", 3, 0), ("friction about the normal", 4, 1), ("friction of rolling", 6, 2)):
-            has = [float(m.geom_friction[g][at]) for g in self.used if m.geom_condim[g] >= dim]
-            lack = [g for g in self.used if m.geom_condim[g] < dim and has and float(m.geom_friction[g][at]) > min(has)]
-            if lack:
-                self.problems.add("geom", (name_of(m, "geom", g) for g in lack),
-                                  f"its condim is below {dim}: where it touches one that has {kind}, that one's alone counts")
-
-    def rule(self, found: dict[int, Surface], g: int, others: Iterable[int], wanted: Surface, why: str) -> None:
-        """Let geom g have its own friction against others."""
-        among = [found[h] for h in others if h != g]
-        if all(wanted.friction >= one.friction and wanted.spinning >= one.spinning and wanted.rolling >= one.rolling for one in among):
-            found[g] = wanted
-        elif all(wanted.friction <= one.friction for one in among) and not any(one.spinning or one.rolling for one in [*among, wanted]):
-            found[g] = Surface(wanted.friction, wanted.spinning, wanted.rolling, "minimum")
-        else:
-            self.problems.add("geom", name_of(self.model, "geom", g),
-                              f"{why} gives it a friction that no way to mix two gives: the larger of two counts")
-
-    def pair(self, found: dict[int, Surface], k: int) -> None:
-        m, friction, dim = self.model, [float(x) for x in self.model.pair_friction[k]], int(self.model.pair_dim[k])
-        wanted = Surface(friction[0] if dim >= 3 else 0.0, friction[2] if dim >= 4 else 0.0, friction[3] if dim >= 6 else 0.0)
-        one, other = int(m.pair_geom1[k]), int(m.pair_geom2[k])
-        mixed = (max if "minimum" not in (found[one].rules, found[other].rules) else min)
-        has = [mixed(getattr(found[one], what), getattr(found[other], what)) for what in ("friction", "spinning", "rolling")]
-        if np.allclose(has, [wanted.friction, wanted.spinning, wanted.rolling], rtol=1e-9, atol=0) and friction[0] == friction[1]:
-            return
-        for g, h in ((one, other), (other, one)):
-            asked = {float(m.pair_friction[n][0]) for n in range(m.npair) if g in (m.pair_geom1[n], m.pair_geom2[n])}
-            if len(asked) == 1 and not self.touches_by_bits(g) and friction[0] == friction[1]:
-                self.rule(found, g, [h], wanted, "a pair")
-                return
-        self.problems.add("pair", name_of(m, "pair", k), "its friction is not that of its geoms: theirs counts")
-
-    def touches_by_bits(self, g: int) -> bool:
-        m = self.model
-        return any(self.bits(g, h) for h in self.used if m.geom_bodyid[h] != m.geom_bodyid[g])
+    def mix(self, materials: dict[Surface, Material]) -> None:
+        """Let materials be to each other what MuJoCo's geoms are."""
+        said = self.said()
+        kinds = list(materials)
+        for k, one in enumerate(kinds):
+            for other in kinds[k:]:
+                wanted = said.get(frozenset((one.geom, other.geom)), one.against(other)) if one.geom >= 0 and other.geom >= 0 else one.against(other)
+                if not np.allclose(wanted, [max(pair) for pair in zip(one.own, other.own)], rtol=1e-12, atol=0):
+                    friction, spinning, rolling = wanted
+                    materials[one].set_against(materials[other], friction, spinning=spinning, rolling=rolling)
 
     # ---- which touch which ----
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Iterator, NamedTuple, Sequence
 import numpy as np
 
 from . import turns
+from .inertias import LEAST_INERTIA, is_a_body
 
 if TYPE_CHECKING:
     from .turns import Array, Pose
@@ -67,10 +68,16 @@ class Link:
     center: Array = field(default_factory=lambda: np.zeros(3))           # m
     inertia: Array = field(default_factory=lambda: np.zeros((3, 3)))     # kg m^2, about the centre, axes of the frame
     lift: float = 0.0             # kg: of its mass, what gravcomp bears
+    least: float = 0.0            # kg m^2: of one that weighs nothing, and is a node, the least moment of inertia of what it carries
     moves: list[Move] = field(default_factory=list)
     group: int = -1               # the link that its weld, or those of its parents, hold it to; itself where a joint moves it
     mocap: int = -1
     first_node: int = -1          # its nodes are numbered on from here; -1: it does not move
+
+    @property
+    def is_a_body(self) -> bool:
+        """Whether its mass and inertia are some that a body can have."""
+        return self.mass > LEAST_INERTIA and is_a_body(np.linalg.eigvalsh(self.inertia))
 
     @property
     def is_static(self) -> bool:
@@ -98,6 +105,7 @@ class Links:
         self._measured = measured(model)
         for body in range(model.nbody):
             self._add(body)
+        lend(self.links)
         self.nodes = 0
         for link in self.links:
             if not link.is_static:
@@ -201,6 +209,75 @@ class Links:
                 out[link.first_node + k] = np.concatenate([linear, angular])
             found[at] = out[link.first_node + link.nodes - 1]
         return out
+
+
+LENT = 0.1  # of what a link has to lend: of its mass, and of its least moment of inertia
+
+
+def lend(links: list[Link]) -> None:
+    """Let links that weigh nothing, or turn like points, borrow from those that hinges hold to them. A point on a hinge's axis, and a
+    moment of inertia that is alike all about it, do the same to both links: what one has and the other has not moves nothing."""
+    for k in range(len(links) - 1, 0, -1):
+        link = links[k]
+        if link.is_static or link.mocap >= 0 or link.is_a_body or len(link.moves) != 1:
+            continue
+        before = link.mass, link.center, link.inertia
+        given: list[tuple[Link, Any]] = []
+        for other in links:
+            is_child = other.parent == k and len(other.moves) == 1 and other.moves[0].kind == "hinge" and other.is_a_body
+            if is_child or (other is links[link.parent] and link.moves[0].kind == "hinge"):
+                given.append((other, (other.mass, other.center, other.inertia)))
+                borrow(link, other, other.moves[0] if is_child else link.moves[0], other.rest if is_child else None, link.rest)
+        if not link.is_a_body:
+            link.mass, link.center, link.inertia = before
+            for other, had in given:
+                other.mass, other.center, other.inertia = had
+            carried = [other for other in links if other.parent == k and len(other.moves) == 1 and other.is_a_body and not other.lift]
+            if not link.mass and carried:
+                be_a_node(link, carried[0])
+
+
+def be_a_node(link: Link, child: Link) -> None:
+    """Let a link that weighs nothing be as what stands between the joints of one body: @see node_masses()."""
+    link.least = child.least or float(np.linalg.eigvalsh(child.inertia)[0])
+    share = child.mass / 2 if child.least else NODE_MASS * child.mass
+    anchor = child.moves[0].anchor
+    if child.moves[0].kind in ("hinge", "ball"):
+        put(child, -share, (anchor, turns.NONE), 0.0)
+    link.mass, link.center, link.inertia = share, turns.on(child.rest, (anchor, turns.NONE))[0], NODE_TURN * link.least * np.eye(3)
+
+
+def borrow(link: Link, other: Link, hinge: Move, child_at: Pose | None, own_at: Pose) -> None:
+    """@param child_at  where `other` is in the frame of `link`, whose child it is; None: it is its parent, and the other way about"""
+    at_hinge = hinge.anchor, turns.x_to(hinge.axis)
+    here = turns.on(child_at, at_hinge) if child_at is not None else at_hinge
+    there = at_hinge if child_at is not None else turns.on(own_at, at_hinge)
+    still = other.is_static
+    if not still and (not other.is_a_body or other.lift or link.lift or len(other.moves) != 1):
+        return
+    if still:
+        return put(link, 0.0, here, float(np.linalg.eigvalsh(link.inertia)[2]))
+    had, least = (other.mass, other.center, other.inertia), float(np.linalg.eigvalsh(other.inertia)[0])
+    moment, mass = LENT * least, LENT * (min(link.mass, other.mass) if link.mass else other.mass)
+    put(other, -mass, there, -moment)
+    while float(np.linalg.eigvalsh(other.inertia)[0]) < least / 2:  # of mass that lies far off
+        mass /= 2
+        other.mass, other.center, other.inertia = had
+        put(other, -mass, there, -moment)
+    put(link, mass, here, moment)
+
+
+def put(link: Link, mass: float, at: Pose, moment: float) -> None:
+    """Add a point, kg, and a moment of inertia, kg m^2, across the x axis of `at`."""
+    whole = link.mass + mass
+    if mass:
+        between = at[0] - link.center
+        reduced = link.mass * mass / whole
+        link.inertia = link.inertia + reduced * (between @ between * np.eye(3) - np.outer(between, between))
+        link.center = link.center + mass / whole * between
+        link.mass = whole
+    axis = turns.rotate(at[1], (1, 0, 0))
+    link.inertia = link.inertia + moment * (np.eye(3) - np.outer(axis, axis))
 
 
 def site_frame(model: Any, links: Links, site: int) -> Frame:

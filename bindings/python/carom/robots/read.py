@@ -10,6 +10,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 
+from . import collada
+from .inertias import LEAST_MASS, LEAST_TURN, Said
 from .problems import ModelError, Problems
 
 MOST_BYTES = 64 << 20  # of a model's own text: larger is no model, and takes minutes to read
@@ -17,11 +19,6 @@ MOST_FILE_BYTES = 256 << 20  # of a mesh
 MOST_FILES = 1000      # that one may include
 MOST_COPIES = 100_000  # of what a model tells MuJoCo to repeat, and of numbers that it asks room for
 MOST_ROWS = 1 << 14    # of a field of heights, as the library takes it
-
-LEAST_INERTIA = 1e-15  # kg m^2: MuJoCo takes no less
-BALL = 4e-5  # m^2: the moments of inertia of a ball of 1 cm over its mass
-BALL_STANDS_IN = "its moments of inertia are 0: those of a ball of its mass and 1 cm stand in"
-LEAST_MASS, LEAST_TURN = 1e-6, 1e-9  # kg, kg m^2: of a link that has none
 
 Source = Union[str, "os.PathLike[str]", Any]
 
@@ -203,21 +200,25 @@ def drop_looks(spec: Any) -> None:
 
 
 def mend_meshes(spec: Any, problems: Problems) -> None:
-    """MuJoCo reads binary STL, OBJ and MSH. STL in words is put in numbers here; what nobody reads is left out."""
-    unread = set()
+    """MuJoCo reads binary STL, OBJ and MSH. STL in words and Collada are put in numbers here; what nobody reads is left out."""
+    unread: dict[str, str] = {}
     for mesh in spec.meshes:
-        ending = Path(mesh.file).suffix.lower()
+        ending, corners = Path(mesh.file).suffix.lower(), None
         if ending == ".stl" and Path(mesh.file).is_file():
             corners = words_of_stl(Path(mesh.file).read_bytes())
-            if corners is not None:
-                mesh.file = ""
-                mesh.uservert = corners.ravel()
-                mesh.userface = np.arange(len(corners))
+        elif ending == ".dae":
+            corners = collada.triangles(read_text(Path(mesh.file)))
         elif mesh.file and ending not in (".obj", ".msh"):
-            unread.add(mesh.name)
+            corners = "of a kind that is not read: make it an OBJ, a binary STL or a Collada file"
+        if isinstance(corners, str):
+            unread[mesh.name] = corners
+        elif corners is not None:
+            mesh.file = ""
+            mesh.uservert = corners.ravel()
+            mesh.userface = np.arange(len(corners))
     for geom in list(spec.geoms):
         if geom.meshname in unread:
-            problems.add("geom", geom.name or geom.meshname, "its mesh is of a kind that MuJoCo does not read: make it an OBJ or a binary STL")
+            problems.add("geom", geom.name or geom.meshname, f"its mesh: {unread[geom.meshname]}")
             spec.delete(geom)
     for mesh in list(spec.meshes):
         if mesh.name in unread:
@@ -232,76 +233,37 @@ def words_of_stl(data: bytes) -> Any:
     return corners if len(corners) >= 3 and len(corners) % 3 == 0 else None
 
 
-def mend_inertias(spec: Any, place: str, problems: Problems) -> None:
-    """Moments of inertia that no body can have."""
-    for body in spec.bodies:
-        full = np.array(body.fullinertia, float)
-        is_full = not np.isnan(full[0]) or full[1:].any()  # (nan, 0, 0, 0, 0, 0): not said
-        if not body.explicitinertial:
-            continue
-        if not np.isfinite([body.mass, *(full if is_full else body.inertia), *(body.ipos if body.mass else ())]).all():
-            raise ModelError(place, f"body {body.name!r} has an inertia that is no number", "mend the model there")
-        if body.mass < 0 or min(full[:3] if is_full else body.inertia) < 0 and not is_full:
-            raise ModelError(place, f"body {body.name!r} has a mass or a moment of inertia below 0", "mend the model there")
-        if not is_full:
-            continue
-        xx, yy, zz, xy, xz, yz = full
-        least, axes = np.linalg.eigh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-        if least[0] > 1e-9 * least[2] and least[0] > LEAST_INERTIA:
-            continue
-        if least[2] < 1e-12 * body.mass:
-            body.fullinertia = [BALL * body.mass] * 3 + [0.0] * 3
-            problems.add("body", body.name, BALL_STANDS_IN)
-            continue
-        mended = axes @ np.diag(np.maximum(least, max(1e-3 * least[2], 2 * LEAST_INERTIA))) @ axes.T
-        body.fullinertia = [mended[0, 0], mended[1, 1], mended[2, 2], mended[0, 1], mended[0, 2], mended[1, 2]]
-        problems.add("body", body.name, "a moment of inertia is not above 0: a thousandth of its largest stands in")
-
-
 def build(spec: Any, place: str, problems: Problems) -> Any:
     """Compile. What MuJoCo refuses for a body or mesh is mended by its own means, and told of."""
     mend_meshes(spec, problems)
-    mend_inertias(spec, place, problems)
+    said_of = Said(spec, place)
     for _ in range(1000):  # each time another body or mesh
         try:
-            return spec.compile()
+            model = spec.compile()
+            said_of.settle(model, problems)
+            return model
+        except ModelError:
+            raise
         except Exception as why:  # MuJoCo raises several kinds
             said = first_line(why)
         name = re.search(r"Element name '([^']*)'", said)
-        if not (name and mend(spec, said, name[1], problems)):
+        if not (name and mend(spec, said, name[1], said_of, problems)):
             break
     raise ModelError(place, said, "mend the model there")
 
 
-def mend(spec: Any, said: str, name: str, problems: Problems) -> bool:
+def mend(spec: Any, said: str, name: str, said_of: Said, problems: Problems) -> bool:
     """@return whether there is something to try"""
     if "discarding visual geoms" in said and spec.compiler.discardvisual:
         spec.compiler.discardvisual = False
         return True
     body = next((body for body in spec.bodies if body.name == name), None)
-    if "A + B >= C" in said and body is not None:
-        full = np.array(body.fullinertia, float)
-        moments = body.inertia if np.isnan(full[0]) else full[:3]
-        if body.explicitinertial and len(set(map(float, moments))) > 1:
-            body.fullinertia = [float(np.mean(moments))] * 3 + [0.0] * 3
-        elif not spec.compiler.balanceinertia:
-            spec.compiler.balanceinertia = True
-        else:
-            return False
+    if "A + B >= C" in said and not spec.compiler.balanceinertia:
+        spec.compiler.balanceinertia = True
         problems.add("body", name, "its moments of inertia break A + B >= C: their mean stands for all three")
         return True
-    if "mass and inertia of moving bodies" in said:
-        if body is None or body.mass == LEAST_MASS:
-            return False
-        if body.mass > LEAST_INERTIA and body.explicitinertial:
-            if body.inertia[0] == BALL * body.mass:
-                return False
-            body.inertia, body.fullinertia = [BALL * body.mass] * 3, [math.nan] + [0.0] * 5
-            problems.add("body", name, BALL_STANDS_IN)
-            return True
-        body.mass, body.inertia, body.fullinertia = LEAST_MASS, [LEAST_TURN] * 3, [math.nan] + [0.0] * 5
-        body.ipos, body.iquat, body.explicitinertial = [0, 0, 0], [1, 0, 0, 0], True
-        problems.add("body", name, f"it moves and has no mass: {LEAST_MASS:g} kg and {LEAST_TURN:g} kg m^2 stand in")
+    if "mass and inertia of moving bodies" in said and body is not None and body.mass != LEAST_MASS:
+        said_of.stand_in(body, LEAST_MASS, LEAST_TURN)
         return True
     if "mesh volume is too small" in said:
         mesh = next((mesh for mesh in spec.meshes if mesh.name == name), None)
@@ -309,6 +271,13 @@ def mend(spec: Any, said: str, name: str, problems: Problems) -> bool:
         if mesh is None or mesh.inertia == shell:
             return False
         mesh.inertia = shell
-        problems.add("mesh", name, "it encloses nothing: where bodies weigh what it holds they weigh its surface")
+        if weighs(spec, name):
+            problems.add("mesh", name, "it encloses nothing: where bodies weigh what it holds they weigh its surface")
         return True
     return False
+
+
+def weighs(spec: Any, mesh: str) -> bool:
+    """Whether what a mesh holds counts for a body's mass."""
+    always = int(spec.compiler.inertiafromgeom) == int(need_mujoco().mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE)
+    return any(geom.meshname == mesh and (always or not geom.parent.explicitinertial) for geom in spec.geoms)

@@ -12,6 +12,7 @@ from ..errors import CaromError
 from . import turns
 from .actuators import Actuators
 from .bodies import Bodies, Disabled, close_loops
+from .fluid import Fluid
 from .geoms import Geoms
 from .links import Frame, Links, name_of
 from .problems import LeftOut, Problems
@@ -98,7 +99,9 @@ class Robot:
         body_of = {("link", k): self._bodies.last(link) for k, link in enumerate(self._links.links) if not link.is_static}
         if not disabled.contact:
             Geoms(m, self._links, problems).make(world, body_of, made)
+        self._scenery = {body: known for (kind, body), known in body_of.items() if kind == "scenery"}
         self._actuators = Actuators(self._bodies, self._tendons, problems)
+        self._fluid = Fluid(self._bodies)
         note_unread(m, problems)
         self._scalar_joints = np.array([self._bodies.joints[move.index].handle for move in self._actuators.moves], np.uint64)
         self._nodes = np.array([body.handle for body in self._bodies.nodes], np.uint64)
@@ -284,6 +287,8 @@ class Robot:
             control = self._ctrl
             q, v = self._scalars()
             self._forces = self._actuators.push(control, self._act, q, v, self.dt, self._applied[self._v] if len(self._v) else np.zeros(0))
+            self._fluid.push()
+            self._bodies.rub(self.dt)
             self._actuators.advance(control, self._act, self.dt)
             if self._sensors.needs_rates:
                 self._before = self._rates()
@@ -291,7 +296,7 @@ class Robot:
 
     def save(self, path: str | os.PathLike[str]) -> tuple[Path, Path]:
         """Write PATH, a whole snapshot of the world as it is now, and PATH.json, names: for programs without MuJoCo. What step() does
-        beside the world (actuators with "in_world": false, springs_of_the_host, springs_of_tendons) is theirs to do. Who moves joints of a
+        beside the world (actuators with "in_world": false, springs_of_the_host, springs_of_tendons, friction_of_turns, a fluid) is theirs to do. Who moves joints of a
         chain ("tendons") moves its sliders, too.   @return both paths"""
         return save(self, path)
 
@@ -360,7 +365,9 @@ class Robot:
             at = 0
             for link in links:
                 for k, move in enumerate(link.moves):
-                    if move.kind == "free":
+                    if move.kind == "free" and move.index in self._bodies.joints:  # of the joint that holds it to the world
+                        turn[at + 3:at + 6, at + 3:at + 6] = turns.matrix(self._bodies.last(link).orientation)
+                    elif move.kind == "free":
                         axes = turns.matrix(self._bodies.last(link).orientation)
                         arm = axes @ link.center
                         hat = np.array([[0, -arm[2], arm[1]], [arm[2], 0, -arm[0]], [-arm[1], arm[0], 0]])

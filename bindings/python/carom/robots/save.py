@@ -38,6 +38,8 @@ def names(robot: Robot) -> dict[str, Any]:
         "springs_of_tendons": [{"shares": {by_index[joint]: share for joint, share in robot._tendons.shares.get(spring.tendon, {}).items()},
                                 "tendon": name_of(robot._model, "tendon", spring.tendon), "stiffness": spring.stiffness, "damping": spring.damping,
                                 "springlength": (spring.low, spring.high)} for spring in robot._tendons.springs],
+        "friction_of_turns": {by_index[joint]: friction for joint, friction in robot._bodies.turning.items()},
+        "fluid": {"density": robot._fluid.density, "viscosity": robot._fluid.viscosity, "wind": robot._fluid.wind.tolist()} if robot._fluid.acts else None,
         "keyframes": {key.name: {"qpos": key.qpos.tolist(), "qvel": key.qvel.tolist(), "ctrl": key.ctrl.tolist()}
                       for key in robot.keyframes.values()},
         "left_out": [{"kind": left.kind, "names": left.names, "reason": left.reason} for left in robot.left_out],

@@ -38,6 +38,7 @@ class Sensors:
         self.mujoco = need_mujoco()
         self.needs_rates = False  # whether steps are to keep the velocities that they began with
         self.all: dict[str, Sensor] = {}
+        self.subtrees: dict[int, Subtree] = {}
         words = {int(value): word[len("mjSENS_"):].lower() for word, value in self.mujoco.mjtSensor.__members__.items()}
         for k in range(self.model.nsensor):
             kind, name = words[int(self.model.sensor_type[k])], name_of(self.model, "sensor", k)
@@ -175,38 +176,22 @@ class Sensors:
             return -1.0 if hit is None else float(hit.time)
         return read
 
-    def _subtreecom(self, body: int) -> Read | str:
-        return self._of_subtree(body, "center")
+    def _subtreecom(self, body: int) -> Read:
+        return lambda: self._subtree(body).center()
 
-    def _subtreelinvel(self, body: int) -> Read | str:
-        return self._of_subtree(body, "linear_velocity")
+    def _subtreelinvel(self, body: int) -> Read:
+        return lambda: self._subtree(body).velocity()
 
-    def _of_subtree(self, body: int, field: Any) -> Read | str:
-        link = self.links.links[self.links.of_body[body]]
-        if link.is_static or link.body != body:
-            return "of a body that is one with others here"
-        return lambda: self._sum(body, field)
+    def _subtreeangmom(self, body: int) -> Read:
+        return lambda: self._subtree(body).spin()
 
-    def _sum(self, body: int, field: Any) -> Any:
-        """A mean by mass, over the links that hang on a body."""
-        link = self.links.of_body[body]
-        among = [k for k, one in enumerate(self.links.links) if not one.is_static and (k == link or self._hangs(k, link))]
-        bodies = [self.robot._bodies.nodes[node] for k in among for node in range(self.links.links[k].first_node,
-                                                                                 self.links.links[k].first_node + self.links.links[k].nodes)]
-        masses = self.robot.world.read("mass", bodies)
-        return (masses * self.robot.world.read(field, bodies)).sum(axis=0) / masses.sum()
-
-    def _hangs(self, link: int, on: int) -> bool:
-        while link:
-            link = self.links.links[link].parent
-            if link == on:
-                return True
-        return on == 0
+    def _subtree(self, body: int) -> Subtree:
+        if body not in self.subtrees:
+            self.subtrees[body] = Subtree(self.robot, body)
+        return self.subtrees[body]
 
     def _touch(self, at: Frame, site: int) -> Read | str:
-        body = self.robot._bodies.of_link(at.link)
-        if body is None:
-            return "at a site that does not move"
+        body = self.robot._bodies.of_link(at.link) or self.robot._scenery.get(int(self.model.site_bodyid[site]))
         kind, size = int(self.model.site_type[site]), [float(x) for x in self.model.site_size[site]]
         inside = volume(self.mujoco.mjtGeom, kind, size)
         if inside is None:
@@ -214,6 +199,8 @@ class Sensors:
 
         def read() -> float:
             pose, force = self.robot._pose(at), 0.0
+            if body is None:  # nothing of it can be touched
+                return force
             for contact in self.robot.world.contacts():
                 if body in (contact.body_a, contact.body_b):
                     at_site = turns.rotate(turns.inverse(pose[1]), np.array(contact.point) - pose[0])
@@ -243,6 +230,60 @@ class Sensors:
             borne = which(np.array(state.force), np.array(state.torque), joint - pose[0])
             return turns.rotate(turns.inverse(pose[1]), borne)
         return read
+
+
+class Subtree:
+    """A body of MuJoCo's and all that hangs on it, of which each weighs what the model says."""
+
+    def __init__(self, robot: Robot, body: int) -> None:
+        m, links = robot._model, robot._links
+        self.robot = robot
+        among = [k for k in range(m.nbody) if m.body_mass[k] and hangs(m, k, body)]
+        moving = [k for k in among if not links.links[links.of_body[k]].is_static]
+        held = [k for k in among if links.links[links.of_body[k]].is_static]
+        self.mass = float(sum(m.body_mass[k] for k in among))
+        within = {k: turns.on(links.within[k], (np.array(m.body_ipos[k], float), turns.from_mujoco(m.body_iquat[k]))) for k in among}
+        self.held = sum((float(m.body_mass[k]) * within[k][0] for k in held), np.zeros(3))  # kg m
+        self.held_at = [(float(m.body_mass[k]), within[k][0]) for k in held]
+        ends = [robot._bodies.last(links.links[links.of_body[k]]).handle for k in moving]
+        self.bodies = list(dict.fromkeys(ends))
+        self.of = np.array([self.bodies.index(end) for end in ends], int)
+        self.masses = np.array([float(m.body_mass[k]) for k in moving])[:, None]
+        self.offsets = np.array([within[k][0] for k in moving]).reshape(-1, 3)
+        axes = [turns.matrix(within[k][1]) for k in moving]
+        self.inertias = np.array([a @ np.diag(m.body_inertia[k]) @ a.T for a, k in zip(axes, moving)]).reshape(-1, 3, 3)
+
+    def _read(self) -> tuple[Array, Array, Array, Array]:
+        """@return centres, their velocities, turns as matrices, spins, in the world"""
+        if not self.bodies:
+            return (np.zeros((0, 3)),) * 2 + (np.zeros((0, 3, 3)), np.zeros((0, 3)))
+        read = self.robot.world.read
+        pose, rates, middle = (read(what, self.bodies)[self.of] for what in ("pose", "velocity", "center"))
+        axes = turns.matrices(pose[:, 3:])
+        at = pose[:, :3] + np.einsum("nij,nj->ni", axes, self.offsets)
+        return at, rates[:, :3] + np.cross(rates[:, 3:], at - middle), axes, rates[:, 3:]
+
+    def center(self) -> Array:
+        at = self._read()[0]
+        return ((self.masses * at).sum(axis=0) + self.held) / max(self.mass, 1e-300)  # type: ignore[no-any-return]
+
+    def velocity(self) -> Array:
+        return (self.masses * self._read()[1]).sum(axis=0) / max(self.mass, 1e-300)  # type: ignore[no-any-return]
+
+    def spin(self) -> Array:
+        """kg m^2/s, about its centre of mass"""
+        at, rates, axes, spins = self._read()
+        middle = ((self.masses * at).sum(axis=0) + self.held) / max(self.mass, 1e-300)
+        mean = (self.masses * rates).sum(axis=0) / max(self.mass, 1e-300)
+        own = np.einsum("nij,njk,nlk,nl->ni", axes, self.inertias, axes, spins)
+        whole = (np.cross(at - middle, self.masses * (rates - mean)) + own).sum(axis=0)
+        return whole + sum((np.cross(place - middle, -mass * mean) for mass, place in self.held_at), np.zeros(3))  # type: ignore[no-any-return]
+
+
+def hangs(model: Any, body: int, on: int) -> bool:
+    while body and body != on:
+        body = int(model.body_parentid[body])
+    return body == on
 
 
 def volume(kinds: Any, kind: int, size: list[float]) -> Callable[[Array], bool] | None:

@@ -303,7 +303,7 @@ def have_chains(model: Any) -> bool:
 
     acted = np.flatnonzero(model.tendon_limited.astype(bool) | (model.tendon_frictionloss != 0) | (model.tendon_armature != 0))
     held = np.flatnonzero(model.eq_type == int(mujoco.mjtEq.mjEQ_TENDON))
-    return any(map(joints, acted)) or any(sum(joints(of) for of in (int(model.eq_obj1id[k]), int(model.eq_obj2id[k])) if of >= 0) > 2 for k in held)
+    return any(joints(int(tendon)) for tendon in acted) or any(sum(joints(of) for of in (int(model.eq_obj1id[k]), int(model.eq_obj2id[k])) if of >= 0) > 2 for k in held)
 
 
 def shares_of(model: Any, tendon: int, known: Container[int]) -> dict[int, float] | None:

@@ -59,6 +59,14 @@ def matrix(q: Any) -> Array:
     return np.stack([rotate(q, axis) for axis in np.eye(3)], axis=1)
 
 
+def matrices(q: Any) -> Array:
+    """(n, 4) as (n, 3, 3)"""
+    x, y, z, w = np.asarray(q, float).T
+    return np.stack([np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)], axis=1),
+                     np.stack([2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)], axis=1),
+                     np.stack([2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)], axis=1)], axis=1)
+
+
 def about(axis: Any, angle: float) -> Array:
     """@param axis  unit   @param angle  rad"""
     s = math.sin(angle / 2)
@@ -77,3 +85,19 @@ def x_to(axis: Any) -> Array:
 def on(pose: Pose, q: Pose) -> Pose:
     """The pose `q`, told in the frame `pose`, in that frame's own parent."""
     return pose[0] + rotate(pose[1], q[0]), multiply(pose[1], q[1])
+
+
+def of_matrix(axes: Any) -> Array:
+    """Of a rotation matrix: the largest part of the quaternion is found first, by a root."""
+    m = np.asarray(axes, float)
+    squares = [1 + m[0, 0] - m[1, 1] - m[2, 2], 1 - m[0, 0] + m[1, 1] - m[2, 2], 1 - m[0, 0] - m[1, 1] + m[2, 2], 1 + m[0, 0] + m[1, 1] + m[2, 2]]
+    k = int(np.argmax(squares))
+    s = 2 * math.sqrt(squares[k])
+    if k == 3:
+        q = [(m[2, 1] - m[1, 2]) / s, (m[0, 2] - m[2, 0]) / s, (m[1, 0] - m[0, 1]) / s, s / 4]
+    else:
+        i, j = (k + 1) % 3, (k + 2) % 3
+        q = [0.0, 0.0, 0.0, (m[j, i] - m[i, j]) / s]
+        q[k], q[i], q[j] = s / 4, (m[i, k] + m[k, i]) / s, (m[j, k] + m[k, j]) / s
+    found: Array = np.array(q) / np.linalg.norm(q)
+    return found

@@ -35,7 +35,5 @@ def note_unread(m: Any, problems: Problems) -> None:
         problems.add("flex", [name_of(m, "flex", k) for k in range(m.nflex)], "the library has no soft bodies")
     if m.nplugin:
         problems.add("plugin", [name_of(m, "plugin", k) for k in range(m.nplugin)], "what a plugin of MuJoCo's does")
-    if (m.opt.density or m.opt.viscosity) and np.any(m.body_mass):
-        problems.add("option", ["density", "viscosity"], "drag of a fluid: bodies here have carom.Body.drag")
     if int(m.opt.disableactuator):
         problems.add("option", ["actuatorgroupdisable"], "all actuators act")

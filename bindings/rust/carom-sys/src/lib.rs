@@ -1071,7 +1071,8 @@ impl Default for carom_batch_info {
         }
     }
 }
-/// Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides.
+/// Surface of a collider. Where two materials mix differently, the larger CAROM_MIX_* value decides; of two in particular
+/// carom_material_set_pair() says what they are to each other.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct carom_material_desc {
@@ -3565,6 +3566,16 @@ extern "C" {
     pub fn carom_material_set_resistance(world: *mut carom_world, material: carom_material, rolling: f64, spinning: f64, error: *mut carom_error) -> i32;
     /// @param rolling, spinning out: m   @status OK; NULL_ARGUMENT; *_HANDLE; BUSY
     pub fn carom_material_get_resistance(world: *mut carom_world, material: carom_material, rolling: *mut f64, spinning: *mut f64, error: *mut carom_error) -> i32;
+    /// Say what two materials are to each other, instead of mixing them. Wakes what touches so. It ends with either material.
+    /// @param material_a, material_b  in any order; the same twice: colliders of that material among themselves
+    /// @param surface [4] friction, [0, 1e3]; restitution, [0, 1]; resistance to rolling and to spinning, m, [0, 1e3].
+    ///                NULL: they mix again
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   @since 0.9
+    pub fn carom_material_set_pair(world: *mut carom_world, material_a: carom_material, material_b: carom_material, surface: *const f64, error: *mut carom_error) -> i32;
+    /// What two materials are to each other: what was said of them, or else what they mix to.
+    /// @param surface out, [4]: as carom_material_set_pair() takes it
+    /// @status OK; NULL_ARGUMENT; *_HANDLE; BUSY   @since 0.9
+    pub fn carom_material_get_pair(world: *mut carom_world, material_a: carom_material, material_b: carom_material, surface: *mut f64, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; *_HANDLE; IN_USE (a collider uses it); BUSY
     pub fn carom_material_destroy(world: *mut carom_world, material: carom_material, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE

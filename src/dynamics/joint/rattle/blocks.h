@@ -9,24 +9,28 @@
 
 namespace carom::dynamics::rattle {
 
-/// The matrix of one island.
-template <int n>
-struct Blocks {
+/// Where the blocks of one island are.
+struct BlockPlaces {
+  std::uint32_t rows;  // of a block
   const Elimination* order;
   std::uint32_t first, last;       // places
   Real *diagonal, *below, *above;  // of places from the first; of rows of the order from the first's
 
-  static constexpr int kSize = n * n;
-  Real* at_diagonal(std::uint32_t place) const { return diagonal + kSize * (place - first); }
-  Real* at_below(std::uint32_t row) const { return below + kSize * (row - order->column[first]); }
-  Real* at_above(std::uint32_t row) const { return above + kSize * (row - order->column[first]); }
-
+  Real* at_diagonal(std::uint32_t place) const { return diagonal + rows * rows * (place - first); }
+  Real* at_below(std::uint32_t row) const { return below + rows * rows * (row - order->column[first]); }
+  Real* at_above(std::uint32_t row) const { return above + rows * rows * (row - order->column[first]); }
   /// Where the block (row, column) is, which is in the factor; places, row > column.
   std::uint32_t find(std::uint32_t row, std::uint32_t column) const {
     const std::uint32_t* const begin = order->rows.data() + order->column[column];
     const std::uint32_t* const end = order->rows.data() + order->column[column + 1];
     return static_cast<std::uint32_t>(std::lower_bound(begin, end, row) - order->rows.data());
   }
+};
+
+/// What goes over all numbers of blocks: compiled for each size.
+template <int n>
+struct BlocksOf : BlockPlaces {
+  static constexpr int kSize = n * n;
 
   /// a -= b c.
   static void subtract(Real* a, const Real* b, const Real* c) {
@@ -107,6 +111,35 @@ struct Blocks {
         for (int j = 0; j < n; ++j) y[i] += d[n * i + j] * own[j];
       }
       for (int i = 0; i < n; ++i) own[i] = y[i];
+    }
+  }
+};
+
+/// The matrix of one island.
+struct Blocks : BlockPlaces {
+  void factor(Real* own, bool find_implied) const {
+    with_size([&](const auto& blocks) { blocks.factor(own, find_implied); });
+  }
+  void solve(Real* x) const {
+    with_size([&](const auto& blocks) { blocks.solve(x); });
+  }
+
+ private:
+  template <class F>
+  void with_size(F&& f) const {
+    switch (rows) {
+      case 1:
+        return f(BlocksOf<1>{*this});
+      case 2:
+        return f(BlocksOf<2>{*this});
+      case 3:
+        return f(BlocksOf<3>{*this});
+      case 4:
+        return f(BlocksOf<4>{*this});
+      case 5:
+        return f(BlocksOf<5>{*this});
+      default:
+        return f(BlocksOf<6>{*this});
     }
   }
 };

@@ -18,7 +18,6 @@ namespace carom::dynamics::rattle {
 void count_turns(const World& world, RattleJoint& j, const RattleBody& a, const RattleBody& b, Real h);
 
 /// One island in one step.
-template <int n>
 class Mover {
  public:
   Mover(const World& world, Rattle& r, RattleIsland& island)
@@ -26,12 +25,9 @@ class Mover {
         r_(r),
         island_(island),
         driving_(world, r, island),
-        blocks_{&r.elimination,
-                island.joint,
-                island.joint + island.joints,
-                r.diagonal.data() + island.diagonal,
-                r.below.data() + island.beside,
-                r.above.data() + island.beside} {}
+        n_(static_cast<std::uint32_t>(island.block)),
+        blocks_{{n_, &r.elimination, island.joint, island.joint + island.joints, r.diagonal.data() + island.diagonal,
+                 r.below.data() + island.beside, r.above.data() + island.beside}} {}
 
   /// From the state: joints are shut, and it is known which drives are rows. @return whether the step can be tried
   /// @param h  s, the longest stage
@@ -242,7 +238,7 @@ class Mover {
   }
   Real* of(Array<Real>& by_joint, std::uint32_t joint) const {  // in the order of elimination
     const std::size_t at = r_.elimination.place[joint] - island_.joint;
-    return by_joint.data() + kMostRows * island_.joint + n * at;
+    return by_joint.data() + kMostRows * island_.joint + n_ * at;
   }
   std::size_t place_of(const RattleBody& b) const { return static_cast<std::size_t>(&b - r_.bodies.data()); }
   bool has_drives() const { return island_.has_drives; }
@@ -317,7 +313,7 @@ class Mover {
     Real most = 0;
     for (const RattleJoint& j : joints()) {
       Real* to = of(r_.right, index(j));
-      Real* const end = to + n;
+      Real* const end = to + n_;
       if (j.coupling) {
         *to++ = lay_coupling(j, true);
         most = std::max(most, finite(to[-1]) ? std::fabs(to[-1]) : kInfinity);
@@ -485,28 +481,26 @@ class Mover {
       Real* const block = blocks_.at_diagonal(r_.elimination.place[index(j)]);
       const auto rows = rates(j);
       const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
-      Real* const self = own + n * (r_.elimination.place[index(j)] - island_.joint);
-      for (std::uint32_t k = 0; k < n; ++k)
-        for (std::uint32_t l = 0; l < n; ++l) {
-          if (k >= j.rows || l >= j.rows) {
-            block[n * k + l] = k == l;
-            continue;
-          }
-          block[n * k + l] =
+      Real* const self = own + n_ * (r_.elimination.place[index(j)] - island_.joint);
+      if (j.rows < n_)
+        for (std::uint32_t k = 0; k < n_; ++k)
+          for (std::uint32_t l = 0; l < n_; ++l) block[n_ * k + l] = k == l;
+      for (std::uint32_t k = 0; k < j.rows; ++k)
+        for (std::uint32_t l = 0; l < j.rows; ++l)
+          block[n_ * k + l] =
               j.coupling ? response_of_coupling(j, is_symmetric) : response(j, rows[k], r_.rows[j.row + l], a, b);
-        }
       if (half != 0) {
         std::uint32_t k = j.rows - j.soft_rows;
         driving_.each_soft_row(j, [&](const RattleDrive& d) {
-          block[(n + 1) * k] += 1 / (half * std::max(d.damping, kLeast));
+          block[(n_ + 1) * k] += 1 / (half * std::max(d.damping, kLeast));
           ++k;
         });
       }
       if (is_symmetric)
-        for (int k = 0; k < n; ++k) self[k] = block[n * k + k];
+        for (std::uint32_t k = 0; k < n_; ++k) self[k] = block[n_ * k + k];
     }
-    const std::size_t size =
-        static_cast<std::size_t>(n * n) * (r_.elimination.column[blocks_.last] - r_.elimination.column[blocks_.first]);
+    const std::size_t size = static_cast<std::size_t>(n_ * n_) *
+                             (r_.elimination.column[blocks_.last] - r_.elimination.column[blocks_.first]);
     std::fill_n(blocks_.below, size, 0), std::fill_n(blocks_.above, size, 0);
     for (std::uint32_t i = island_.pair; i < island_.pair + island_.pairs; ++i) {
       const RattlePair& pair = r_.pairs[i];
@@ -535,7 +529,7 @@ class Mover {
           for (std::uint32_t k = 0; k < of.rows; ++k)
             for (std::uint32_t l = 0; l < by.rows; ++l) {
               const RattleCoupling::End at = rate_at(of, rows, k, is_a, end), push = push_at(by, l, by_a, by_end);
-              block[n * k + l] += m * at.d.dot(free.times(push.d)) + at.w.dot(push.i);
+              block[n_ * k + l] += m * at.d.dot(free.times(push.d)) + at.w.dot(push.i);
             }
         };
         add_one(blocks_.at_below(pair.at), high, rates_high, pair.is_a_of_high, pair.end_of_high, low, pair.is_a_of_low,
@@ -546,13 +540,14 @@ class Mover {
       }
       const auto add = [&](Real* block, const RattleJoint& of, const auto& rows, bool is_a, const RattleJoint& by,
                            bool by_a) {
-        for (std::uint32_t k = 0; k < of.rows; ++k)
-          for (std::uint32_t l = 0; l < by.rows; ++l) {
-            const RattleRow& other = r_.rows[by.row + l];
-            const Vec3 &at = is_a ? way_at_a(of, rows[k].d) : rows[k].d, &push = by_a ? way_at_a(by, other.d) : other.d;
-            block[n * k + l] += sign * (m * at.dot(free.times(push)) +
-                                        (is_a ? rows[k].w_a : rows[k].w_b).dot(by_a ? other.i_a : other.i_b));
+        for (std::uint32_t l = 0; l < by.rows; ++l) {
+          const RattleRow& other = r_.rows[by.row + l];
+          const Vec3 push = free.times(by_a ? way_at_a(by, other.d) : other.d), &turn = by_a ? other.i_a : other.i_b;
+          for (std::uint32_t k = 0; k < of.rows; ++k) {
+            const Vec3& at = is_a ? way_at_a(of, rows[k].d) : rows[k].d;
+            block[n_ * k + l] += sign * (m * at.dot(push) + (is_a ? rows[k].w_a : rows[k].w_b).dot(turn));
           }
+        }
       };
       add(blocks_.at_below(pair.at), high, rates_high, pair.is_a_of_high, low, pair.is_a_of_low);
       add(blocks_.at_above(pair.at), low, rates_low, pair.is_a_of_low, high, pair.is_a_of_high);
@@ -573,7 +568,7 @@ class Mover {
     for (const RattleJoint& j : joints()) {
       const RattleBody &a = r_.bodies[j.a], &b = r_.bodies[j.b];
       Real* to = of(r_.right, index(j));
-      Real* const end = to + n;
+      Real* const end = to + n_;
       if (j.coupling) {
         Real u = 0;
         each_end(j, [&](const RattleBody& of_it, const RattleCoupling::End& at) {
@@ -587,7 +582,7 @@ class Mover {
         const RattleRow& row = r_.rows[j.row + k];
         *to++ = rate_of(j, row, a, b);
       }
-      Real* driven = end - n + j.locks;
+      Real* driven = end - n_ + j.locks;
       driving_.each_row(j, [&](const RattleDrive& d) { *driven++ -= d.speed; });
       if (driven < end) driving_.each_soft_row(j, [&](const RattleDrive& d) { *driven++ -= d.speed; });
       std::fill(to, end, 0);
@@ -661,7 +656,8 @@ class Mover {
   Rattle& r_;
   RattleIsland& island_;
   const Driving driving_;
-  const Blocks<n> blocks_;
+  const std::uint32_t n_;  // rows of a block
+  const Blocks blocks_;
 };
 
 }  // namespace carom::dynamics::rattle

@@ -29,31 +29,12 @@ int stages_of(int order) { return static_cast<int>(shares_of(order).size()); }
 
 namespace {
 
-/// f(mover) of an island: as many rows a joint as it needs.
-template <class F>
-bool with_mover(const World& world, Rattle& r, RattleIsland& island, F&& f) {
-  switch (island.block) {
-    case 1:
-      return f(Mover<1>(world, r, island));
-    case 2:
-      return f(Mover<2>(world, r, island));
-    case 3:
-      return f(Mover<3>(world, r, island));
-    case 4:
-      return f(Mover<4>(world, r, island));
-    case 5:
-      return f(Mover<5>(world, r, island));
-    default:
-      return f(Mover<6>(world, r, island));
-  }
-}
-
 /// f(mover) of each island that is going well so far, which then does, or not.
 template <class F>
 void over_islands(const World& world, Rattle& r, F&& f) {
   in_parallel(world.jobs, r.islands.size(), 1, [&](std::uint32_t i) {
     RattleIsland& island = r.islands[i];
-    if (island.is_moving) island.is_moving = with_mover(world, r, island, f);
+    if (island.is_moving) island.is_moving = f(Mover(world, r, island));
   });
 }
 
@@ -80,7 +61,7 @@ void find_accelerations(const World& world, Rattle& r, Real share, bool ends) {
     row.effect->force(world.scene, world.state, row.participants, at, to);
     row.evaluations += row.participants.count;
   }
-  over_islands(world, r, [&](const auto& mover) { return mover.pull(ends); });
+  over_islands(world, r, [&](const Mover& mover) { return mover.pull(ends); });
 }
 
 /// Velocities that forces read: of now.
@@ -146,8 +127,8 @@ void begin_islands(const World& world, Rattle& r, Real dt, int substeps, int ord
   const Real longest = longest_of(shares_of(order), dt / substeps);
   for (RattleIsland& island : r.islands)
     if (island.is_moving) island.block = island.least_block, island.is_first = true, island.agrees = false;
-  over_islands(world, r, [&](const auto& mover) { return mover.begin(longest); });
-  over_islands(world, r, [&](const auto& mover) { return mover.ready(longest); });
+  over_islands(world, r, [&](const Mover& mover) { return mover.begin(longest); });
+  over_islands(world, r, [&](const Mover& mover) { return mover.ready(longest); });
 }
 
 void move_islands(const World& world, Rattle& r, Real from, Real dt, int substeps, int order) {
@@ -161,7 +142,7 @@ void move_islands(const World& world, Rattle& r, Real from, Real dt, int substep
     return k < stages ? h * shares[static_cast<std::size_t>(k) % shares.size()] : Real(0);
   };
   const auto tell = [&](Real kick) {
-    if (!r.drives.empty()) over_islands(world, r, [&](const auto& mover) { return mover.tell_drives(kick); });
+    if (!r.drives.empty()) over_islands(world, r, [&](const Mover& mover) { return mover.tell_drives(kick); });
   };
   find_accelerations(world, r, share(0) / 2, false);
   tell(share(0) / 2);
@@ -172,25 +153,25 @@ void move_islands(const World& world, Rattle& r, Real from, Real dt, int substep
     t += step;
     if (k > 0 && r.reads_velocities) {
       read_now(r);
-      over_islands(world, r, [&](const auto& mover) { return mover.save_middle(); });
+      over_islands(world, r, [&](const Mover& mover) { return mover.save_middle(); });
       find_accelerations(world, r, step / 2, false);
       tell(step / 2);
     }
-    over_islands(world, r, [&](const auto& mover) { return mover.go(step, step / 2, t); });
-    over_islands(world, r, [&](const auto& mover) { return mover.save_middle(); });
+    over_islands(world, r, [&](const Mover& mover) { return mover.go(step, step / 2, t); });
+    over_islands(world, r, [&](const Mover& mover) { return mover.save_middle(); });
     show(r);
     const Real kick = r.reads_velocities ? step / 2 : (step + share(k + 1)) / 2;
     if (r.reads_velocities) read_ahead(r), save_kicks(world, r, r.kicks);
     for (int tries = 0; tries < (r.reads_velocities ? kMostTries : 1); ++tries) {
       if (tries > 0) restore_kicks(world, r, r.kicks);
       find_accelerations(world, r, kick, true);
-      over_islands(world, r, [&](const auto& mover) { return mover.try_stop(step); });
+      over_islands(world, r, [&](const Mover& mover) { return mover.try_stop(step); });
       if (std::ranges::none_of(r.islands, [](const RattleIsland& i) { return i.is_moving && !i.agrees; })) break;
     }
     tell(kick);
     const bool ends = (k + 1) % of_substep == 0;  // a substep does; where stages go back limits may be passed
     const Real begun = static_cast<Real>(k / of_substep) / substeps, whole = ends ? Real(1) / substeps : 0;
-    over_islands(world, r, [&](const auto& mover) { return mover.stop(step, begun, whole); });
+    over_islands(world, r, [&](const Mover& mover) { return mover.stop(step, begun, whole); });
     show(r);
   }
 }

@@ -58,6 +58,7 @@ class ConeGroup {
   bool repeat(Velocities& to, Real tolerance);
   Real start(Real h);
   void follow_bodies();
+  void follow_ground(Real h);
   void bend_ways(Real h);
   void bend_arms(Real h);
   Real loaded_speed2(const ConeBody& b) const;

@@ -98,9 +98,11 @@ void ask(ConeLink& c, const JointDriveLanes& drive, const DirectGroups::LinkRow&
 }
 
 /// Arms of rows are those of a substep's beginning. So a drive leads what hangs on an arm no faster than rows follow: else
-/// it leaves its joint, and the gap throws it. What moves along its joints knows no such bound.
+/// it leaves its joint, and the gap throws it. What moves along its joints knows no such bound. What gives way leads its
+/// bodies, were they alone, to a share of what is asked: to k / (k + give) of it.
 void lead_no_farther(ConeLink& c, Real h) {
-  if (c.most > 0 && c.low == c.high) c.low = c.high = std::clamp(c.low, -kBends / h, kBends / h);
+  const Real most = kBends / h * (c.k > 0 ? (c.k + c.give) / c.k : 1);
+  if (c.most > 0 && c.low == c.high) c.low = c.high = std::clamp(c.low, -most, most);
 }
 
 /// m, the longer of a joint's arms across an axis that moves with a body.

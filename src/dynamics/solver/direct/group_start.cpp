@@ -4,6 +4,7 @@
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/contact/turning_ground.h"
+#include "dynamics/integrate/driven.h"
 #include "dynamics/integrate/rotation/rotation.h"
 #include "dynamics/solver/direct/cone_group.h"
 #include "dynamics/solver/direct/cone_group_constants.h"
@@ -24,6 +25,22 @@ void ConeGroup::follow_bodies() {
   }
   load_contacts(world_, {row_, problem_.contacts.size()}, problem_.bodies, problem_.contacts.data(),
                 LoadWhat::not_curved);
+}
+
+/// Of contacts that do not go with the bodies: the velocity of ground that a host moves is another in each substep.
+void ConeGroup::follow_ground(Real h) {
+  if (world_.plan->led.empty()) return;
+  each([&](ConeContact& contact, std::uint32_t i) {
+    if (!contact.is_curved || (contact.a != kInvalid && contact.b != kInvalid)) return;
+    const Row& row = c_.rows[i];
+    const LedBody* const led = led_body(world_, contact.a == kInvalid ? row.a : row.b);
+    if (!led) return;
+    const Arms arms = Arms::now(world_, row, c_.geometry[i]);
+    if (contact.a == kInvalid)
+      contact.surface -= h * (led->a + led->alpha.cross(arms.a));
+    else
+      contact.surface += h * (led->a + led->alpha.cross(arms.b));
+  });
 }
 
 /// Where a body rolls, the middle of the ball that it rolls on leaves the tangent of its way. Velocities are to obey
@@ -61,21 +78,20 @@ void ConeGroup::bend_ways(Real h) {
 /// loop its row leads bodies elsewhere than the forest alone: a track on sprockets gained energy.
 void ConeGroup::bend_arms(Real h) {
   if (!shares() || problem_.tree.empty() || std::ranges::any_of(problem_.links, &ConeLink::is_lock)) return;
-  find_bends(problem_, h);
-  const auto sticks = [](const ConeContact& c) {  // since the substep before
-    const Real n = c.p.dot(c.n);
-    return n > 0 && (c.p - n * c.n).norm() < c.friction * n;
-  };
-  // What is gripped goes round with its gripper. A limb that rocks on the ground does not, and would never come to rest.
-  const auto go_round_together = [&](std::uint32_t a, std::uint32_t b) {
+  // Since the substep before. What is gripped goes round with its gripper. A limb that rocks on the ground does not, and would
+  // never come to rest.
+  const auto is_gripped = [&](const ConeContact& c) {
     constexpr Real kAlike = 0.1;  // of their spin
-    if (a == kInvalid || b == kInvalid) return false;
-    const Vec3 w_a = problem_.bodies[a].v.angular(), w_b = problem_.bodies[b].v.angular();
+    const Real n = c.p.dot(c.n);
+    if (c.a == kInvalid || c.b == kInvalid || !(n > 0 && (c.p - n * c.n).norm() < c.friction * n)) return false;
+    const Vec3 w_a = problem_.bodies[c.a].v.angular(), w_b = problem_.bodies[c.b].v.angular();
     const Real spin2 = std::max(w_a.squared_norm(), w_b.squared_norm());
     return spin2 * h * h < kBends * kBends && (w_a - w_b).squared_norm() <= kAlike * kAlike * spin2;
   };
+  if (std::ranges::none_of(problem_.contacts, is_gripped)) return;
+  find_bends(problem_, h);
   for (ConeContact& c : problem_.contacts) {
-    if (!sticks(c) || !go_round_together(c.a, c.b)) continue;
+    if (!is_gripped(c)) continue;
     const Vec3 bend = relative<&ConeBody::step>(problem_.bodies, c), along = bend - bend.dot(c.n) * c.n;
     c.curve += along, c.surface += along;
   }
@@ -190,7 +206,7 @@ Real ConeGroup::start(Real h) {
     load(b);
     b.gradient.set_zero();
   }
-  if (!rest_.is_first) follow_bodies();
+  if (!rest_.is_first) follow_bodies(), follow_ground(h);
   bend_ways(h);
   problem_.stood &=
       std::ranges::all_of(problem_.contacts, [](const ConeContact& c) { return c.surface == Vec3::zero(); });

@@ -102,15 +102,18 @@ Mat3 Round::slope(const ConeContact& c) const {
 }
 
 Real Round::find_gradient() {
+  bool any = has_moved_;
   for (ConeBody& b : bodies_of(problem_)) b.gradient = momentum_of(b, b.change);
   for (ConeContact& c : problem_.contacts) {
     c.p = project(c, pull(c, c.u));
-    if (c.p != c.p0) add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
+    if (c.p != c.p0) any = true, add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
   for (ConeLink& c : problem_.links) {
     c.p = c.k > 0 ? c.pulled(c.u, resistance(c), c.p0) : 0;
-    add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
+    if (c.p != c.p0) any = true, add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
+  if (!any) return 0;
+  has_moved_ = true;
   respond(problem_);
   Real most = 0;
   for (const ConeContact& c : problem_.contacts)
@@ -300,6 +303,7 @@ Real Round::search() {
 }
 
 void Round::accept() {
+  if (!has_moved_) return;  // no row asks for anything
   for (ConeBody& b : bodies_of(problem_)) b.gradient.set_zero();
   for (ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
   for (ConeLink& c : problem_.links) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);

@@ -33,7 +33,11 @@ class Round {
   Real softness_of_drives() const { return is_known_ ? kSoftnessOfLocks : softness_; }
   /// What tells the factor of this round from others: softness where that differs, -1 where friction is known, since contacts
   /// resist alike there in every round.
-  Real factored_as() const { return is_known_ ? -1 : softness_; }
+  Real factored_as() const {
+    if (!is_known_) return softness_;
+    return problem_.contacts.empty() ? -1
+                                     : -static_cast<float>(resistance(problem_.contacts[0]) / problem_.contacts[0].k);
+  }
   Vec3 project(const ConeContact& c, const Vec3& z) const {
     return is_known_ ? project_on_cylinder(z, c.n, c.most_friction) : project_on_cone(z, c.n, c.friction);
   }
@@ -94,7 +98,8 @@ class Round {
 
   ConeProblem& problem_;
   Real softness_;
-  bool is_known_ = false;  // friction
+  bool is_known_ = false;   // friction
+  bool has_moved_ = false;  // some impulse is another than at the beginning, or some velocity
   bool is_stuck_ = false;
 };
 

@@ -99,17 +99,34 @@ std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real
   return steps;
 }
 
-ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, std::uint32_t most_steps) {
+ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, Real tolerable, std::uint32_t most_steps) {
+  constexpr Real kSlow = 0.3, kShare = 0.05, kHardest = 1e-10;
   ConeSolution solution;
-  while (true) {
+  Real last = kInfinity;
+  bool is_harder = false;
+  for (std::uint32_t counted = 0;; last = solution.residual, ++solution.rounds) {
     for (ConeContact& c : problem.contacts)
       if (c.borne == 0) c.most_friction = c.friction * std::max(Real(0), c.p.dot(c.n));
     solution.residual = residual_of_known_friction(problem);
     solution.reached = solution.residual <= tolerance;
-    if (solution.reached || solution.rounds == kRoundsCloser || solution.factorisations >= most_steps) return solution;
+    const Real left = solution.residual / last;
+    const bool is_slow = left >= kSlow && solution.residual > tolerable;
+    counted += solution.rounds > 0 && !is_slow;
+    if (solution.reached || counted == kRoundsCloser || solution.factorisations >= most_steps) return solution;
+    if (is_slow) {
+      // A round leaves give / (give + response) of the error: of what bears far more than itself next to all. What contradicts
+      // itself responds to nothing, and no round helps.
+      give *= kShare * (1 - left) / left, is_harder = true;
+      if (!(give > kHardest)) return solution;
+    }
+    const Real may_give = problem.may_give;
+    const bool was_proven = problem.is_proven;
     Round round(problem, give, Round::Friction::known);
     solution.factorisations += round.minimise(tolerance, most_steps - solution.factorisations);
-    ++solution.rounds;
+    if (!is_harder || problem.is_proven) continue;
+    round.take_back();  // cut short: what was before is better known
+    problem.may_give = may_give, problem.is_proven = was_proven;
+    return solution;
   }
 }
 

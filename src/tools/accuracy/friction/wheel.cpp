@@ -1,4 +1,5 @@
-// wheel, turntable: what rolls without slip, by closed forms: a wheel in a leaning turn, a ball on a table that turns.
+// wheel, tray, turntable: what rolls without slip, by closed forms: a wheel in a leaning turn, the same on what could give
+// way, a ball on a table that turns.
 #include <cmath>
 
 #include "accuracy/linkages.h"
@@ -37,12 +38,11 @@ Vec middle_of(const Vec& start, const Vec& velocity, double round) {
   return start + Vec::UnitY().cross(velocity) / round;
 }
 
-std::unique_ptr<Observer> fill_wheel(Stage& stage, const std::vector<double>& knobs, const std::string&) {
-  const TurningWheel wheel{knobs[0], 0.02 * knobs[0], knobs[1], knobs[2]};
-  add_ground(stage, 1);
+/// @param height  m, of the level surface that it rolls on
+std::unique_ptr<Observer> roll(Stage& stage, const TurningWheel& wheel, const std::string& kind, double height) {
   Actor actor;
-  actor.kind = actor.name = "wheel";
-  actor.position = Vec(0, -wheel.to_ground().y(), 0);
+  actor.kind = actor.name = kind;
+  actor.position = Vec(0, height - wheel.to_ground().y(), 0);
   actor.orientation = Quat::FromTwoVectors(Vec::UnitY(), wheel.axis());
   actor.linear_velocity = wheel.velocity(kGravity), actor.angular_velocity = wheel.spin(kGravity);
   actor.mass = 1;
@@ -51,8 +51,26 @@ std::unique_ptr<Observer> fill_wheel(Stage& stage, const std::vector<double>& kn
   actor.parts.push_back(part);
   const Vec start = actor.position, middle = middle_of(start, actor.linear_velocity, wheel.round);
   const std::size_t body = stage.add(std::move(actor));
-  stage.camera_from = Vec(0, 3, 8), stage.camera_to = middle;
+  stage.camera_from = middle + Vec(0, 3, 8), stage.camera_to = middle;
   return std::make_unique<CircleTrial>(stage, body, wheel.round, middle, start);
+}
+
+TurningWheel wheel_of(const std::vector<double>& knobs) { return {knobs[0], 0.02 * knobs[0], knobs[1], knobs[2]}; }
+
+std::unique_ptr<Observer> fill_wheel(Stage& stage, const std::vector<double>& knobs, const std::string&) {
+  add_ground(stage, 1);
+  return roll(stage, wheel_of(knobs), "wheel", 0);
+}
+
+/// The coin goes round the tray's middle; friction holds the tray, and a level surface that stays is as good as the ground.
+std::unique_ptr<Observer> fill_tray(Stage& stage, const std::vector<double>& knobs, const std::string&) {
+  const TurningWheel coin = wheel_of(knobs);
+  const Vec start(0, -coin.to_ground().y(), 0);
+  const Vec middle = middle_of(start, coin.velocity(kGravity), coin.round);
+  const double wide = 2 * ((middle - start).norm() + coin.radius), thick = 0.05 * wide;
+  add_ground(stage, 1);
+  add_solid(stage, "cylinder", {wide / 2, thick / 2}, Vec(middle.x(), thick / 2, middle.z()), knobs[3], {1, 0});
+  return roll(stage, coin, "coin", thick);
 }
 
 std::unique_ptr<Observer> fill_turntable(Stage& stage, const std::vector<double>& knobs, const std::string&) {
@@ -89,6 +107,24 @@ Challenge wheel_challenge() {
            8,
            1.0 / 60,
            fill_wheel},
+          "steady turn of a disk that rolls",
+          {{"place, at worst", "m", 0.02}},
+          {},
+          {}};
+}
+
+Challenge tray_challenge() {
+  return {52,
+          {"tray",
+           "A coin of 1 kg rolls round on a tray that lies on the ground.",
+           "a coin that keeps its lean and comes round, a tray that stays",
+           {{"radius", "m", "of the coin", 0.3, 0.01, 10},
+            {"lean", "rad", "of its axis from the vertical", 0.8, 0.2, 1.5},
+            {"round", "rad/s", "about the vertical", 4, 0.1, 10},
+            {"weight", "kg", "of the tray", 20, 5, 1e6}},
+           4,
+           1.0 / 60,
+           fill_tray},
           "steady turn of a disk that rolls",
           {{"place, at worst", "m", 0.02}},
           {},

@@ -1,4 +1,4 @@
-// stack, massratio, tower100: one column of cubes of 1 m, equal or with the weight on top.
+// stack, massratio, tower100: one column of cubes of 1 m, equal or with the weight on top. overhang: bricks that lean out.
 #include "accuracy/stacking/stand.h"
 
 namespace carom::tools::accuracy {
@@ -26,6 +26,22 @@ std::unique_ptr<Observer> fill_massratio(Stage& stage, const std::vector<double>
 
 std::unique_ptr<Observer> fill_tower(Stage& stage, const std::vector<double>& knobs, const std::string&) {
   return column(stage, static_cast<int>(knobs[0]), knobs[1]);
+}
+
+/// Of k bricks the middle is under half a brick beyond the edge of the next where each lies 1 / (2 k) of a brick farther
+/// out than the one below it: that is the limit of each brick at once, counted from above.
+std::unique_ptr<Observer> fill_overhang(Stage& stage, const std::vector<double>& knobs, const std::string&) {
+  constexpr double kLength = 1, kHeight = 0.25, kDepth = 0.5;  // m
+  const int bricks = static_cast<int>(knobs[0]);
+  add_ground(stage, 0.5);
+  double out = 0;
+  for (int i = 0; i < bricks; ++i) {
+    add_box(stage, Vec(out, (i + 0.5) * kHeight, 0), Vec(kLength, kHeight, kDepth) / 2, 1, {0.5, 0});
+    if (i + 1 < bricks) out += knobs[1] * kLength / (2 * (bricks - 1 - i));
+  }
+  stage.camera_from = Vec(out / 2, kHeight * bricks / 2, 2 + 0.4 * bricks);
+  stage.camera_to = Vec(out / 2, kHeight * bricks / 2, 0);
+  return std::make_unique<StandTrial>(stage, kHeight, kSeconds);
 }
 
 Challenge standing(int number, Scene scene, double bound, Peer at_60_hz, Peer at_any_step) {
@@ -93,6 +109,18 @@ Challenge tower100_challenge() {
                    1.0 / 60,
                    fill_tower},
                   1e-3, {1.2e-4, "MuJoCo stiff"}, {3.7e-5, "Bullet 200, 1/960"});
+}
+
+Challenge overhang_challenge() {
+  return standing(54,
+                  {"overhang",
+                   "Ten bricks lean out as far as they can, less 1 %: the uppermost lies wholly beyond the lowest.",
+                   "a tower that stands, and falls where it leans out by 2 % more",
+                   {{"n", "", "bricks", 10, 2, 100, true}, {"reach", "", "of what just stands", 0.99, 0, 1.5}},
+                   kSeconds,
+                   1.0 / 60,
+                   fill_overhang},
+                  1e-3, {}, {});
 }
 
 }  // namespace carom::tools::accuracy

@@ -92,10 +92,10 @@ std::string topic_of(const Challenge& challenge) {
   const int n = challenge.number;
   if (n <= 6) return "Flight";
   if (n >= 7 && n <= 9) return "Joints";
-  if (n == 30) return "Joints";
+  if (n == 30 || n == 53) return "Joints";
   if (n >= 10 && n <= 15) return "Impacts";
   if (n == 29 || n == 37) return "Impacts";
-  if ((n >= 16 && n <= 21) || n == 31) return "Friction";
+  if ((n >= 16 && n <= 21) || n == 31 || (n >= 46 && n <= 52)) return "Friction";
   if (n == 33 || n == 35 || n == 36) return "Invariance";
   if (n == 34) return "Cones";
   return "Standing";
