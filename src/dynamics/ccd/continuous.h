@@ -112,8 +112,8 @@ struct SweptBody {
 class PartingPlanes {
  public:
   explicit PartingPlanes(Memory* m) : planes_(m) {}
-  /// Forgets all.   @param about  how many there may be
-  void clear(std::size_t about);
+  /// Forgets all.   @param bodies  how many are known: each has some neighbours
+  void clear(std::size_t bodies);
   /// @return zero: none is known
   Vec3 find(std::uint32_t a, std::uint32_t b) const;
   /// @param normal  unit, world, from A to B

@@ -31,8 +31,8 @@ class Round {
   Real resistance(const ConeLink& c) const { return (c.is_lock() ? softness_of_locks() : softness_of_drives()) * c.k; }
   Real softness_of_locks() const { return is_known_ ? kSoftnessOfLocks : std::min(kSoftnessOfLocks, softness_); }
   Real softness_of_drives() const { return is_known_ ? kSoftnessOfLocks : softness_; }
-  /// What tells the factor of this round from others: softness where that differs, -1 where friction is known, since contacts
-  /// resist alike there in every round.
+  /// What tells the factor of this round from others: softness; where friction is known less than 0, by what contacts resist in all,
+  /// rounded, so that it is the same however that is shared between softness and give.
   Real factored_as() const {
     if (!is_known_) return softness_;
     return problem_.contacts.empty() ? -1

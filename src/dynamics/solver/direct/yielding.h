@@ -24,8 +24,9 @@ void bound_friction(ConeProblem& problem);
 std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance, std::uint32_t most_steps);
 
 /// From a solution that yields on: rounds in which each contact keeps to what it bore in the round before, friction as it is
-/// known: by what was borne in the last substep, of what begins to bear by the round before. What a contact gives shrinks by the softness of what it bears on.
-/// Where a round leaves most of the error, what is light bears what is heavy: the next one is as much harder as that tells.
+/// known: by what was borne in the last substep, of what begins to bear by the round before. What a contact gives shrinks by the softness of what it
+/// bears on. Where a round leaves most of the error, what is light bears what is heavy: the next one is as much harder as that tells.
+/// It is taken back where Newton's method does not come to its end in it.
 /// @param tolerable  m/s: what is no faster needs no harder round
 /// @param give  as of that solution: one matrix serves while the same contacts stick   @return its residual is of known friction
 ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, Real tolerable, std::uint32_t most_steps);
