@@ -46,8 +46,23 @@ Aabb cone_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   return b;
 }
 
+/// Six climbs over many vertices.   @accuracy as FarthestVertex
+Aabb climbed_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
+  Aabb b;
+  const auto along = [&](const Vec3& axis, const Vec3& n) {
+    const double* const v = &s.vertices[3 * std::size_t{s.farthest(n)}];
+    return axis.x() * v[0] + axis.y() * v[1] + axis.z() * v[2];
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 axis = r.row(i);
+    b.lo[i] = p[i] + along(axis, -axis), b.hi[i] = p[i] + along(axis, axis);
+  }
+  return b;
+}
+
 /// One pass over the verified vertices: all six sides at once, where the support function would scan six times.
 Aabb polytope_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
+  if (s.farthest.climbs()) return climbed_bounds(s, r, p);
   Vec3 lo = Vec3::constant(kInfinity), hi = Vec3::constant(-kInfinity);
   for (std::size_t k = 0; k + 3 <= s.vertices.size(); k += 3) {
     const double* v = &s.vertices[k];

@@ -238,6 +238,74 @@ static void a_step_with_contacts_is_that_of_the_dense_matrix(void**) {
   });
 }
 
+namespace {
+
+/// Limits along what each joint lets go; where it is one way, with a rotor beside.
+std::vector<ConeLink> drives_on(Scene& s, Random& random) {
+  std::vector<ConeLink> drives;
+  for (std::uint32_t j = 0; j < s.problem.tree.size(); ++j) {
+    TreeNode& node = s.problem.tree[j];
+    if (!node.is_held() || node.freedom == 0) continue;
+    const std::uint32_t child = s.problem.body_at(j);
+    const std::uint32_t parent = node.parent == kInvalid ? kInvalid : s.problem.body_at(node.parent);
+    node.first_drive = static_cast<std::uint32_t>(drives.size()), node.drives = node.freedom == 1 ? 2 : 1;
+    for (std::uint32_t i = 0; i < node.drives; ++i) {
+      ConeLink& c = drives.emplace_back();
+      c = {}, c.k = 1, c.most = kInfinity;
+      c.a = node.child_is_a ? child : parent, c.b = node.child_is_a ? parent : child;
+      c.d_a = c.d_b = any_vector(random, 1), c.w_a = c.w_b = any_vector(random, 1);
+      if (i == 1) c.give = random.uniform(0.01, 3);
+      if (i == 0) c.high = 1;  // a limit, which no rotor is
+    }
+  }
+  return drives;
+}
+
+}  // namespace
+
+static void a_drive_makes_of_its_own_velocity_what_the_dense_matrix_does(void**) {
+  each_scene([](Scene& s, Random& random) {
+    std::vector<ConeLink> drives = drives_on(s, random);
+    s.problem.links = drives;
+    articulate(s.problem);
+    const auto row_of_drive = [&](const ConeLink& c) {
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(s.size()));
+      if (c.a != kInvalid) row.segment(6 * c.a, 6) << -eigen(c.d_a), -eigen(c.w_a);
+      if (c.b != kInvalid) row.segment(6 * c.b, 6) << eigen(c.d_b), eigen(c.w_b);
+      return row;
+    };
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(s.locks().size()));
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+      Eigen::MatrixXd m = s.masses();
+      for (std::size_t k = i; k <= i + 1 && k < drives.size(); ++k)
+        if (drives[k].a == drives[i].a && drives[k].b == drives[i].b && drives[k].give > 0)
+          m += row_of_drive(drives[k]) * row_of_drive(drives[k]).transpose() / drives[k].give;
+      const Eigen::VectorXd row = row_of_drive(drives[i]);
+      const Real want = row.dot(s.solved(m, row, none).head(static_cast<Eigen::Index>(s.size())));
+      assert_true(std::fabs(drives[i].k - want) <= kNear * want + 1e-12);
+    }
+  });
+}
+
+/// Of chains and trees of hundreds of bodies, against what an impulse makes of all of them.
+static void so_it_does_in_long_chains(void**) {
+  Random random(20261130);
+  for (const bool in_a_line : {true, false}) {
+    Scene s(random, 600, in_a_line ? 1 : 1e4, in_a_line);
+    std::vector<ConeLink> drives = drives_on(s, random);
+    for (ConeLink& c : drives) c.give = 0;
+    s.problem.links = drives;
+    articulate(s.problem);
+    for (std::size_t i = 0; i < drives.size(); i += 7) {
+      for (ConeBody& b : bodies_of(s.problem)) b.gradient.set_zero();
+      add_impulse<&ConeBody::gradient>(s.problem, drives[i], 1);
+      respond(s.problem);
+      const Real want = relative<&ConeBody::step>(s.problem.bodies, drives[i]);
+      assert_true(want > 0 && std::fabs(drives[i].k - want) <= kNear * want + 1e-12);
+    }
+  }
+}
+
 /// Two hinges on one line between two bodies, as of a door: ten rows, of which five say it all.
 static void rows_that_others_imply_bear_nothing(void**) {
   Random random(7);
@@ -270,6 +338,8 @@ int main() {
       cmocka_unit_test(what_locks_ask_is_obeyed_at_the_least_change),
       cmocka_unit_test(momentum_moves_what_joints_let_it_move),
       cmocka_unit_test(a_step_with_contacts_is_that_of_the_dense_matrix),
+      cmocka_unit_test(a_drive_makes_of_its_own_velocity_what_the_dense_matrix_does),
+      cmocka_unit_test(so_it_does_in_long_chains),
       cmocka_unit_test(rows_that_others_imply_bear_nothing),
   };
   return cmocka_run_group_tests_name("unit/dynamics/forest", tests, nullptr, nullptr);

@@ -410,19 +410,10 @@ void ConeGroup::solve(Velocities& to, Real h, int substeps) {
 void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
   const Real goal = rest_.goal;
   if (is_still_at_rest(goal)) {
-    if (getenv("DS")) fprintf(stderr, "DS step %llu still\n", (unsigned long long)world_.report.steps);
     rest_.is_close = true;
     return account_work();
   }
-  const Real was = solution_.residual;
   find(h, goal, most_steps);
-  if (getenv("DS") && problem_.last - problem_.first > 20)
-    fprintf(
-        stderr,
-        "DS step %llu bodies %u contacts %zu res %.3g -> %.3g goal %.3g steps %u of %u rounds %u work each %llu lies %d stood %d once %d fastest %.3g load %.3g\n",
-        (unsigned long long)world_.report.steps, problem_.last - problem_.first, problem_.contacts.size(), was,
-        solution_.residual, goal, solution_.factorisations, most_steps, solution_.rounds, (unsigned long long)work_,
-        rest_.lies, problem_.stood, rest_.at_once, fastest_any_way(problem_), rest_.load);
   find_lock_impulses(problem_);
   if (!solution_.reached && may_be_held()) {
     hold();

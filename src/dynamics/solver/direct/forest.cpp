@@ -106,6 +106,98 @@ void free_drives(ConeProblem& problem, TreeNode& node) {
   set_zero(node.driven);
 }
 
+/// X a X^T of a symmetric matrix: velocities of a child that is taken along, by momentum handed over. What rounding makes of it is
+/// symmetric: the rest would grow from link to link.
+Block of_parent(const Block& a, const TreeNode& child) {
+  Block half, whole;
+  each_row([&](int i) { with_parent(child, row_of(a, i)).store(half.x[i]); });
+  set_zero(whole);
+  add_transposed(whole, half);
+  each_row([&](int i) { with_parent(child, row_of(whole, i)).store(half.x[i]); });
+  copy(half, whole);
+  add_transposed(whole, half);
+  each_row([&](int i) {
+    RowOfTwos row = row_of(whole, i);
+    row.multiply(0.5);
+    row.store(whole.x[i]);
+  });
+  return whole;
+}
+
+/// (I - t c^T) a (I - c t^T) + t t^T, of a symmetric a: a - w t^T - t w^T, to the bit.
+void let_go(Block& a, const RowOfTwos& c, const RowOfTwos& t) {
+  Vec6 to, free;
+  c.store(to.at), t.store(free.at);
+  RowOfTwos w = product(a, to);
+  w.subtract((w.dot(c) + 1) / 2, t);
+  Vec6 by;
+  w.store(by.at);
+  each_row([&](int i) {
+    RowOfTwos change = w;
+    change.multiply(free[i]), change.add(by[i], t);
+    RowOfTwos row = row_of(a, i);
+    row.subtract(change);
+    row.store(a.x[i]);
+  });
+}
+
+/// What an impulse of a limit or drive makes of its own velocity: its child goes along S, and its parent as what hangs on it
+/// lets it. The bodies' own inertia is no measure of that: joints of one body's several axes have next to none between them. Rotors
+/// go along, of joints of one freedom.
+/// @param by_parent  as the parent goes, by momentum handed over; null: it does not
+void find_responses_of_drives(ConeProblem& problem, const TreeNode& node, const Block* by_parent) {
+  const std::span<ConeLink> drives = problem.links.subspan(node.first_drive, node.drives);
+  Real resist = 0;  // kg or kg m^2 along S, of what gives way by itself
+  for (ConeLink& c : drives) {
+    if (!(c.k > 0)) continue;
+    if (node.freedom == 1 && c.low == c.high && c.give > 0 && c.most == kInfinity)
+      resist += c.of_child[0] * c.of_child[0] / c.give;
+    Vec6 z = c.of_child;
+    solve_lower(node.by_mass.factor, z, node.freedom);
+    RowOfTwos handed = RowOfTwos::zero();
+    c.k = 0;
+    for (int k = 0; k < node.freedom; ++k) c.k += z[k] * z[k], handed.add(z[k], row_of(node.by_mass.coupling, k));
+    if (!by_parent) continue;
+    Vec6 m;
+    handed.store(m.at);
+    c.k += product(*by_parent, m).dot(handed);
+  }
+  if (!(resist > 0)) return;
+  for (ConeLink& c : drives)
+    if (const Real along = c.of_child[0] * c.of_child[0]; c.k > 0) c.k *= along / (along + c.k * resist);
+}
+
+/// From the roots to the leaves, as far as there are drives.
+/// @param known  TreeNode::response is
+void find_responses(ConeProblem& problem, bool known) {
+  for (TreeNode& node : problem.tree) node.responds = false;
+  for (TreeNode& node : problem.tree)
+    if (node.parent != kInvalid && (node.responds || node.drives > 0))
+      problem.tree[node.parent - problem.first].responds = true;
+  for (std::uint32_t j = static_cast<std::uint32_t>(problem.tree.size()); j-- > 0;) {
+    TreeNode& node = problem.tree[j];
+    if (!(node.responds || node.drives > 0)) continue;
+    if (!node.is_held()) {
+      for (int i = 0; !known && i < kDof; ++i) {
+        Vec6 v;
+        v.set_zero(), v[i] = 1;
+        solve_lower(node.by_mass.factor, v), solve_upper(node.by_mass.factor, v);
+        row_of(v).store(node.response.x[i]);
+      }
+      continue;
+    }
+    Block by_parent;
+    set_zero(by_parent);
+    if (node.parent != kInvalid) by_parent = of_parent(problem.tree[node.parent - problem.first].response, node);
+    find_responses_of_drives(problem, node, node.parent != kInvalid ? &by_parent : nullptr);
+    if (known || !node.responds) continue;
+    Block freed = node.basis;
+    solve_rows(node.by_mass.factor, freed, node.freedom);
+    for (int k = 0; k < node.freedom; ++k) let_go(by_parent, row_of(node.by_mass.coupling, k), row_of(freed, k));
+    copy(by_parent, node.response);
+  }
+}
+
 /// S, from what is locked.
 void free_child(ConeProblem& problem, TreeNode& node) {
   node.freedom = node.locks.freedom();
@@ -139,11 +231,13 @@ void articulate(ConeProblem& problem) {
         add_left(node.inertia, node.by_mass, node.arm, tree[node.parent - problem.first].inertia, n);
     });
   }
+  find_responses(problem, false);
 }
 
 void free_drives(ConeProblem& problem) {
   for (TreeNode& node : problem.tree)
     if (node.is_held()) free_drives(problem, node);
+  find_responses(problem, true);
 }
 
 void respond(ConeProblem& problem) {

@@ -9,10 +9,10 @@
 namespace carom::dynamics {
 
 /// Minimises over velocities v
-///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(z)|^2 / 2,   z = p0 - (y + give p0) / R,   R = softness * k + give,
+///     |v - v0|^2_M / 2 - sum p0.(u - u0) + sum R |P_K(z)|^2 / 2,   z = p0 - (y + give p0) / R,   R = softness * k,
 /// whose gradient is nought where momentum and the impulses P_K(z) agree.
-/// Where friction is known K is the half of a cylinder; and where contacts yield (yielding.h) R = give, without
-/// their last impulses.
+/// Where friction is known K is the half of a cylinder; and contacts yield (yielding.h) by a share `give` of R from where they
+/// bear nothing. What gives way by itself, as a spring, has R beside that only as far as it gives less.
 class Round {
  public:
   Round(ConeProblem& problem, Real softness);
@@ -27,17 +27,14 @@ class Round {
   bool is_stuck() const { return is_stuck_; }
 
  private:
-  Real resistance(const ConeContact& c) const { return softness_ * c.k + c.give; }
-  Real resistance(const ConeLink& c) const { return (c.is_lock() ? softness_of_locks() : softness_of_drives()) * c.k; }
-  Real softness_of_locks() const { return is_known_ ? kSoftnessOfLocks : std::min(kSoftnessOfLocks, softness_); }
-  Real softness_of_drives() const { return is_known_ ? kSoftnessOfLocks : softness_; }
-  /// What tells the factor of this round from others: softness; where friction is known less than 0, by what contacts resist in all,
-  /// rounded, so that it is the same however that is shared between softness and give.
-  Real factored_as() const {
-    if (!is_known_) return softness_;
-    return problem_.contacts.empty() ? -1
-                                     : -static_cast<float>(resistance(problem_.contacts[0]) / problem_.contacts[0].k);
+  Real resistance(const ConeContact& c) const { return softness_ * c.k; }
+  /// Beyond what it gives by itself: no more is needed.
+  Real resistance(const ConeLink& c) const {
+    return c.is_lock() ? softness_of_locks() * c.k : std::max(Real(0), softness_ * c.k - c.give);
   }
+  Real softness_of_locks() const { return is_known_ ? kSoftnessOfLocks : std::min(kSoftnessOfLocks, softness_); }
+  /// What tells the factor of this round from others: softness; where friction is known less than 0.
+  Real factored_as() const { return is_known_ ? -softness_ : softness_; }
   Vec3 project(const ConeContact& c, const Vec3& z) const {
     return is_known_ ? project_on_cylinder(z, c.n, c.most_friction) : project_on_cone(z, c.n, c.friction);
   }

@@ -33,6 +33,7 @@ struct TreeNode {
   std::uint32_t first_drive, drives;  // likewise its limits and drives, in ConeProblem::links
   bool child_is_a;                    // of the joint
   bool has_children;
+  bool responds;  // it carries a limit or a drive: `response` is asked for
 
   // of where the bodies are
   int freedom;  // columns of S
@@ -41,6 +42,7 @@ struct TreeNode {
   Vec3 arm;  // m, from the parent's centre of mass to its own: X
   // with the masses there
   Block inertia;        // 6x6, its own and of what it carries
+  Block response;       // 6x6, velocities by momentum on it, with all of the forest, @see responds
   FreedColumn by_mass;  // of it; of what is free the factor alone
   // of a round
   Block driven;        // freedom x freedom: what limits and drives add to S^T M S

@@ -93,8 +93,7 @@ std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real
   for (ConeContact& c : problem.contacts) c.give = forgets * give * c.k, c.slip = 0;
   bound_friction(problem);
   problem.factored = problem.locked_softness = 0;
-  const std::uint32_t steps =
-      Round(problem, (1 - forgets) * give, Round::Friction::known).minimise(tolerance, most_steps);
+  const std::uint32_t steps = Round(problem, give, Round::Friction::known).minimise(tolerance, most_steps);
   for (ConeContact& c : problem.contacts) c.give = 0;
   return steps;
 }
