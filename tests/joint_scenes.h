@@ -10,7 +10,6 @@
 namespace carom::test {
 
 inline constexpr Real kG = 9.81;
-enum SolverChoice { kSequentialChoice = 1, kSoftChoice = 2, kDirectChoice = 3, kAutoChoice = 4 };
 
 /// The solver's own answer to joints: islands that joints alone hold are left to it, too.
 inline void leave_joints_to_solver(TestWorld& t) { t.world.set_dial(Dial::joint_order, 0); }

@@ -9,7 +9,7 @@
 
 namespace carom::test {
 
-inline constexpr int kEverySolver[] = {kSequentialChoice, kSoftChoice, kDirectChoice, kAutoChoice};
+inline constexpr int kEverySolver[] = {kSoftChoice, kDirectChoice, kAutoChoice};
 inline constexpr Real kStep = 1.0 / 60;
 inline const Quat kOblique = normalized(Quat(0.7, 0.3, -0.5, 0.4));
 

@@ -85,6 +85,9 @@ inline Vec3 momentum(const World& w) {
   return p;
 }
 
+/// CAROM_SOLVER_*
+enum SolverChoice { kSeverityChoice, kSoftChoice, kDirectChoice, kAutoChoice, kSolverChoices };
+
 /// Bits of a scene (a TestWorld) after some steps of 1/60 s.
 /// @param solver  as of the dial   @param threads  that share a step
 template <class Scene>

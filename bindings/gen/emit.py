@@ -53,8 +53,12 @@ FILES = {
     "bindings/python/carom/records.py": emit_records.records,
     "bindings/python/carom/raw.pyi": emit_python.stubs,
     "bindings/go/raw/raw.go": emit_go.raw,
+    "bindings/go/calls.go": emit_go.calls,
     "bindings/csharp/Carom/Raw.cs": emit_csharp.raw,
     "bindings/java/carom/Raw.java": emit_java.raw,
+    "bindings/java/carom/EngineCalls.java": emit_java.calls("carom_engine"),
+    "bindings/java/carom/WorldCalls.java": emit_java.calls("carom_world"),
     "bindings/rust/carom-sys/src/lib.rs": emit_rust.sys,
+    "bindings/rust/carom/src/calls.rs": emit_rust.calls,
     **emit_pages.pages(sorted(path.name for path in (Path(__file__).resolve().parents[2] / "include" / "carom").glob("*.h"))),
 }

@@ -1,7 +1,8 @@
 """The raw layer of bindings/java: one class, by java.lang.foreign. Functions and constants have C's names, structs are classes over
-memory that the caller's Arena owns."""
+memory that the caller's Arena owns. Above it the calls on engines and worlds that need no pointer of the caller's."""
 import re
 
+import calls as faces
 from c_reader import HeaderError
 
 VALUES = {"int32_t": ("int", "JAVA_INT"), "uint32_t": ("int", "JAVA_INT"), "uint64_t": ("long", "JAVA_LONG"), "int64_t": ("long", "JAVA_LONG"),
@@ -115,3 +116,101 @@ def raw(api):
         out.append(f"{s['name']} 0 {s['size']} struct")
         out += [f"{s['name']}.{f['name']} {f['offset']} {f['size']} {f['kind']}" for f in s["fields"]]
     return "\n".join(out + ['""";', "}", ""])
+
+
+def kind_of(value):
+    """Java's type of an argument, or of what comes back."""
+    if value.kind in ("struct", "state"):
+        return f"Raw.{class_of(value.base)}"
+    if value.kind in ("text", "bytes"):
+        return {"text": "String", "bytes": "byte[]"}[value.kind]
+    java, _ = VALUES.get(value.base, VALUES["uint64_t"])
+    if value.kind == "vector":
+        return "Vec3" if value.count == 3 else "Quat" if value.count == 4 and "orientation" in value.name else "double[]"
+    return java + "[]" if value.kind == "span" else java
+
+
+def got(value, at):
+    """What C wrote, as Java has it."""
+    layout = VALUES.get(value.base, VALUES["uint64_t"])[1]
+    numbers = f"{at}.toArray({layout})"
+    return {"Vec3": f"Vec3.of({numbers})", "Quat": f"Quat.of({numbers})", "double[]": numbers}.get(kind_of(value), f"{at}.get({layout}, 0)")
+
+
+def method(call):
+    f, before, after, passed, results = call.function, [], [], {}, []
+    for value in call.given:
+        name, memory = name_of(value.name), name_of(value.name) + "_in"
+        passed[value.name] = name
+        if value.kind in ("struct", "state"):
+            passed[value.name] = f"{name} == null ? MemorySegment.NULL : {name}.segment" if value.optional else f"{name}.segment"
+        elif value.kind not in ("number", "handle"):
+            before.append(f"var {memory} = Library.in(local, {name});")
+            passed[value.name] = memory
+            if value.to:
+                after.append(f"MemorySegment.copy({memory}, {VALUES.get(value.base, VALUES['uint64_t'])[1]}, 0, {name}, 0, {name}.length);")
+    for value in call.back:
+        memory = name_of(value.name) + "_out"
+        if value.kind == "struct":
+            before.append(f"var {memory} = new {kind_of(value)}(Arena.ofAuto());")
+            passed[value.name] = f"{memory}.segment"
+            results.append(memory)
+        else:
+            before.append(f"var {memory} = local.allocate({8 * value.count}, 8);")
+            passed[value.name] = memory
+            results.append(got(value, memory))
+    for argument, how in call.passed.items():
+        if isinstance(how, tuple):
+            passed[argument] = {"list": "dst", "count": "count", "capacity": "capacity", "stride": f"Raw.{class_of(call.list)}.SIZE" if call.list else "",
+                                "size": f"Raw.{class_of(getattr(how[1], 'base', ''))}.SIZE"}.get(how[0])
+    for argument, (first, *others) in call.lengths.items():
+        many = lambda v: f"{name_of(v.name)}.length" + (f" / {v.count}" if v.count > 1 else "")  # noqa: E731
+        passed[argument] = many(first)
+        before += [f"Library.fits({name_of(o.name) + ' == null ? ' + many(first) + ' : ' if o.optional else ''}{many(o)}, {many(first)});" for o in others]
+    words = ", ".join(["p", *(passed[a["name"]] for a in f["arguments"][1:-1]), "e"])
+    raw_call, record = f"Raw.{f['name']}({words})", []
+    if call.list:
+        layout = VALUES.get(call.list, VALUES["uint64_t"])[1]
+        struct = call.list.startswith("carom_") and call.list in STRUCTS
+        arena, size = ("Arena.ofAuto()", f"Raw.{class_of(call.list)}.SIZE") if struct else ("local", {"uint8_t": 1, "uint32_t": 4}.get(call.list, 8))
+        found = f"Library.list(this::call, {arena}, {size}, (p, dst, capacity, count, e) -> {raw_call})"
+        returns = f"Raw.{class_of(call.list)}[]" if struct else {"uint8_t": "byte[]", "uint32_t": "int[]"}.get(call.list, "long[]")
+        last = [f"var all = {found};", f"var each = new Raw.{class_of(call.list)}[(int) (all.byteSize() / {size})];",
+                f"for (int i = 0; i < each.length; i++) each[i] = new Raw.{class_of(call.list)}(all.asSlice((long) i * {size}, {size}));", "return each;"] \
+            if struct else [f"return {found}.toArray({'JAVA_BYTE' if call.list == 'uint8_t' else layout});"]
+        local = not struct or any("local" in line for line in before)
+    else:
+        last, local = [f"call((p, e) -> {raw_call});", *after], any("local" in line for line in before)
+        returns = "void" if not results else kind_of(call.back[0])
+        if len(results) > 1:
+            returns = class_of(call.name)
+            if returns != "Pose":
+                record = [f"    public record {returns}({', '.join(f'{kind_of(v)} {name_of(v.name)}' for v in call.back)}) {{}}", ""]
+            last.append(f"return new {returns}({', '.join(results)});")
+        elif results:
+            last.append(f"return {results[0]};")
+    given = ", ".join(f"{kind_of(v)} {name_of(v.name)}" for v in call.given)
+    given = given.removesuffix("double[] params") + "double... params" if given.endswith("double[] params") else given
+    body = before + last
+    if local:
+        body = ["try (Arena local = Arena.ofConfined()) {", *("    " + line for line in body), "}"]
+    return record + docs(f["doc"], "    ") + [f"    public {returns} {name_of(call.name)}({given}) {{", *("        " + line for line in body), "    }", ""]
+
+
+STRUCTS = set()
+
+
+def calls(owner):
+    def text_of(api):
+        STRUCTS.update(s["name"] for s in api["structs"])
+        name = owner.removeprefix("carom_").capitalize()
+        out = ["// Written by bindings/gen/generate from include/carom; do not edit.", "package carom;", "", "import static java.lang.foreign.ValueLayout.*;", "",
+               "import java.lang.foreign.*;", "", f"/** Calls on {'an engine' if name == 'Engine' else 'a world'} that need no pointer of the caller's. A handle is a long. */",
+               f"public abstract sealed class {name}Calls permits {name} {{",
+               f"    /** Any call of Raw on this {name.lower()}. */", "    public abstract void call(Engine.Call call);", ""]
+        for o, methods in faces.calls(api):
+            if o == owner:
+                out += [line for call in methods if not any(v.kind == "records" for v in call.given) for line in method(call)]
+        out[-1:] = ["}", ""]
+        return "\n".join(out)
+    return text_of

@@ -1,4 +1,8 @@
-"""The raw layer of bindings/rust: all that the headers declare, with types of its own for handles, and the layout of each struct."""
+"""The raw layer of bindings/rust: all that the headers declare, with types of its own for handles, and the layout of each struct. Above it
+the calls of the crate `carom` that need no pointer of the caller's."""
+import re
+
+import calls as faces
 import spelled
 
 BASES = {"int32_t": "i32", "uint32_t": "u32", "uint64_t": "u64", "int64_t": "i64", "double": "f64", "uint8_t": "u8", "char": "c_char", "void": "c_void"}
@@ -86,3 +90,85 @@ def default_of(s):
     return [f"impl Default for {s['name']} {{", "    fn default() -> Self {", "        unsafe {",
             f"            let {'mut ' if fill else ''}it: Self = zeroed();"] + ([f"            {fill}"] if fill else []) + [
             "            it", "        }", "    }", "}"]
+
+
+def element(value):
+    """Of a span, of what comes back, of a number."""
+    base = BASES.get(value.base, f"raw::{value.base}")
+    return f"[{base}; {value.count}]" if value.count > 1 else base
+
+
+def taken(value):
+    """As an argument of a method."""
+    rust = {"text": "&str", "bytes": "&[u8]", "struct": f"&raw::{value.base}", "state": f"&mut raw::{value.base}",
+            "records": "[T; N]"}.get(value.kind) or element(value)
+    if value.kind in ("span", "records"):
+        rust = f"&mut [{rust}]" if value.to else f"&[{rust}]"
+    return f"{name_of(value.name)}: " + (f"Option<{rust}>" if value.optional else rust)
+
+
+def handed(value):
+    """What is done before the call, and what C is given."""
+    name = name_of(value.name)
+    if value.kind == "text":
+        return [f"let {name} = text({name})?;"], f"{name}.as_ptr()"
+    if value.kind == "struct" and value.sized:  # its size is the crate's, whatever the caller wrote there
+        whole = f"raw::{value.base} {{ struct_size: size_of::<raw::{value.base}>() as u32, ..*%s }}"
+        if value.optional:
+            return [f"let {name} = {name}.map(|it| {whole % 'it'});"], f"{name}.as_ref().map_or(null(), |it| it)"
+        return [f"let {name} = {whole % name};"], f"&{name}"
+    if value.kind == "state" and value.sized:
+        return [f"{name}.struct_size = size_of::<raw::{value.base}>() as u32;"], name
+    if value.kind in ("span", "vector", "bytes", "records"):
+        cast = "" if value.kind == "span" and value.count == 1 or value.kind == "vector" else ".cast()"
+        if value.optional:
+            borrow = ".as_ref()" if value.kind == "vector" else ""
+            return [], f"{name}{borrow}.map_or(null(), |it| it.as_ptr(){cast})"
+        return [], f"{name}.{'as_mut_ptr' if value.to else 'as_ptr'}(){cast}"
+    return [], name
+
+
+def method(call):
+    f, before, passed = call.function, [], {}
+    for value in call.given:
+        lines, passed[value.name] = handed(value)
+        before += lines
+    for value in call.back:
+        before.append(f"let mut {name_of(value.name)} = <{element(value)}>::default();")
+        passed[value.name] = f"{name_of(value.name)}.as_mut_ptr()" if value.count > 1 else f"&mut {name_of(value.name)}"
+    for name, how in call.passed.items():
+        if isinstance(how, tuple):
+            passed[name] = {"length": name_of(name), "list": "dst.cast()" if call.list == "uint8_t" else "dst", "count": "count", "capacity": "capacity",
+                            "scalar": "T::SCALAR", "record": "size_of::<[T; N]>() as u64",
+                            "stride": f"size_of::<raw::{call.list}>() as u64", "size": f"size_of::<raw::{getattr(how[1], 'base', '')}>() as u64"}[how[0]]
+    for name, (first, *others) in call.lengths.items():
+        length = f"{name_of(first.name)}.map_or(0, |it| it.len())" if first.optional else f"{name_of(first.name)}.len()"
+        before.append(f"let {name_of(name)} = {length} as u64;")
+        before += [f"{name_of(o.name)}.map_or(Ok(()), |it| fits(it.len(), {name_of(name)}))?;" if o.optional else
+                   f"fits({name_of(o.name)}.len(), {name_of(name)})?;" for o in others]
+    generic = "<T: Scalar, const N: usize>" if any(v.kind == "records" for v in call.given) else ""
+    given = ", ".join(["&mut self" if call.writes else "&self", *map(taken, call.given)])
+    words = ", ".join(passed[a["name"]] for a in f["arguments"][1:-1])
+    words = f"p, {words}, e" if words else "p, e"
+    back = [element(v) for v in call.back]
+    returns = f"Vec<{BASES.get(call.list, 'raw::' + call.list)}>" if call.list else back[0] if len(back) == 1 else f"({', '.join(back)})"
+    names = [name_of(v.name) for v in call.back]
+    if call.list:
+        dst = "dst: *mut u8" if call.list == "uint8_t" else "dst"
+        last = [f"self.list(|p, {dst}, capacity, count, e| unsafe {{ raw::{f['name']}({words}) }})"]
+    elif back:
+        last = [f"self.call(|p, e| unsafe {{ raw::{f['name']}({words}) }})?;", f"Ok({names[0] if len(names) == 1 else '(' + ', '.join(names) + ')'})"]
+    else:
+        last = [f"self.call(|p, e| unsafe {{ raw::{f['name']}({words}) }})"]
+    return docs(f["doc"], "    ") + [f"    pub fn {name_of(call.name)}{generic}({given}) -> Result<{returns}> {{", *("        " + line for line in before + last), "    }", ""]
+
+
+def calls(api):
+    """What needs no pointer of the caller's, as methods."""
+    out = ["//! Calls of the interface as methods. Written by bindings/gen/generate from include/carom; do not edit.",
+           "#![allow(rustdoc::broken_intra_doc_links, rustdoc::invalid_html_tags, clippy::doc_lazy_continuation, clippy::doc_overindented_list_items, clippy::too_many_arguments, clippy::type_complexity)]",
+           "use crate::{fits, raw, text, Engine, Result, Scalar, World};", "use std::mem::size_of;", "use std::ptr::null;", ""]
+    for owner, methods in faces.calls(api):
+        out += [f"impl {owner.removeprefix('carom_').capitalize()} {{", *(line for call in methods for line in method(call))]
+        out[-1:] = ["}", ""]
+    return "\n".join(out)

@@ -1,11 +1,13 @@
 // Package carom is a rigid-body physics engine: the same bits on every machine, shapes of your own. SI units, radians,
-// quaternions x, y, z, w. Package raw has all of the C interface; Engine.Call and World.Call make the
-// calls that have no method here.
+// quaternions x, y, z, w. Methods have the names of C's functions without the noun: World.SetVelocity is
+// carom_body_set_velocity(). Package raw has all of the C interface; Engine.Call and World.Call make the calls that have no
+// method.
 package carom
 
 import (
+	"fmt"
+	"reflect"
 	"sync"
-	"unsafe"
 
 	"carom/raw"
 )
@@ -17,9 +19,7 @@ type (
 	Collider     = raw.Collider
 	ColliderDesc = raw.ColliderDesc
 	Contact      = raw.Contact
-	Joint        = raw.Joint
 	JointDesc    = raw.JointDesc
-	Material     = raw.Material
 	MaterialDesc = raw.MaterialDesc
 	Plugin       = raw.Plugin
 	Shape        = raw.Shape
@@ -60,7 +60,7 @@ func (engine *Engine) Close() error {
 	if engine.pointer == nil {
 		return nil
 	}
-	if err := check(func(e *raw.Error) int32 { return raw.EngineDestroy(engine.pointer, e) }); err != nil {
+	if err := engine.Call(raw.EngineDestroy); err != nil {
 		return err
 	}
 	engine.pointer = nil
@@ -76,44 +76,11 @@ func (engine *Engine) Call(call func(p *raw.Engine, e *raw.Error) int32) error {
 	return check(func(e *raw.Error) int32 { return call(engine.pointer, e) })
 }
 
-// Shape makes one by the name of its plugin: "sphere", "box", "half_space", or one on $CAROM_PLUGIN_PATH.
-func (engine *Engine) Shape(name string, params ...float64) (shape Shape, err error) {
-	err = engine.Call(func(p *raw.Engine, e *raw.Error) int32 {
-		return raw.ShapeCreateNamed(p, cstring(name), first(params), uint64(len(params)), &shape, e)
-	})
-	return
-}
-
-// ShapeOf makes one of a plugin.
-func (engine *Engine) ShapeOf(plugin Plugin, params ...float64) (shape Shape, err error) {
-	err = engine.Call(func(p *raw.Engine, e *raw.Error) int32 {
-		return raw.ShapeCreate(p, plugin, first(params), uint64(len(params)), &shape, e)
-	})
-	return
-}
-
 // World makes an empty world, with gravity along -y.
 func (engine *Engine) World() (*World, error) {
 	var pointer *raw.World
 	err := engine.Call(func(p *raw.Engine, e *raw.Error) int32 { return raw.WorldCreate(p, nil, &pointer, e) })
-	if err != nil {
-		return nil, err
-	}
-	return &World{pointer, engine}, nil
-}
-
-func cstring(text string) *byte {
-	return &append([]byte(text), 0)[0]
-}
-
-var none float64
-
-// Never nil: a shape may have no parameters.
-func first(params []float64) *float64 {
-	if len(params) == 0 {
-		return &none
-	}
-	return &params[0]
+	return &World{pointer, engine}, err
 }
 
 // World has bodies and steps them. Any number of goroutines may read it at once; beside one that changes it others get
@@ -128,11 +95,11 @@ func (world *World) Close() error {
 	if world.pointer == nil {
 		return nil
 	}
-	if err := check(func(e *raw.Error) int32 { return raw.WorldDestroy(world.pointer, e) }); err != nil {
-		return err
+	err := world.Call(raw.WorldDestroy)
+	if err == nil {
+		world.pointer = nil
 	}
-	world.pointer = nil
-	return nil
+	return err
 }
 
 // Engine is the one that made this world.
@@ -143,49 +110,9 @@ func (world *World) Call(call func(p *raw.World, e *raw.Error) int32) error {
 	return check(func(e *raw.Error) int32 { return call(world.pointer, e) })
 }
 
-// Step advances by dt seconds.
-func (world *World) Step(dt float64) error {
-	return check(func(e *raw.Error) int32 { return raw.WorldStep(world.pointer, dt, e) })
-}
-
-// SetDial takes raw.CAROM_DIAL_*.
-func (world *World) SetDial(dial uint32, value float64) error {
-	return check(func(e *raw.Error) int32 { return raw.WorldSetDial(world.pointer, dial, value, e) })
-}
-
-// Hash is of all that a step changes: it compares two runs.
-func (world *World) Hash() (hash uint64, err error) {
-	err = check(func(e *raw.Error) int32 { return raw.WorldHash(world.pointer, &hash, e) })
-	return
-}
-
-// Material makes a surface for colliders.
-func (world *World) Material(desc MaterialDesc) (material Material, err error) {
-	err = check(func(e *raw.Error) int32 { return raw.MaterialCreate(world.pointer, &desc, &material, e) })
-	return
-}
-
 // Body makes a dynamic body of one shape, of density 1000 kg/m^3.
 func (world *World) Body(shape Shape, position Vec3) (Body, error) {
-	desc, part := raw.NewBodyDesc(), raw.NewColliderDesc()
-	desc.Position, part.Shape = position, shape
-	return world.BodyOf(desc, part)
-}
-
-// BodyOf makes a body of any number of shapes.
-func (world *World) BodyOf(desc BodyDesc, parts ...ColliderDesc) (body Body, err error) {
-	if err = check(func(e *raw.Error) int32 { return raw.BodyCreate(world.pointer, &desc, &body, e) }); err != nil {
-		return
-	}
-	var collider Collider
-	for i := range parts {
-		err = check(func(e *raw.Error) int32 { return raw.ColliderCreate(world.pointer, body, &parts[i], &collider, e) })
-		if err != nil {
-			world.Destroy(body)
-			return 0, err
-		}
-	}
-	return
+	return world.body(shape, position, raw.CAROM_BODY_DYNAMIC)
 }
 
 // Ground makes a static half-space below height.
@@ -194,19 +121,24 @@ func (world *World) Ground(height float64) (Body, error) {
 	if err != nil {
 		return 0, err
 	}
+	return world.body(shape, Vec3{}, raw.CAROM_BODY_STATIC)
+}
+
+func (world *World) body(shape Shape, position Vec3, kind uint32) (Body, error) {
 	desc, part := raw.NewBodyDesc(), raw.NewColliderDesc()
-	desc.Type, part.Shape = raw.CAROM_BODY_STATIC, shape
+	desc.Type, desc.Position, part.Shape = kind, position, shape
 	return world.BodyOf(desc, part)
 }
 
-// Destroy takes a body away, with its colliders and joints.
-func (world *World) Destroy(body Body) error {
-	return check(func(e *raw.Error) int32 { return raw.BodyDestroy(world.pointer, body, e) })
-}
-
-// Joint connects two bodies, or one and the world.
-func (world *World) Joint(desc JointDesc) (joint Joint, err error) {
-	err = check(func(e *raw.Error) int32 { return raw.JointCreate(world.pointer, &desc, &joint, e) })
+// BodyOf makes a body of any number of shapes.
+func (world *World) BodyOf(desc BodyDesc, parts ...ColliderDesc) (body Body, err error) {
+	err = world.Call(func(p *raw.World, e *raw.Error) int32 { return raw.BodyCreate(p, &desc, &body, e) })
+	for i := 0; err == nil && i < len(parts); i++ {
+		if _, err = world.Collider(body, parts[i]); err != nil {
+			world.Destroy(body)
+			body = 0
+		}
+	}
 	return
 }
 
@@ -216,68 +148,71 @@ func (world *World) Position(body Body) (position Vec3, err error) {
 	return
 }
 
-// Pose is a body's position and orientation.
-func (world *World) Pose(body Body) (pose Pose, err error) {
-	err = check(func(e *raw.Error) int32 {
-		return raw.BodyGetPose(world.pointer, body, &pose.Position[0], &pose.Orientation[0], e)
-	})
-	return
-}
-
-// SetPose moves a body at once.
-func (world *World) SetPose(body Body, pose Pose) error {
-	return check(func(e *raw.Error) int32 {
-		return raw.BodySetPose(world.pointer, body, &pose.Position[0], &pose.Orientation[0], e)
-	})
-}
-
-// SetVelocity takes m/s of the centre of mass, and rad/s.
-func (world *World) SetVelocity(body Body, linear, angular Vec3) error {
-	return check(func(e *raw.Error) int32 { return raw.BodySetVelocity(world.pointer, body, &linear[0], &angular[0], e) })
-}
-
-// AddForce adds a force and a torque, N and N m, for the next step.
-func (world *World) AddForce(body Body, force, torque Vec3) error {
-	return check(func(e *raw.Error) int32 { return raw.BodyAddForce(world.pointer, body, &force[0], &torque[0], e) })
-}
-
-// Bodies gives all handles.
-func (world *World) Bodies() ([]Body, error) {
-	return list(func(dst *Body, capacity uint64, count *uint64, e *raw.Error) int32 {
-		return raw.WorldGetBodies(world.pointer, dst, capacity, count, e)
-	})
-}
-
-// Contacts gives the contact points of the last step.
-func (world *World) Contacts() ([]Contact, error) {
-	return list(func(dst *Contact, capacity uint64, count *uint64, e *raw.Error) int32 {
-		return raw.WorldGetContacts(world.pointer, dst, uint64(unsafe.Sizeof(*dst)), capacity, count, e)
-	})
-}
-
-// Save gives the state as bytes; flags are raw.CAROM_SNAPSHOT_*.
-func (world *World) Save(flags uint32) ([]byte, error) {
-	return list(func(dst *byte, capacity uint64, count *uint64, e *raw.Error) int32 {
-		code := raw.WorldSave(world.pointer, flags, unsafe.Pointer(dst), capacity, count, e)
-		if code == raw.CAROM_E_BUFFER_TOO_SMALL {
-			return raw.CAROM_OK // list asks again
-		}
-		return code
-	})
-}
-
-// Restore puts back what Save gave.
-func (world *World) Restore(bytes []byte) error {
-	return check(func(e *raw.Error) int32 {
-		return raw.WorldRestore(world.pointer, unsafe.Pointer(unsafe.SliceData(bytes)), uint64(len(bytes)), e)
-	})
-}
-
 // Fork makes a copy that goes on bit for bit as this world does. Close it, too.
 func (world *World) Fork() (*World, error) {
 	var copy *raw.World
-	if err := check(func(e *raw.Error) int32 { return raw.WorldFork(world.pointer, &copy, e) }); err != nil {
-		return nil, err
+	err := world.Call(func(p *raw.World, e *raw.Error) int32 { return raw.WorldFork(p, &copy, e) })
+	return &World{copy, world.engine}, err
+}
+
+// Pose is a record of raw.CAROM_FIELD_POSE.
+type Pose struct {
+	Position    Vec3
+	Orientation Quat
+}
+
+// Record is what one body has of a field: as many numbers as the field, or more.
+type Record interface {
+	[1]float64 | [3]float64 | [4]float64 | [6]float64 | [7]float64 | Pose |
+		[1]float32 | [3]float32 | [4]float32 | [6]float32 | [7]float32
+}
+
+// Positions reads those of all bodies, in the order of Bodies.
+func (world *World) Positions(dst []Vec3) error {
+	return Read(world, raw.CAROM_FIELD_POSITION, nil, dst)
+}
+
+// Poses reads those of all bodies, in the order of Bodies.
+func (world *World) Poses(dst []Pose) error { return Read(world, raw.CAROM_FIELD_POSE, nil, dst) }
+
+func scalarOf[R Record]() uint32 {
+	if kind := reflect.TypeFor[R](); kind.Kind() == reflect.Array && kind.Elem().Kind() == reflect.Float32 {
+		return raw.CAROM_SCALAR_F32
 	}
-	return &World{copy, world.engine}, nil
+	return raw.CAROM_SCALAR_F64
+}
+
+// C refuses NULL also where there is nothing to read: a shape may have no parameters.
+func first[T any](all []T) *T {
+	if len(all) == 0 {
+		return new(T)
+	}
+	return &all[0]
+}
+
+func cstring(text string) *byte {
+	return &append([]byte(text), 0)[0]
+}
+
+func unlike(n, wanted int) error {
+	return &Error{Code: Code(raw.CAROM_E_OUT_OF_RANGE), Message: fmt.Sprintf("%d where %d are wanted", n, wanted), Remedy: "pass slices of one length"}
+}
+
+// All of a list that says how many there are: asked for none first, then for all.
+func list[T any](ask func(dst *T, capacity uint64, count *uint64, e *raw.Error) int32) (all []T, err error) {
+	for {
+		var count uint64
+		room := uint64(len(all))
+		err = check(func(e *raw.Error) int32 {
+			code := ask(first(all), room, &count, e)
+			if code == raw.CAROM_E_BUFFER_TOO_SMALL && count > room {
+				return raw.CAROM_OK // so do some say how many there are
+			}
+			return code
+		})
+		if err != nil || count <= room {
+			return all[:min(count, room)], err
+		}
+		all = make([]T, count)
+	}
 }

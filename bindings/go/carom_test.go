@@ -83,8 +83,8 @@ func TestArraysOfBodies(t *testing.T) {
 	ok(t, world.Poses(poses))
 	ok(t, Read(world, raw.CAROM_FIELD_POSITION, nil, floats))
 	for i, body := range must(world.Bodies()) {
-		if body != made[i] || positions[i] != must(world.Position(body)) || poses[i] != must(world.Pose(body)) ||
-			poses[i].Position != positions[i] || floats[i][0] != 2*float32(i) {
+		if body != made[i] || positions[i] != must(world.Position(body)) ||
+			poses[i].Position != positions[i] || poses[i].Orientation != must(orientation(world, body)) || floats[i][0] != 2*float32(i) {
 			t.Fatal(i, positions[i], poses[i], floats[i])
 		}
 	}
@@ -95,6 +95,55 @@ func TestArraysOfBodies(t *testing.T) {
 	fails(t, world.Positions(positions[:99]), raw.CAROM_E_OUT_OF_RANGE)
 	fails(t, Read(world, raw.CAROM_FIELD_POSITION, made[:2], positions), raw.CAROM_E_OUT_OF_RANGE)
 	fails(t, Read(world, raw.CAROM_FIELD_POSITION, nil, make([][1]float64, 100)), raw.CAROM_E_BUFFER_TOO_SMALL)
+}
+
+func TestEveryKindOfArgument(t *testing.T) {
+	engine, world := setUp(t)
+	small := must(engine.Shape("sphere", 0.2))
+	parts, places, turns := []Shape{small, small}, []Vec3{{-0.5, 0, 0}, {0.5, 0, 0}}, []Quat{{0, 0, 0, 1}}
+	capsule := must(engine.ShapeCreateHullOf(parts, places, nil, nil, 0))
+	_, err := engine.ShapeCreateHullOf(parts, nil, turns, nil, 0)
+	fails(t, err, raw.CAROM_E_OUT_OF_RANGE)
+	farthest := make([]Vec3, 2)
+	ok(t, engine.ShapeSupport(capsule, []Vec3{{1, 0, 0}, {0, 2, 0}}, farthest))
+	if math.Abs(farthest[0][0]-0.7) > 1e-12 || math.Abs(farthest[1][1]-0.2) > 1e-12 {
+		t.Fatal(farthest)
+	}
+	fails(t, engine.ShapeSupport(capsule, places[:1], farthest), raw.CAROM_E_OUT_OF_RANGE)
+	body := must(world.Body(capsule, Vec3{0, 2, 0}))
+	_, before, _, err := world.Mass(body)
+	ok(t, err)
+	ok(t, world.SetMass(body, 3, nil, &[9]float64{1, 0, 0, 0, 2, 0, 0, 0, 2.5}))
+	mass, center, inertia, err := world.Mass(body)
+	ok(t, err)
+	if mass != 3 || center != before || inertia[4] != 2 || inertia[8] != 2.5 {
+		t.Fatal(mass, center, inertia)
+	}
+	hit := must(world.CastRay(Vec3{0, 5, 0}, Vec3{0, -1, 0}, 10, nil))
+	if hit.Body != body || math.Abs(hit.Time-2.8) > 1e-6 {
+		t.Fatal(hit)
+	}
+	asked := raw.NewAccuracy()
+	asked.Place, asked.Turn = 1e-3, 1e-3
+	ok(t, world.SetAccuracy(&asked))
+	_, present, err := world.Accuracy()
+	ok(t, err)
+	ok(t, world.SetAccuracy(nil))
+	_, absent, err := world.Accuracy()
+	ok(t, err)
+	if present != 1 || absent != 0 || len(must(world.Colliders(body))) != 1 {
+		t.Fatal(present, absent)
+	}
+	same := make([]uint64, 1)
+	ok(t, world.TranslateHandles([]uint64{uint64(body)}, same))
+	if same[0] != uint64(body) {
+		t.Fatal(same)
+	}
+}
+
+func orientation(world *World, body Body) (Quat, error) {
+	_, orientation, err := world.Pose(body)
+	return orientation, err
 }
 
 func run(world *World) uint64 {

@@ -21,7 +21,7 @@ import "C"
 
 import (
 	"fmt"
-	"strconv"
+	"slices"
 	"strings"
 	"sync"
 
@@ -79,21 +79,19 @@ func checkManifest(manifest, file string) error {
 		return &Error{Code: Code(raw.CAROM_E_UNSUPPORTED), Message: file + " " + fmt.Sprintf(what, arguments...),
 			Remedy: "install a libcarom and a module of one version, or build the program against that library anew"}
 	}
-	lines := strings.Split(manifest, "\n")
+	version, lines, _ := strings.Cut(strings.TrimPrefix(manifest, "carom "), "\n")
 	var here, there [3]int
 	fmt.Sscanf(raw.VERSION, "%d.%d.%d", &here[0], &here[1], &here[2])
-	_, err := fmt.Sscanf(lines[0], "carom %d.%d.%d", &there[0], &there[1], &there[2])
+	_, err := fmt.Sscanf(version, "%d.%d.%d", &there[0], &there[1], &there[2])
 	same := there[0] == here[0] && (here[0] > 0 || there[1] == here[1]) // 0.10 differs from 0.9
-	if err != nil || !same || there[1] < here[1] || there[1] == here[1] && there[2] < here[2] {
-		return refuse("is of version %s, this module of %s", strings.TrimPrefix(lines[0], "carom "), raw.VERSION)
+	if err != nil || !same || slices.Compare(there[:], here[:]) < 0 {
+		return refuse("is of version %s, this module of %s", version, raw.VERSION)
 	}
 	rows := map[string]raw.Row{}
-	for _, line := range lines[1:] {
-		if words := strings.Fields(line); len(words) == 4 {
-			offset, _ := strconv.Atoi(words[1])
-			size, _ := strconv.Atoi(words[2])
-			rows[words[0]] = raw.Row{Name: words[0], Offset: uintptr(offset), Size: uintptr(size), Kind: words[3]}
-		}
+	for _, line := range strings.Split(lines, "\n") {
+		var row raw.Row
+		fmt.Sscanf(line, "%s %d %d %s", &row.Name, &row.Offset, &row.Size, &row.Kind)
+		rows[row.Name] = row
 	}
 	for _, ours := range raw.Layout {
 		theirs, there := rows[ours.Name]

@@ -19,8 +19,9 @@ extern "C" {
                                              spin */
 #define CAROM_DIAL_SUBSTEPS 2u            /* integrate-and-solve passes per step */
 #define CAROM_DIAL_SOLVER 3u              /* choice: CAROM_SOLVER_* */
-#define CAROM_DIAL_VELOCITY_ITERATIONS 4u /* at most this many impulses per contact of a group and substep */
-#define CAROM_DIAL_POSITION_ITERATIONS 5u /* at most this many position corrections per contact of a group and step */
+#define CAROM_DIAL_VELOCITY_ITERATIONS 4u /* severity: at most this many impulses per contact of a group and substep */
+#define CAROM_DIAL_POSITION_ITERATIONS 5u /* severity: at most this many position corrections per contact of a group
+                                             and substep; 0: none, under direct, too */
 #define CAROM_DIAL_VELOCITY_TOLERANCE 6u  /* m/s: velocity error left unresolved at a contact */
 #define CAROM_DIAL_POSITION_TOLERANCE 7u  /* m: penetration left unresolved; of what is thin at most 2 % of its
                                              thickness */
@@ -98,12 +99,11 @@ extern "C" {
 #define CAROM_ROTATION_SPLITTING_6 7u  /* seven of them (Yoshida) */
 
 /* clang-format off */
-#define CAROM_SOLVER_SEVERITY 0u   /* most severe contact first, by group: that of the paper of 2011 */
-#define CAROM_SOLVER_SEQUENTIAL 1u /* warm-started sweeps over all contacts (projected Gauss-Seidel) */
-#define CAROM_SOLVER_SOFT_STEP 2u  /* one sweep a substep over soft contacts, one that relaxes them: needs about 4
-                                      substeps */
-#define CAROM_SOLVER_DIRECT 3u     /* each contact group as one problem, solved to a residual: small hard groups */
-#define CAROM_SOLVER_AUTO 4u       /* soft_step, but direct for groups that it would not hold; says which and why */
+#define CAROM_SOLVER_SEVERITY 0u  /* most severe contact first, by group: that of the paper of 2011 */
+#define CAROM_SOLVER_SOFT_STEP 1u /* one sweep a substep over soft contacts, one that relaxes them: needs about 4
+                                     substeps */
+#define CAROM_SOLVER_DIRECT 2u    /* each contact group as one problem, solved to a residual: small hard groups */
+#define CAROM_SOLVER_AUTO 3u      /* soft_step, but direct for groups that it would not hold; says which and why */
 /* clang-format on */
 
 #define CAROM_SEARCH_LINEAR 0u /* the paper's: scan all contacts of the group for the most severe */
@@ -137,11 +137,10 @@ extern "C" {
 #define CAROM_SWEEP_FLAGGED 1u /* bodies of CAROM_CONTINUOUS_ALWAYS */
 #define CAROM_SWEEP_FAST 2u    /* also what moves far for its size in a step */
 
-/* In solvers that go over contacts in lanes (sequential, soft_step, and what auto gives to it) the rows of contacts
- * (arms, masses, impulses) are floats or doubles. Poses, velocities, the search for contacts, joints and the direct
- * solver are doubles in any case. A step with contacts that floats can't bear is solved in doubles: masses outside
- * 1e-9 to 1e9 kg, places more than 10 km from a body's centre of mass, friction beyond 1e6, needles thinner than 1
- * : 700, substeps below 1e-9 s. */
+/* In soft_step, and in what auto gives to it, the rows of contacts (arms, masses, impulses) are floats or doubles.
+ * Poses, velocities, the search for contacts, joints and the direct solver are doubles in any case. A step with
+ * contacts that floats can't bear is solved in doubles: masses outside 1e-9 to 1e9 kg, places more than 10 km from a
+ * body's centre of mass, friction beyond 1e6, needles thinner than 1 : 700, substeps below 1e-9 s. */
 #define CAROM_PRECISION_FLOAT 0u /* floats */
 /* clang-format off */
 #define CAROM_PRECISION_AUTO 1u   /* floats in steps with 512 pairs in contact or more, where their memory saves

@@ -7,7 +7,7 @@ namespace {
 constexpr const char* kIntegrators[] = {"explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"};
 constexpr const char* kRotations[] = {"none",         "explicit",  "implicit",    "rk4",
                                       "lie_midpoint", "splitting", "splitting_4", "splitting_6"};
-constexpr const char* kSolvers[] = {"severity", "sequential", "soft_step", "direct", "auto"};
+constexpr const char* kSolvers[] = {"severity", "soft_step", "direct", "auto"};
 constexpr const char* kSearches[] = {"linear", "heap"};
 constexpr const char* kOffOn[] = {"off", "on"};
 constexpr const char* kBroadPhases[] = {"brute_force", "sweep_and_prune", "grid", "tree"};
@@ -39,11 +39,14 @@ constexpr std::array<DialRow, kDialCount> kDialTable = {{
            kRotations, 5),
     integer(Dial::substeps, "substeps",
             "integrate-and-solve passes per step, where bodies can touch; error falls with each, cost grows", 1, 64, 4),
-    choice(Dial::solver, "solver", "how contacts are resolved", kSolvers, 4),
+    choice(Dial::solver, "solver", "how contacts are resolved", kSolvers, 3),
     integer(Dial::velocity_iterations, "velocity_iterations",
-            "at most this many impulses per contact point of a group and substep", 1, 1000, 4),
-    integer(Dial::position_iterations, "position_iterations",
-            "at most this many position corrections per contact point of a group and substep", 0, 1000, 2),
+            "solver severity: at most this many impulses per contact point of a group and substep", 1, 1000, 4),
+    integer(
+        Dial::position_iterations, "position_iterations",
+        "solver severity: at most this many position corrections per contact point of a group and substep; 0: none, "
+        "under direct, too",
+        0, 1000, 2),
     number(Dial::velocity_tolerance, "velocity_tolerance", "m/s", "velocity error left unresolved at a contact", 0, 10,
            1e-4),
     number(Dial::position_tolerance, "position_tolerance", "m",

@@ -30,7 +30,7 @@ void plan_rows(const World& world, Plan& plan) {
   const Dials& dials = world.scene.dials;
   const Integrator* integrators[] = {&kExplicitEuler, &kSemiImplicitEuler, &kRungeKutta4, &kVelocityVerlet};
   plan.integrator = integrators[dials.choice(Dial::integrator)];
-  const Solver* solvers[] = {&kSeverity, &kSequential, &kSoftStep, &kDirect, &kAuto};
+  const Solver* solvers[] = {&kSeverity, &kSoftStep, &kDirect, &kAuto};
   plan.solver = solvers[dials.choice(Dial::solver)];
   plan.watches_speed =
       dials.choice(Dial::continuous) == kSweepFast && !world.scene.modes.forbids(+EffectId::continuous);

@@ -11,7 +11,7 @@ struct PresetRow {
   Real fast, accurate, reference;  // balanced: the dial's initial value
 };
 // Choices, as dials.cpp numbers them.
-constexpr Real kAuto = 4, kBySize = 1, kDouble = 2, kVerlet = 3, kSplitting = 5, kSplitting4 = 6, kSplitting6 = 7;
+constexpr Real kAuto = 3, kBySize = 1, kDouble = 2, kVerlet = 3, kSplitting = 5, kSplitting4 = 6, kSplitting6 = 7;
 constexpr PresetRow kPresetRows[] = {
     {Dial::integrator, kVerlet, kVerlet, kVerlet},
     {Dial::rotation, kSplitting, kSplitting4, kSplitting6},

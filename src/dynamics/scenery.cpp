@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "collision/manifold/adopt.h"
+#include "dynamics/contact/seams.h"
 
 namespace carom::dynamics {
 namespace {
@@ -25,7 +26,10 @@ struct Parties {
     return s.form != Form::half_space && !is_scenery(s);
   }
   SceneryPair pair(const Colliders& c) const {
-    return {*c.shape[scenery], *c.shape[convex], c.frame[scenery], c.frame[convex]};
+    return pair(c, c.frame[swapped ? convex : scenery], c.frame[swapped ? scenery : convex]);
+  }
+  SceneryPair pair(const Colliders& c, const Frame& a, const Frame& b) const {
+    return {*c.shape[scenery], *c.shape[convex], swapped ? b : a, swapped ? a : b};
   }
   Real reach(const Colliders& c, const NarrowSettings& settings) const {
     return settings.manifold.contact_distance + c.reach[scenery] + c.reach[convex];
@@ -86,14 +90,20 @@ void arrange(PairTable& pairs, SceneryContacts& s, const SceneryContacts::OfPair
   }
 }
 
-void fill(const Colliders& c, const NarrowSettings& settings, const SceneryPatch& patch, bool swapped, Real reach,
-          const Pair& pair, PairRecord& record) {
-  const Frame &a = c.frame[pair.a], &b = c.frame[pair.b];
+/// Of a patch, the points that stand for it.
+void choose(const NarrowSettings& settings, const SceneryPatch& patch, bool swapped, Real reach, const Frame& a,
+            Manifold& manifold) {
   ContactPoint point[PatchPoints::kMax];
   for (int i = 0; i < patch.count; ++i) point[i] = swapped ? exchanged(patch.point[i]) : patch.point[i];
   ManifoldSettings own = settings.manifold;
   own.contact_distance = reach, own.sunk_alike = true;
-  adopt(a, point, patch.count, own, record.manifold);
+  adopt(a, point, patch.count, own, manifold);
+}
+
+void fill(const Colliders& c, const NarrowSettings& settings, const SceneryPatch& patch, bool swapped, Real reach,
+          const Pair& pair, PairRecord& record) {
+  const Frame &a = c.frame[pair.a], &b = c.frame[pair.b];
+  choose(settings, patch, swapped, reach, a, record.manifold);
   record.patch.firm = patch.firm && record.manifold.count > 0;
   record.patch.of_b = swapped;
   record.patch.normal = swapped ? b.rotate_inverse(-patch.normal) : a.rotate_inverse(patch.normal);
@@ -161,6 +171,21 @@ void meet_scenery(const World& world, PairTable& pairs, NarrowReport& report, co
       place.horizon = kInfinity;  // not the narrow phase's
     }
   }
+}
+
+void meet_patch(const World& world, NarrowReport& report, const NarrowSettings& settings, const SceneryFrames& at,
+                const Vec3& normal, Manifold& manifold) {
+  const Colliders& c = world.scene.colliders;
+  const Parties parties(c, at.pair);
+  manifold.count = 0;
+  SupportFault fault;
+  if (!parties.can_meet(c)) return;
+  SceneryPairFinder& finder = world.plan->scenery->pair_finder;
+  const Real reach = parties.reach(c, settings);
+  if (!finder.find(parties.pair(c, at.a, at.b), settings, reach, report, fault)) return;
+  for (const SceneryPatch& patch : finder.patches())
+    if ((patch.normal - (parties.swapped ? Vec3(-normal) : normal)).squared_norm() <= kSameWay2)
+      return choose(settings, patch, parties.swapped, reach, at.a, manifold);
 }
 
 bool touches_scenery(const World& world, NarrowReport& report, const NarrowSettings& settings, const Pair& pair) {

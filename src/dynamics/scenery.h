@@ -32,6 +32,17 @@ struct SceneryContacts {
 /// Manifolds of all pairs with scenery, and as many records of each as it has patches.
 void meet_scenery(const World& world, PairTable& pairs, NarrowReport& report, const NarrowSettings& settings);
 
+/// A pair with scenery, and where its colliders stand.
+struct SceneryFrames {
+  const Pair& pair;
+  const Frame &a, &b;
+};
+
+/// Points of the patch that looks one way, where the two stand within a step. A fault leaves none.
+/// @param normal  unit, world, from A to B
+void meet_patch(const World& world, NarrowReport& report, const NarrowSettings& settings, const SceneryFrames& at,
+                const Vec3& normal, Manifold& manifold);
+
 /// Whether a shape touches scenery as the narrow phase would find. A fault counts as a touch.
 bool touches_scenery(const World& world, NarrowReport& report, const NarrowSettings& settings, const Pair& pair);
 

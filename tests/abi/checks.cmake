@@ -18,7 +18,8 @@ add_test(NAME abi/circles COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/ab
 add_test(NAME abi/parts COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_parts.py ${PROJECT_SOURCE_DIR}/src)
 add_test(NAME abi/api_signatures COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bindings/check_signatures.py
   ${PROJECT_SOURCE_DIR} ${CMAKE_C_COMPILER} $<TARGET_FILE:carom>)
-set_tests_properties(abi/api_fresh abi/api_reader abi/api_signatures abi/circles abi/parts PROPERTIES TIMEOUT 60 LABELS abi)
+add_test(NAME abi/versions COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_versions.py ${PROJECT_SOURCE_DIR})
+set_tests_properties(abi/api_fresh abi/api_reader abi/api_signatures abi/circles abi/parts abi/versions PROPERTIES TIMEOUT 60 LABELS abi)
 # What computes in a step, and what stands on it: its bits are of no C library.
 get_property(shape_plugins DIRECTORY ${PROJECT_SOURCE_DIR}/plugins PROPERTY BUILDSYSTEM_TARGETS)
 list(FILTER shape_plugins INCLUDE REGEX "^plugin_")

@@ -354,7 +354,7 @@ void running_out_while_bodies_are_joined_changes_nothing(void**) {
 /// A world with joints, stepped with the k-th allocation and all later ones failing, under each solver that knows them.
 void running_out_in_a_step_with_joints_moves_nothing(void**) {
   int failed_steps = 0;
-  for (const double solver : {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO})
+  for (const double solver : {CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO})
     for (uint64_t k = 0;; k += kEvery) {
       Ledger ledger;
       const carom_engine_desc desc = ledger.desc();

@@ -326,7 +326,7 @@ Outcome run(const std::vector<Line>& lines, uint64_t k, std::vector<uint64_t>& f
 }
 
 void every_allocation_may_fail(void**) {
-  // Auto has both soft_step and direct at work, and all that they share with sequential.
+  // Auto has both soft_step and direct at work.
   for (const double solver : {CAROM_SOLVER_SEVERITY, CAROM_SOLVER_AUTO}) {
     const std::vector<Line> lines = script(solver);
     std::vector<uint64_t> first;

@@ -152,8 +152,7 @@ States run(Stage& s, Vice vice, long valid_calls, double solver, long* calls_bef
 void others_go_on_bit_for_bit(void**) {
   Stage s;
   assert_true(make_engine(s));
-  for (const double solver :
-       {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO}) {
+  for (const double solver : {CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO}) {
     long calls = 0;
     const States beside_a_valid_one = run(s, kNone, 0, solver, &calls);
     assert_true(calls > 1000);

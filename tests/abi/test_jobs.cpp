@@ -63,7 +63,7 @@ struct Heap {
   }
 };
 
-constexpr uint32_t kSolvers[] = {CAROM_SOLVER_SEVERITY, CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP};
+constexpr uint32_t kSolvers[] = {CAROM_SOLVER_SEVERITY, CAROM_SOLVER_SOFT_STEP};
 
 uint64_t hash_after(uint32_t solver, const carom_jobs_desc* jobs, uint32_t precision = CAROM_PRECISION_DOUBLE) {
   Heap heap(jobs);

@@ -161,7 +161,7 @@ static void axes_come_back(void** state) {
   const carom_joint ball = join(b, CAROM_JOINT_BALL, b->bodies[2], b->bodies[3]);
   drive_all(b, six, ball, 0.2);
   assert_int_equal(carom_joint_destroy(b->world, gone, NULL), CAROM_OK);
-  for (solver = CAROM_SOLVER_SEQUENTIAL; solver <= CAROM_SOLVER_AUTO; ++solver) {
+  for (solver = CAROM_SOLVER_SOFT_STEP; solver <= CAROM_SOLVER_AUTO; ++solver) {
     carom_world* other = NULL;
     carom_joint_axis axis = axis_desc();
     assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
@@ -207,7 +207,7 @@ static void hinges_and_sliders_have_an_axis(void** state) {
     assert_int_equal(carom_joint_get_axis(b->world, joint[i], axis_of[i], &d, NULL), CAROM_OK);
     assert_memory_equal(&d, &set, sizeof d);
   }
-  for (solver = CAROM_SOLVER_SEQUENTIAL; solver <= CAROM_SOLVER_AUTO; ++solver) {
+  for (solver = CAROM_SOLVER_SOFT_STEP; solver <= CAROM_SOLVER_AUTO; ++solver) {
     carom_world* other = NULL;
     assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b->world, 20, NULL), CAROM_OK);
@@ -327,7 +327,7 @@ static void extreme_axes_stay_finite(void** state) {
   for (k = 0; k < CAROM_AXIS_COUNT; ++k) assert_int_equal(carom_joint_set_axis(b->world, six, k, &d, NULL), CAROM_OK);
   t.drive = CAROM_DRIVE_POSITION, t.target[2] = 1, t.target[3] = 0, t.stiffness = 1e4, t.velocity[0] = 1e6;
   assert_int_equal(carom_joint_set_orientation_drive(b->world, six, &t, NULL), CAROM_OK);
-  for (solver = CAROM_SOLVER_SEQUENTIAL; solver <= CAROM_SOLVER_AUTO; ++solver) {
+  for (solver = CAROM_SOLVER_SOFT_STEP; solver <= CAROM_SOLVER_AUTO; ++solver) {
     assert_int_equal(carom_world_set_dial(b->world, CAROM_DIAL_SOLVER, solver, NULL), CAROM_OK);
     assert_int_equal(bench_steps(b->world, 40, NULL), CAROM_OK);
     assert_int_equal(

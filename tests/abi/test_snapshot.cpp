@@ -43,7 +43,7 @@ void settings_come_back_with_the_state(void**) {
 
 /// What one solver keeps of its last step is not read by another: a fork has none of it.
 void who_changes_its_solver_steps_as_its_fork(void**) {
-  const double solvers[] = {CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO};
+  const double solvers[] = {CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_DIRECT, CAROM_SOLVER_AUTO};
   for (const double before : solvers)
     for (const double after : solvers)
       for (const double dt : {1.0 / 60, 0.1, 0.5}) {

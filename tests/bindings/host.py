@@ -128,10 +128,21 @@ class Host:
             pattern = rf"cannot load {file}.*Remedy: install" if self.takes_path else r"libcarom\.so\.0\.9"
             if done.returncode == 0 or not re.search(pattern, done.stderr, re.S):
                 sys.exit(f"a library for a {what}: exit {done.returncode}, and no {pattern} in\n{done.stderr}")
+        self.refuses_plugin()
         self.own_tests()
         print(f"{self.folder}: hello, scene, {'own tests, ' if self.has_own_tests else ''}libraries that do not fit")
 
     has_own_tests = True
+
+    def refuses_plugin(self):
+        """A plugin of another processor: by file and cure, in the words of the language's own errors."""
+        folder = self.place / "other_plugin"
+        folder.mkdir()
+        image = (self.build_dir / "plugins" / "sphere.so").read_bytes()
+        (folder / "sphere.so").write_bytes(image[:18] + b"\xf3\x00" + image[20:])  # RISC-V
+        done = self.run(self.command("hello"), good=False, CAROM_PLUGIN_PATH=str(folder))
+        if done.returncode == 0 or not re.search(r"other_plugin/sphere\.so.*is for .*RISC-V.*build the plugin again", done.stderr, re.S):
+            sys.exit(f"a plugin for another processor: exit {done.returncode}\n{done.stdout}{done.stderr}")
 
     def refuses(self, what, folder, pattern):
         done = self.run(self.command("hello"), good=False, LD_LIBRARY_PATH=str(folder))

@@ -45,7 +45,7 @@ func hashes(engine *carom.Engine, top carom.Shape) {
 	shapes := []carom.Shape{must(engine.Shape("sphere", 0.3)), must(engine.Shape("box", 0.4, 0.25, 0.3)), top}
 	world := must(engine.World())
 	check(world.SetDial(raw.CAROM_DIAL_SUBSTEPS, 5))
-	check(world.Call(func(p *raw.World, e *raw.Error) int32 { return raw.WorldSetWind(p, &[]float64{1.5, 0, 0.5}[0], e) }))
+	check(world.SetWind(carom.Vec3{1.5, 0, 0.5}))
 	surface := raw.NewMaterialDesc()
 	surface.Friction, surface.Restitution = 0.6, 0.3
 	material := must(world.Material(surface))
@@ -62,7 +62,7 @@ func hashes(engine *carom.Engine, top carom.Shape) {
 		}
 		body := must(world.BodyOf(desc, part))
 		if i > 0 {
-			check(world.Call(func(p *raw.World, e *raw.Error) int32 { return raw.BodySetDrag(p, body, 0.1, 0.02, e) }))
+			check(world.SetDrag(body, 0.1, 0.02))
 		}
 	}
 	hinge := raw.NewJointDesc()

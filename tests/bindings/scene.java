@@ -21,10 +21,9 @@ final class scene {
     static void hashes(Engine engine, long top) {
         long[] shapes = {engine.shape("sphere", 0.3), engine.shape("box", 0.4, 0.25, 0.3), top};
         try (World world = engine.world(); Arena arena = Arena.ofConfined()) {
-            var wind = arena.allocateFrom(java.lang.foreign.ValueLayout.JAVA_DOUBLE, 1.5, 0, 0.5);
-            world.call((w, e) -> Raw.carom_world_set_dial(w, Raw.CAROM_DIAL_SUBSTEPS, 5, e));
-            world.call((w, e) -> Raw.carom_world_set_wind(w, wind, e));
-            long material = world.material(0.6, 0.3);
+            world.setDial(Raw.CAROM_DIAL_SUBSTEPS, 5);
+            world.setWind(new Vec3(1.5, 0, 0.5));
+            long material = world.material(new Raw.MaterialDesc(arena).friction(0.6).restitution(0.3));
             for (int i = 0; i < 19; i++) {
                 var desc = new Raw.BodyDesc(arena);
                 var part = new Raw.ColliderDesc(arena).material(material);
@@ -36,7 +35,7 @@ final class scene {
                     part.shape(shapes[i % 3]).density(400 + 50 * i);
                 }
                 Body body = world.body(desc, part);
-                if (i > 0) body.call((w, b, e) -> Raw.carom_body_set_drag(w, b, 0.1, 0.02, e));
+                if (i > 0) world.setDrag(body.handle(), 0.1, 0.02);
             }
             Body door = world.body(shapes[1], new Vec3(4.5, 3, 0));
             world.joint(new Raw.JointDesc(arena).kind(Raw.CAROM_JOINT_HINGE).fields(Raw.CAROM_JOINT_WORLD_FRAME).bodyB(door.handle())
@@ -53,7 +52,7 @@ final class scene {
             long kind = engine.plugin("test.top", scene::topSupport, new Support.Param("radius", "m", 1e-9, 1e8),
                 new Support.Param("half_height", "m", 1e-9, 1e8));
             hashes(engine, engine.shape("template", 0.35, 0.4));
-            hashes(engine, engine.shape(kind, 0.35, 0.4));
+            hashes(engine, engine.shapeOf(kind, 0.35, 0.4));
         }
     }
 }

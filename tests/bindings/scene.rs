@@ -25,8 +25,7 @@ fn hashes(engine: &Engine, top: Shape) -> Result<()> {
     let shapes = [engine.shape("sphere", &[0.3])?, engine.shape("box", &[0.4, 0.25, 0.3])?, top];
     let mut world = engine.world()?;
     world.set_dial(raw::CAROM_DIAL_SUBSTEPS, 5.0)?;
-    let wind = [1.5, 0.0, 0.5];
-    world.call(|p, e| unsafe { raw::carom_world_set_wind(p, wind.as_ptr(), e) })?;
+    world.set_wind([1.5, 0.0, 0.5])?;
     let material = world.material(&MaterialDesc { friction: 0.6, restitution: 0.3, ..Default::default() })?;
     let ground = engine.shape("half_space", &[0.0, 1.0, 0.0, 0.0])?;
     let still = BodyDesc { r#type: raw::CAROM_BODY_STATIC, ..Default::default() };
@@ -40,7 +39,7 @@ fn hashes(engine: &Engine, top: Shape) -> Result<()> {
         };
         let part = ColliderDesc { shape: shapes[i % 3], density: 400.0 + 50.0 * n, material, ..Default::default() };
         let body = world.body_of(&thing, &[part])?;
-        world.call(|p, e| unsafe { raw::carom_body_set_drag(p, body, 0.1, 0.02, e) })?;
+        world.set_drag(body, 0.1, 0.02)?;
     }
     let door = world.body(shapes[1], &BodyDesc { position: [4.5, 3.0, 0.0], ..Default::default() })?;
     world.joint(&JointDesc {

@@ -18,7 +18,6 @@ namespace {
 
 constexpr Real kStep = 1.0 / 64;
 enum : int { kExplicitChoice, kSemiImplicitChoice, kRungeKuttaChoice, kVerletChoice, kIntegratorChoices };
-enum : int { kSeverityChoice, kSolverChoices = 5 };
 
 const Vec3 kDown(0, -9.81, 0);
 

@@ -215,7 +215,7 @@ static void joints_and_hands_know_no_strangers(void**) {
 }
 
 static void what_slides_knows_no_strangers(void**) {
-  for (int solver = 0; solver < 5; ++solver)
+  for (int solver = 0; solver < kSolverChoices; ++solver)
     for (const Real substeps : {1, 4})
       for (const Real hz : {64, 50}) {
         TestWorld alone, among;

@@ -101,9 +101,9 @@ class Sequence {
     if (!makes_anew_ && hash(s) != hash_[i]) complain("a fork is not as the world was");
     // Each solver has its turn (but severity, which knows no joints: a sequence comes to it by its calls); the direct
     // one takes as long as all others together.
-    constexpr double kSolvers[] = {CAROM_SOLVER_AUTO,       CAROM_SOLVER_DIRECT,    CAROM_SOLVER_SEQUENTIAL,
-                                   CAROM_SOLVER_SEQUENTIAL, CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_SOFT_STEP,
-                                   CAROM_SOLVER_SOFT_STEP,  CAROM_SOLVER_SOFT_STEP};
+    constexpr double kSolvers[] = {CAROM_SOLVER_AUTO,      CAROM_SOLVER_DIRECT,    CAROM_SOLVER_AUTO,
+                                   CAROM_SOLVER_AUTO,      CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_SOFT_STEP,
+                                   CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_SOFT_STEP};
     if (carom_world_set_dial(s.world, CAROM_DIAL_SOLVER, kSolvers[solver_], nullptr) != CAROM_OK)
       complain("a solver was refused");
     hash_[i] = hash(s);

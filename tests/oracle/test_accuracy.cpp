@@ -206,7 +206,7 @@ static void islands_do_not_know_of_each_other(void**) {
 
 /// Solvers that go through all rows at once: what touches nothing and takes other substeps finds none of them.
 static void rows_at_once_stay_with_their_island(void**) {
-  for (const Real solver : {0.0, 1.0, 2.0, 3.0}) {
+  for (const Real solver : {kSeverityChoice, kSoftChoice, kDirectChoice}) {
     Vec3 alone[2], together[2];
     for (int which = 0; which < 3; ++which) {
       TestWorld t;

@@ -118,7 +118,7 @@ static void others_get_their_own_substeps(void**) {
   constexpr int kSteps = 40;
   for (const Others& which : {Others{.rod = true}, Others{.spring = true}, Others{.pile = true}, Others{.block = true},
                               Others{.roller = true}, Others{true, true, true, true, true}}) {
-    for (const Real solver : {4.0, 0.0, 1.0, 2.0}) {
+    for (const Real solver : {kAutoChoice, kSeverityChoice, kSoftChoice}) {
       TestWorld alone, beside;
       for (TestWorld* t : {&alone, &beside}) ask_accuracy(*t, 1e-4), t->world.set_dial(Dial::solver, solver);
       const auto truth = run_others(alone, which, dt, kSteps);

@@ -12,7 +12,6 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kStep = 1.0 / 60;
-constexpr Real kAutoChoice = 4;  // CAROM_SOLVER_*
 
 void use(TestWorld& t, Real solver) {
   t.world.set_dial(Dial::solver, solver);

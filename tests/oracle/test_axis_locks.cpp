@@ -15,7 +15,7 @@ using namespace carom::test;
 namespace {
 
 constexpr Locks kX = 1, kZ = 4, kAboutX = 8, kAboutY = 16, kAboutZ = 32, kPlane = kZ | kAboutX | kAboutY;
-constexpr std::array kSolvers = {1, 2, 3, 4};  // sequential, soft_step, direct, auto
+constexpr std::array kSolvers = {kSoftChoice, kDirectChoice, kAutoChoice};
 constexpr int kIntegrators = 4;
 
 void exact(TestWorld& t, int solver) {
@@ -164,8 +164,8 @@ static void a_box_on_a_slope_that_cannot_slide_presses_as_it_must(void**) {
         print_message("solver %d, slope %.1f, mu %.1f: pressed %.6f, up %.8f of the weight, sank %.1e\n", solver, angle,
                       mu, pressed(t.world) / want, up / weight, x0.y() - t.world.state.x[body].y());
         assert_true(t.world.state.x[body].x() == x0.x() && t.world.state.x[body].z() == 0);
-        assert_true(std::fabs(up - weight) < (solver == 1 ? 1e-3 : 1e-5) * weight);
-        if (mu == 0) assert_true(std::fabs(pressed(t.world) - want) < (solver == 1 ? 1e-3 : 1e-5) * want);
+        assert_true(std::fabs(up - weight) < 1e-5 * weight);
+        if (mu == 0) assert_true(std::fabs(pressed(t.world) - want) < 1e-5 * want);
       }
 }
 
@@ -230,14 +230,14 @@ static void a_scene_that_is_flat_by_itself_does_not_feel_its_locks(void**) {
         // Points at z and -z are two of one kind once nothing turns about x: the direct solver finds the same motion to
         // its tolerance, sweeps share loads otherwise on the way, within what a spring sinks: g / (2 w)^2 = 0.07 mm,
         // twice.
-        assert_true(apart < (solver == 3 ? 1e-9 : 2e-4));
+        assert_true(apart < (solver == kDirectChoice ? 1e-9 : 2e-4));
       }
     }
 }
 
 static void a_flat_pyramid_stands_and_stays_flat(void**) {
   constexpr int kBase = 8;
-  for (const int solver : {2, 3, 4}) {
+  for (const int solver : kSolvers) {
     TestWorld t(Vec3(0, -kG, 0));
     choose(t, solver);
     t.ground();

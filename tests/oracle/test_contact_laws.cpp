@@ -16,7 +16,7 @@ constexpr Real kSine = 0.5, kCosine = 0.866025403784438647;  // 30 degrees
 /// Numbers below are those of the paper's solver at one substep; @see test_solvers, test_direct, test_auto for the
 /// others.
 void paper(World& world) {
-  world.set_dial(Dial::solver, 0);
+  world.set_dial(Dial::solver, kSeverityChoice);
   world.set_dial(Dial::substeps, 1);
 }
 
@@ -200,7 +200,7 @@ static void a_kinematic_platform_carries_what_lies_on_it(void**) {
 namespace {
 
 /// The others than the paper's: which velocity moves a body, @see contact/mean_motion.h.
-constexpr int kOthers[] = {1, 2, 3, 4};
+constexpr int kOthers[] = {kSoftChoice, kDirectChoice, kAutoChoice};
 void choose(World& world, int solver) {
   world.set_dial(Dial::solver, solver);
   world.set_dial(Dial::velocity_tolerance, 1e-9);
@@ -209,7 +209,7 @@ void choose(World& world, int solver) {
   world.set_dial(Dial::hold_angle, 0);
   world.set_dial(Dial::substeps, 4);
 }
-bool is_soft(int solver) { return solver == 2 || solver == 4; }
+bool is_soft(int solver) { return solver == kSoftChoice || solver == kAutoChoice; }
 /// m: what a spring of 30 Hz sinks under a body on something that does not move.
 constexpr Real kSunk = kG / (4 * 30 * 30 * 9.87);
 

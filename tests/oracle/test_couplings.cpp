@@ -11,7 +11,7 @@ using namespace carom::test;
 
 namespace {
 
-constexpr int kJointSolvers[] = {kSequentialChoice, kSoftChoice, kDirectChoice, kAutoChoice};
+constexpr int kJointSolvers[] = {kSoftChoice, kDirectChoice, kAutoChoice};
 constexpr Real kDt = 1.0 / 60;
 using Polynomial = std::array<Real, Coupling::kTerms>;
 

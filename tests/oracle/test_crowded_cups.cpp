@@ -40,7 +40,7 @@ struct Scene {
 struct Cup : TestWorld {
   explicit Cup(const Scene& scene, BodyType type = BodyType::kinematic, Real density = 1000) : s(scene) {
     world.set_dial(Dial::substeps, s.substeps);
-    world.set_dial(Dial::solver, s.solver[0] == 's' ? 2 : 4);  // soft_step, auto
+    world.set_dial(Dial::solver, s.solver[0] == 's' ? kSoftChoice : kAutoChoice);
     const std::uint32_t m = material(0.4, 0);
     BodyDef def;
     def.type = type;

@@ -12,7 +12,6 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kStep = 1.0 / 60, kGravity = 9.81;
-constexpr Real kDirectChoice = 3;  // CAROM_SOLVER_DIRECT
 
 void use_direct(TestWorld& t, Real tolerance) {
   t.world.set_dial(Dial::solver, kDirectChoice);

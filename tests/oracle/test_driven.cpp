@@ -107,7 +107,7 @@ static void what_a_lorry_carries_round_a_bend_stays(void**) {
 static void nor_does_it_leave_its_place_at_other_steps(void**) {
   for (const Real dt : {1.0 / 30, 1.0 / 60, 1.0 / 240})
     for (const Real substeps : {1.0, 2.0, 8.0})
-      for (const std::uint32_t solver : {std::uint32_t(kSequentialChoice), std::uint32_t(kDirectChoice)}) {
+      for (const std::uint32_t solver : {std::uint32_t(kSoftChoice), std::uint32_t(kDirectChoice)}) {
         Ride ride;
         ride.dt = dt, ride.substeps = substeps, ride.solver = solver;
         const Real off = ride.off(bend(9, 0.7), kLoads[0], 10);

@@ -14,7 +14,6 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kG = 9.81;
-constexpr std::uint32_t kDirect = 3, kAuto = 4;
 
 /// Something round that begins at rest near the top of something round, of which axes are level.
 struct RollsOff {
@@ -62,14 +61,14 @@ Real most(Real dt) { return 5 * dt + 7e-4; }
 
 void errs_by(Real error, Real bound, Real dt, std::uint32_t solver) {
   if (!(error <= bound))
-    print_message("%s, dt 1/%.0f s: %.2e of %.2e\n", solver == kAuto ? "auto" : "direct", 1 / dt, error, bound);
+    print_message("%s, dt 1/%.0f s: %.2e of %.2e\n", solver == kAutoChoice ? "auto" : "direct", 1 / dt, error, bound);
   assert_true(error <= bound);
 }
 
 /// Steps of 1/240, 1/3840 and 1/61440 s, by night those between, too.
 template <class F>
 void over_steps(const F& f) {
-  for (const std::uint32_t solver : {kDirect, kAuto})
+  for (const std::uint32_t solver : {kDirectChoice, kAutoChoice})
     for (int level = 2; level <= 10; level += sliced(1, 4, 8)) f(solver, 1.0 / (60 << level));
 }
 
@@ -90,7 +89,7 @@ void is_got_or_told(const RollsOff& scene) {
     ask_accuracy(t, asked);
     bool is_told = false;
     Real seconds = 0;
-    const Real speed = scene.run(t, kAuto, 1.0 / 60, [&] {
+    const Real speed = scene.run(t, kAutoChoice, 1.0 / 60, [&] {
       seconds += 1.0 / 60;
       for (const AccuracyView& island : t.world.accuracy->views)
         is_told |= (island.flags & (AccuracyView::kHitBound | AccuracyView::kStalled)) != 0 || island.share() > 10;
@@ -156,7 +155,7 @@ Real over_the_edge(std::uint32_t solver, Real dt, Real tolerance) {
 }
 
 void a_box_over_an_edge(void**) {
-  const Real truth = over_the_edge(kDirect, 1.0 / 61440, 1e-9);
+  const Real truth = over_the_edge(kDirectChoice, 1.0 / 61440, 1e-9);
   over_steps([&](std::uint32_t solver, Real dt) {
     errs_by(std::fabs(over_the_edge(solver, dt, 1e-4) - truth), most(dt), dt, solver);
   });

@@ -13,7 +13,7 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kG = 9.81;
-constexpr Real kSolvers[] = {1, 2, 3, 4};  // sequential, soft_step, direct, auto
+constexpr Real kSolvers[] = {kSoftChoice, kDirectChoice, kAutoChoice};
 
 Shape prism(Real radius, Real half_height, int sides) {
   std::vector<Vec3> corners;
@@ -112,15 +112,12 @@ void a_puck_that_slides_and_spins_goes_its_way(void**) {
 /// Other sizes, speeds, friction; boxes: not looked at while the bound was made.
 void so_do_other_pucks_and_boxes(void**) {
   constexpr Real kHalf = 0.01;
-  for (const Real solver : {1.0, 2.0}) {
-    for (const auto& [radius, mu, v, w] :
-         {std::array{0.1, 0.5, 1.5, 12.0}, {1.0, 0.2, 3.0, 2.0}, {0.3, 0.4, 1.0, 15.0}})
-      check_puck(run_puck(prism(radius, kHalf, 24), kHalf, solver, 1.0 / 90, mu, v, w),
-                 way_of(places_of_disc(radius), radius * radius / 2, mu, v, w), "disc", solver, 90);
-    for (const auto& [a, b, v, w] : {std::array{0.4, 0.4, 2.0, 8.0}, {0.3, 0.5, 1.0, 10.0}, {0.2, 0.6, 2.5, 5.0}})
-      check_puck(run_puck(box(Vec3(a, kHalf, b)), kHalf, solver, 1.0 / 90, 0.3, v, w),
-                 way_of(places_of_rectangle(a, b), (a * a + b * b) / 3, 0.3, v, w), "box", solver, 90);
-  }
+  for (const auto& [radius, mu, v, w] : {std::array{0.1, 0.5, 1.5, 12.0}, {1.0, 0.2, 3.0, 2.0}, {0.3, 0.4, 1.0, 15.0}})
+    check_puck(run_puck(prism(radius, kHalf, 24), kHalf, kSoftChoice, 1.0 / 90, mu, v, w),
+               way_of(places_of_disc(radius), radius * radius / 2, mu, v, w), "disc", kSoftChoice, 90);
+  for (const auto& [a, b, v, w] : {std::array{0.4, 0.4, 2.0, 8.0}, {0.3, 0.5, 1.0, 10.0}, {0.2, 0.6, 2.5, 5.0}})
+    check_puck(run_puck(box(Vec3(a, kHalf, b)), kHalf, kSoftChoice, 1.0 / 90, 0.3, v, w),
+               way_of(places_of_rectangle(a, b), (a * a + b * b) / 3, 0.3, v, w), "box", kSoftChoice, 90);
 }
 
 enum class On { plane, box, mesh, field };
@@ -211,7 +208,7 @@ void what_is_thrown_comes_to_roll(void**) {
 /// swept, too, in which points beside the line that they roll on came down on the ground.
 void what_rolls_fast_goes_on_rolling(void**) {
   for (const Real hz : {30.0, 60.0, 240.0})
-    for (const Real solver : {2.0, 4.0}) {
+    for (const Real solver : {kSoftChoice, kAutoChoice}) {
       for (const On on : kGrounds)
         for (const Real v : {10.0, 20.0}) {
           check_roll(cylinder(0.5, 0.02), 0.5, on, solver, v, hz);

@@ -12,7 +12,7 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kG = 9.81;
-constexpr Real kSolvers[] = {0, 1, 2, 3, 4};   // CAROM_SOLVER_*
+constexpr Real kSolvers[] = {kSeverityChoice, kSoftChoice, kDirectChoice, kAutoChoice};
 constexpr Real kIntegrators[] = {0, 1, 2, 3};  // CAROM_INTEGRATOR_*
 constexpr Real kVerlet = 3;
 
@@ -113,7 +113,7 @@ void a_box_that_falls_flat_bounces_flat(void**) {
 /// Edge and corner first, over and over, without friction. Only solvers whose contacts are hard, and with nothing that
 /// lifts a body out of the ground: that is work done on it.
 void a_tumbling_cube_keeps_its_energy(void**) {
-  for (const Real solver : {0.0, 3.0}) {
+  for (const Real solver : {kSeverityChoice, kDirectChoice}) {
     const Real step = 1.0 / 240;
     Room t(solver, kVerlet, 1);
     t.world.set_dial(Dial::position_iterations, 0);

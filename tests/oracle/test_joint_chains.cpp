@@ -15,7 +15,7 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kStep = 1.0 / 60;
-constexpr int kAllSolvers[] = {kSequentialChoice, kSoftChoice, kDirectChoice, kAutoChoice};
+constexpr int kAllSolvers[] = {kSoftChoice, kDirectChoice, kAutoChoice};
 
 struct Momentum {
   Vec3 linear = Vec3::zero(), angular = Vec3::zero();

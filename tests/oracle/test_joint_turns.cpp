@@ -22,8 +22,8 @@ struct Way {
   int solver;
   Real order;  // of joints
 };
-constexpr Way kWays[] = {{kSequentialChoice, 0}, {kSoftChoice, 0}, {kDirectChoice, 0}, {kAutoChoice, 0},
-                         {kAutoChoice, 2},       {kAutoChoice, 4}, {kAutoChoice, 6}};
+constexpr Way kWays[] = {{kSoftChoice, 0}, {kDirectChoice, 0}, {kAutoChoice, 0},
+                         {kAutoChoice, 2}, {kAutoChoice, 4},   {kAutoChoice, 6}};
 
 enum class Kind { hinge, ball, turn_x, turn_y, turn_z };
 constexpr Kind kEveryKind[] = {Kind::hinge, Kind::ball, Kind::turn_x, Kind::turn_y, Kind::turn_z};

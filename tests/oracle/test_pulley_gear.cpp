@@ -10,7 +10,7 @@ using namespace carom::test;
 
 namespace {
 
-constexpr int kJointSolvers[] = {kSequentialChoice, kSoftChoice, kDirectChoice, kAutoChoice};
+constexpr int kJointSolvers[] = {kSoftChoice, kDirectChoice, kAutoChoice};
 constexpr Real kDt = 1.0 / 60;
 
 /// A rope from the middle of one body over two places 2 m apart to that of another.

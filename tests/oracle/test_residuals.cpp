@@ -13,7 +13,6 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kStep = 1.0 / 60, kGravity = 9.81;
-constexpr int kSolvers = 5;
 
 /// A ball of 0.5 m, which an impulse at its foot along the normal does not turn: k = 1 / m.
 struct Ball {
@@ -32,7 +31,7 @@ struct Ball {
 }  // namespace
 
 static void what_rests_obeys_the_law_and_has_its_energy(void**) {
-  for (int solver = 0; solver < kSolvers; ++solver) {
+  for (int solver = 0; solver < kSolverChoices; ++solver) {
     TestWorld t;
     t.world.set_dial(Dial::solver, solver);
     t.ground();
@@ -53,7 +52,7 @@ static void what_rests_obeys_the_law_and_has_its_energy(void**) {
 }
 
 static void what_slides_is_held_by_all_its_friction_against_its_way(void**) {
-  for (int solver = 0; solver < kSolvers; ++solver) {
+  for (int solver = 0; solver < kSolverChoices; ++solver) {
     TestWorld t;
     t.world.set_dial(Dial::solver, solver);
     const std::uint32_t m = t.material(0.3, 0);

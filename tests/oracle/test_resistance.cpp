@@ -9,12 +9,12 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kG = 9.81, kStep = 1.0 / 60, kRadius = 0.2;
-constexpr Real kSolvers[] = {0, 1, 2, 3, 4};  // CAROM_SOLVER_*
+constexpr int kSolvers[] = {kSeverityChoice, kSoftChoice, kDirectChoice, kAutoChoice};
 
 /// A ball of radius 0.2 m on the ground, gravity tilted about z so that it pulls towards +x.
 struct Rolling : TestWorld {
   std::uint32_t ball = 0;
-  Rolling(Real solver, Real rolling, Real spinning, Real tilt = 0)
+  Rolling(int solver, Real rolling, Real spinning, Real tilt = 0)
       : TestWorld(kG * Vec3(sin_cos(tilt).sin, -sin_cos(tilt).cos, 0)) {
     world.set_dial(Dial::solver, solver);
     world.set_dial(Dial::substeps, 1);
@@ -36,7 +36,7 @@ constexpr Real kHeld = kInertia / (1 + kInertia);  // of what a moment lacks, fo
 /// The normal force acts c ahead of the middle: M = c m g turns against the rolling, friction F keeps it free of slip.
 ///   m a = F,  I a / r = M - F r   =>   a = g c r / (I/m + r^2)
 void a_ball_that_rolls_stops_where_its_resistance_says(void**) {
-  for (const Real solver : kSolvers)
+  for (const int solver : kSolvers)
     for (const Real turn : {0.0, 0.6}) {
       const Real c = 0.02, v = 1.5, a = kG * c * kRadius / ((kInertia + 1) * kRadius * kRadius);
       Rolling t(solver, c, 0);
@@ -56,7 +56,7 @@ void a_ball_that_rolls_stops_where_its_resistance_says(void**) {
 
 /// About the normal a ball bears spinning * m g: its spin ends after I w / (s m g).
 void a_spin_ends_when_its_resistance_says(void**) {
-  for (const Real solver : kSolvers) {
+  for (const int solver : kSolvers) {
     const Real s = 0.01, w = 5, stop = kInertia * kRadius * kRadius * w / (s * kG);
     Rolling t(solver, 0, s);
     t.run(30, kStep);
@@ -74,7 +74,7 @@ void a_spin_ends_when_its_resistance_says(void**) {
 /// In the first step nothing is known of what the contact bears: the ball gets a speed of v1. Below the angle of
 /// resistance it is held from then on, above it goes on from there.
 void a_ball_lies_on_a_slope_below_its_angle(void**) {
-  for (const Real solver : kSolvers)
+  for (const int solver : kSolvers)
     for (const Real tilt : {0.03, 0.09, 0.12}) {  // atan(c / r) = 0.0997
       constexpr Real kSteps = 600, kTime = kSteps * kStep, c = 0.02;
       Rolling t(solver, c, 0, tilt);
@@ -89,8 +89,8 @@ void a_ball_lies_on_a_slope_below_its_angle(void**) {
         const Real slid = kHeld * kG * sine * kStep * kStep, stops = tilt > 0.05 ? v1 * v1 / (-2 * a) : 0;
         // Each substep moves the ball by its velocity at the end (the paper's solver), or by something between that and
         // the mean: the first one, in which v1 comes, by half of that less, those in which it goes by as much more.
-        const bool soft = solver == 2 || solver == 4;
-        const Real mean = solver == 0 ? 0 : v1 * kStep / 2;
+        const bool soft = solver == kSoftChoice || solver == kAutoChoice;
+        const Real mean = solver == kSeverityChoice ? 0 : v1 * kStep / 2;
         assert_true(x > settle - mean - 1e-9 && x < settle + mean + stops + (soft ? slid : 0) + 1e-9);
         assert_true(std::fabs(v) < 1e-8);
       } else {
@@ -102,7 +102,7 @@ void a_ball_lies_on_a_slope_below_its_angle(void**) {
 
 /// What holds the ball is kept from one substep and step to the next.
 void moments_are_kept_over_steps_and_substeps(void**) {
-  Rolling t(2, 0.02, 0, 0.05);
+  Rolling t(kSoftChoice, 0.02, 0, 0.05);
   t.world.set_dial(Dial::substeps, 4);
   t.run(300, kStep);
   const Real held = t.x().x();
@@ -118,7 +118,7 @@ void moments_are_kept_over_steps_and_substeps(void**) {
 
 void a_scene_without_resistance_has_no_participants(void**) {
   for (const bool resists : {false, true}) {
-    Rolling t(2, resists ? 0.02 : 0, resists ? 0.01 : 0);
+    Rolling t(kSoftChoice, resists ? 0.02 : 0, resists ? 0.01 : 0);
     t.run(10, kStep);
     assert_int_equal(t.world.plan->find("rolling_resistance")->participants.count, resists);
     assert_int_equal(t.world.plan->find("spinning_resistance")->participants.count, resists);

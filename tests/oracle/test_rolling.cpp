@@ -14,7 +14,6 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kG = 9.81;
-constexpr int kDirectSolver = 3, kAutoSolver = 4;
 
 /// What rolls about its y axis, which lies along z: radius there, and the moment about the axis over m r^2.
 struct Roller {
@@ -55,16 +54,16 @@ Real off_its_way(const Roller& of, Real slope, Real hz, int solver, bool on_box)
 static void cylinders_go_down_slopes_as_they_must(void**) {
   for (const Real slope : {0.2, 0.35})
     for (const bool on_box : {false, true}) {
-      const Real at = off_its_way(cylinder_of(0.3, 0.5), slope, 60, kAutoSolver, on_box);
+      const Real at = off_its_way(cylinder_of(0.3, 0.5), slope, 60, kAutoChoice, on_box);
       print_message("slope %g: %.1e by auto\n", double(slope), double(at));
       assert_true(at < 1e-5);
-      assert_true(off_its_way(cylinder_of(0.3, 0.5), slope, 60, kDirectSolver, on_box) < 1e-6);
+      assert_true(off_its_way(cylinder_of(0.3, 0.5), slope, 60, kDirectChoice, on_box) < 1e-6);
     }
 }
 
 // Other sizes, slopes, steps and shapes than it was made on.
 static void so_do_others(void**) {
-  for (const int solver : {kAutoSolver, kDirectSolver})
+  for (const int solver : {kAutoChoice, kDirectChoice})
     for (const Roller& of : {cylinder_of(0.05, 0.2), cylinder_of(1.1, 0.07), cylinder_of(0.02, 0.02),
                              spheroid_of(0.2, 0.5), spheroid_of(0.1, 0.13)})
       for (const auto& [slope, hz] : {std::pair<Real, Real>(0.12, 50), {0.5, 90}}) {
@@ -120,9 +119,9 @@ Vec3 axis_of_coin(Real lean, Real radius, Real hz, int solver) {
 /// equation of motion (lone_rollers.h), in steps of 0.1 rad of the point's way: (0.1)^4 / 120 of that is what is left.
 static void a_coin_goes_round(void**) {
   for (const auto& [lean, radius] : {std::pair<Real, Real>(0.4, 0.5), {0.6, 0.2}, {0.5, 1}}) {
-    const Vec3 end = axis_of_coin(lean, radius, 1920, kAutoSolver);
-    const Real coarse = (axis_of_coin(lean, radius, 120, kAutoSolver) - end).norm(),
-               fine = (axis_of_coin(lean, radius, 240, kAutoSolver) - end).norm();
+    const Vec3 end = axis_of_coin(lean, radius, 1920, kAutoChoice);
+    const Real coarse = (axis_of_coin(lean, radius, 120, kAutoChoice) - end).norm(),
+               fine = (axis_of_coin(lean, radius, 240, kAutoChoice) - end).norm();
     print_message("lean %g, radius %g: %.1e, with half the step %.1e\n", double(lean), double(radius), double(coarse),
                   double(fine));
     assert_true(coarse < 1e-5 && fine < 1e-5);  // 7 rad of the way, at most

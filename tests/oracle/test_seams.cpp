@@ -23,7 +23,7 @@ constexpr Real kRadius = 0.1;
 constexpr Real kSettles = 1.3e-4;
 constexpr Real kHop = 1e-4, kLost = 1e-3;
 
-enum class Tiles { boxes, bond, hulls, meshes, fields, beside, parts, driven, count };
+enum class Tiles { boxes, bond, hulls, meshes, fields, beside, parts, driven, hull_field, driven_mesh, count };
 enum class Mover { ball, box, stick, can, count };
 
 Shape square(Real h) {
@@ -56,6 +56,8 @@ struct Floor : TestWorld {
         if (kind == Tiles::hulls) tile = hulled;
         if (kind == Tiles::meshes || (kind == Tiles::beside && odd)) tile = flat;
         if (kind == Tiles::fields) tile = field;
+        if (kind == Tiles::hull_field) tile = odd ? hulled : field;
+        if (kind == Tiles::driven_mesh && odd) tile = flat;
         const Real shift = kind == Tiles::bond && k % 2 != 0 ? 0.5 : 0;
         Vec3 at(side * (i + shift), tile == brick ? -0.25 : 0, side * (k + 0.5));
         if (tile == field) at -= Vec3(h, 0, h);
@@ -63,7 +65,8 @@ struct Floor : TestWorld {
           world.add_collider(whole, tile, Pose{Quat::identity(), at}, 1000, smooth);
           continue;
         }
-        const std::uint32_t body = add(tile, q * at, type, q, smooth);
+        const BodyType own = kind == Tiles::driven_mesh && !odd ? BodyType::kinematic : type;
+        const std::uint32_t body = add(tile, q * at, own, q, smooth);
         if (kind == Tiles::driven) world.set_velocity(body, q * Vec3(0.7, 0, 0), Vec3::zero());
       }
   }
@@ -165,6 +168,43 @@ void nor_does_what_rolls_on_its_side(void**) {
     }
 }
 
+/// Nor where triangles lie beside what is solid: within a step it rolls from one onto the other, and both are asked where it is.
+void nor_does_it_from_a_solid_onto_triangles(void**) {
+  struct Roll {
+    Tiles tiles;
+    Real radius, half, speed, heading, dt;  // m, m, m/s, rad, s
+    bool is_capsule;
+  };
+  constexpr Roll kRolls[] = {{Tiles::beside, 0.09, 0.07, 7, 0.23, 1.0 / 50, false},
+                             {Tiles::beside, 0.09, 0.07, 7, 0.15, 1.0 / 50, false},
+                             {Tiles::hull_field, 0.09, 0.07, 12, -0.31, 1.0 / 50, false},
+                             {Tiles::hull_field, 0.07, 0.1, 20, -0.19, 1.0 / 60, true},
+                             {Tiles::driven_mesh, 0.13, 0.21, 4.4, 0.33, 1.0 / 60, false},
+                             {Tiles::driven_mesh, 0.11, 0.16, 17, 0.07, 1.0 / 120, true}};
+  for (const Roll& roll : kRolls)
+    for (const Real turned : {0.18, 0.38, 0.92}) {
+      Floor f(roll.tiles, 1.13, Quat::identity(), exp_map(Vec3(0, turned, 0)));
+      const std::uint32_t rough = f.material(0.5, 0);
+      const Quat heads = exp_map(Vec3(0, roll.heading, 0)), lies = heads * exp_map(Vec3(std::numbers::pi / 2, 0, 0));
+      const Vec3 way = heads * Vec3(1, 0, 0), axis = heads * Vec3(0, 0, 1);
+      const Shape* const shape =
+          f.keep(roll.is_capsule ? capsule(roll.radius, roll.half) : cylinder(roll.radius, roll.half));
+      const std::uint32_t body =
+          f.add(shape, Vec3(0.013, roll.radius, 0.021) - 3.5 * way, BodyType::dynamic, lies, rough);
+      f.world.set_velocity(body, roll.speed * way, -roll.speed / roll.radius * axis);
+      Real off = 0;
+      for (int i = 0; i * roll.speed * roll.dt < 7; ++i) {
+        f.world.step(roll.dt);
+        off = std::max(off, std::fabs(f.world.state.x[body].y() - roll.radius));
+      }
+      const Vec3& v = f.world.state.v[body];
+      if (!(off < kHop))
+        print_error("tiles %d by %g rad, %g m/s: off %g\n", static_cast<int>(roll.tiles), turned, roll.speed, off);
+      assert_true(off < kHop);
+      assert_true((v - roll.speed * way).norm() < kLost * roll.speed);
+    }
+}
+
 /// A step down by as much as is no flush neighbour: what rolls over its edge falls.
 void nor_is_an_edge_a_seam(void**) {
   for (const Real speed : {2.0, 6.0, 11.0}) {
@@ -238,6 +278,7 @@ int main() {
       cmocka_unit_test(nothing_feels_a_seam),
       cmocka_unit_test(nor_does_a_body_of_parts),
       cmocka_unit_test(nor_does_what_rolls_on_its_side),
+      cmocka_unit_test(nor_does_it_from_a_solid_onto_triangles),
       cmocka_unit_test(nor_is_an_edge_a_seam),
       cmocka_unit_test(what_stands_out_stops),
       cmocka_unit_test(a_groove_bears_on_both_sides),

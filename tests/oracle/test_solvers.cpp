@@ -12,7 +12,6 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kStep = 1.0 / 60, kGravity = 9.81;
-constexpr Real kSequentialChoice = 1, kSoftStepChoice = 2;  // CAROM_SOLVER_*
 
 Real square(Real x) { return x * x; }
 
@@ -33,7 +32,7 @@ std::vector<std::uint32_t> stack(TestWorld& t, int count) {
 static void a_stack_sinks_by_what_its_springs_give(void**) {
   for (const Real frequency : {20.0, 30.0}) {
     TestWorld t;
-    t.world.set_dial(Dial::solver, kSoftStepChoice);
+    t.world.set_dial(Dial::solver, kSoftChoice);
     t.world.set_dial(Dial::substeps, 4);
     t.world.set_dial(Dial::contact_frequency, frequency);
     t.world.set_dial(Dial::position_tolerance, 1);  // springs alone
@@ -72,7 +71,7 @@ static void stacks_of_ten_and_twenty_stand(void**) {
   };
   for (const Case& c : {Case{10, 4, 30}, Case{20, 8, 60}}) {
     TestWorld t;
-    t.world.set_dial(Dial::solver, kSoftStepChoice);
+    t.world.set_dial(Dial::solver, kSoftChoice);
     t.world.set_dial(Dial::substeps, c.substeps);
     t.world.set_dial(Dial::contact_frequency, c.frequency);
     const std::vector<std::uint32_t> cubes = stack(t, c.cubes);
@@ -88,7 +87,7 @@ static void stacks_of_ten_and_twenty_stand(void**) {
 
 static void a_sliding_slab_stops_where_friction_says_in_any_direction(void**) {
   constexpr Real kSpeed = 5, kFriction = 0.5, kWay = kSpeed * kSpeed / (2 * kFriction * kGravity);
-  for (const Real solver : {kSequentialChoice, kSoftStepChoice})
+  for (const int solver : {kSoftChoice, kDirectChoice})
     for (const Real angle : {0.0, 0.4, 0.8}) {
       for (const Real dt : {kStep, kStep / 2}) {
         TestWorld t;
@@ -110,7 +109,7 @@ static void a_sliding_slab_stops_where_friction_says_in_any_direction(void**) {
         // nothing any more: at most (mu g h)^2 / (2 mu g). And what it slides while springs let it sink, with less
         // friction.
         const Real h = dt / 4, last = kFriction * kGravity * h * h / 2;
-        const Real sinks = solver == kSoftStepChoice ? kFriction * kGravity / (60 * 60 * 9.87) : 0;
+        const Real sinks = solver == kSoftChoice ? kFriction * kGravity / (60 * 60 * 9.87) : 0;
         assert_true(std::fabs(kWay - x.dot(ahead)) < last + sinks + 1e-5);
       }
     }
@@ -119,7 +118,7 @@ static void a_sliding_slab_stops_where_friction_says_in_any_direction(void**) {
 /// A ball that rolls without slip needs no friction to go on, whatever the substeps: its point stays under its centre.
 static void a_ball_rolls_on_as_it_is(void**) {
   constexpr Real kSpeed = 6, kRadius = 0.5;
-  for (int solver = 0; solver <= 4; ++solver)
+  for (int solver = 0; solver < kSolverChoices; ++solver)
     for (const Real substeps : {1.0, 4.0}) {
       TestWorld t;
       t.world.set_dial(Dial::solver, solver);
@@ -128,7 +127,7 @@ static void a_ball_rolls_on_as_it_is(void**) {
       const std::uint32_t ball = t.add(t.keep(sphere(kRadius)), Vec3(0, kRadius, 0));
       t.world.set_velocity(ball, Vec3(kSpeed, 0, 0), Vec3(0, 0, -kSpeed / kRadius));
       t.run(120, kStep);
-      const bool soft = solver == 2;  // auto gives a lone ball that does not slip to the direct solver
+      const bool soft = solver == kSoftChoice;  // auto gives a lone ball that does not slip to the direct solver
       const Vec3 &x = t.world.state.x[ball], &v = t.world.state.v[ball], &omega = t.world.state.omega[ball];
       // Soft contacts sink by their load: below that only while they still settle.
       const Real w2 = square(2 * 3.14159265358979 * std::min(30.0, 15 * substeps));  // a quarter of the substep rate
@@ -140,7 +139,7 @@ static void a_ball_rolls_on_as_it_is(void**) {
 }
 
 static void collisions_keep_the_momentum(void**) {
-  for (const Real solver : {kSequentialChoice, kSoftStepChoice}) {
+  for (const int solver : {kSoftChoice, kDirectChoice}) {
     TestWorld t(Vec3::zero());
     t.world.set_dial(Dial::solver, solver);
     t.world.set_dial(Dial::substeps, 4);
@@ -178,7 +177,7 @@ static void collisions_keep_the_momentum(void**) {
 }
 
 static void a_ball_bounces_as_high_as_its_restitution_says(void**) {
-  for (const Real solver : {kSequentialChoice, kSoftStepChoice}) {
+  for (const int solver : {kSoftChoice, kDirectChoice}) {
     TestWorld t;
     t.world.set_dial(Dial::solver, solver);
     t.world.set_dial(Dial::substeps, 4);

@@ -13,9 +13,8 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kG = 9.81;
-constexpr std::uint32_t kSolvers = 5;  // severity, sequential, soft_step, direct, auto
 
-bool is_soft(std::uint32_t solver) { return solver == 2 || solver == 4; }
+bool is_soft(std::uint32_t solver) { return solver == kSoftChoice || solver == kAutoChoice; }
 
 std::uint32_t collider_of(const TestWorld& t, std::uint32_t body) { return t.world.scene.first_collider[body]; }
 void drive(TestWorld& t, std::uint32_t body, const Vec3& linear, const Vec3& angular = Vec3::zero()) {
@@ -91,7 +90,7 @@ Real off_the_circle(std::uint32_t solver, int n) {
 }  // namespace
 
 static void what_is_put_on_a_belt_slips_then_rides(void**) {
-  for (std::uint32_t solver = 0; solver < kSolvers; ++solver)
+  for (std::uint32_t solver = 0; solver < kSolverChoices; ++solver)
     for (const int n : {60, 120, 240}) {
       const Ridden r = ride(solver, n, is_soft(solver) ? 4 : 1);
       print_message("solver %u, n %d: off %.2e, of the sum %.2e, v %.2e\n", solver, n, r.way.x() - way(),
@@ -107,7 +106,7 @@ static void what_is_put_on_a_belt_slips_then_rides(void**) {
 
 /// The paper's solver moves bodies by the velocity of a step's end.
 static void the_paper_s_solver_does_what_its_integrator_does(void**) {
-  for (const int n : {60, 240}) assert_true(std::fabs(ride(0, n, 1).way.x() - way_in_steps(n)) < 1e-6);
+  for (const int n : {60, 240}) assert_true(std::fabs(ride(kSeverityChoice, n, 1).way.x() - way_in_steps(n)) < 1e-6);
 }
 
 /// The others by the mean of a step, which is exact until the belt catches the slab, at some time in a step. That one
@@ -116,7 +115,7 @@ static void the_paper_s_solver_does_what_its_integrator_does(void**) {
 /// the critical damping) let it sink by g / (2 w)^2 meanwhile, under less friction, and as long as they tilt it, 20 /
 /// w, it goes by the velocities of steps' ends.
 static void what_slips_moves_by_its_mean_velocity(void**) {
-  for (std::uint32_t solver = 1; solver < kSolvers; ++solver)
+  for (std::uint32_t solver = kSoftChoice; solver < kSolverChoices; ++solver)
     for (const int n : {60, 120, 240, 480}) {
       const Real h = kTime / n, off = ride(solver, n, 1).way.x() - way();
       const Real w = 2 * 3.1416 * std::min(30.0, 0.25 / h);
@@ -127,7 +126,7 @@ static void what_slips_moves_by_its_mean_velocity(void**) {
 }
 
 static void a_track_drives_its_body_the_way_it_points(void**) {
-  for (std::uint32_t solver = 0; solver < kSolvers; ++solver)
+  for (std::uint32_t solver = 0; solver < kSolverChoices; ++solver)
     for (const Real angle : {0.0, 0.7, 2.0}) {
       const Ridden r = drive_off(solver, 120, angle);
       const SinCos sc = sin_cos(angle);
@@ -139,7 +138,7 @@ static void a_track_drives_its_body_the_way_it_points(void**) {
 }
 
 static void a_ball_on_a_turntable_goes_in_a_circle(void**) {
-  for (std::uint32_t solver = 0; solver < kSolvers; ++solver) {
+  for (std::uint32_t solver = 0; solver < kSolverChoices; ++solver) {
     const Real coarse = off_the_circle(solver, 240), fine = off_the_circle(solver, 480);
     print_message("solver %u: %.2e, %.2e\n", solver, coarse, fine);
     // v' = w x v by Euler's method is off by w h / 2 of the way in each of the w t radians, and the friction of a step
@@ -155,7 +154,7 @@ static void a_plank_on_rollers_that_turn_inwards_swings(void**) {
   constexpr Real kAway = 0.2, kApart = 1, kThick = 0.05, kRoller = 0.25;
   const Real w = std::sqrt(kMu * kG / (kApart - kMu * kThick)), T = 2;
   // Not severity: of the many loads on four points it finds one that turns the plank aside.
-  for (std::uint32_t solver = 1; solver < kSolvers; ++solver) {
+  for (std::uint32_t solver = kSoftChoice; solver < kSolverChoices; ++solver) {
     const auto off = [&](int n) {
       TestWorld t(Vec3(0, -kG, 0));
       choose(t, solver, 1);
@@ -192,13 +191,13 @@ static void a_belt_does_not_push_what_stands_at_its_end(void**) {
     t.run(60, 1.0 / 60);
     return t.world.state.x[stands];
   };
-  for (std::uint32_t solver = 0; solver < kSolvers; ++solver)
+  for (std::uint32_t solver = 0; solver < kSolverChoices; ++solver)
     assert_true((end_of(solver, 3) - end_of(solver, 0)).norm() < 1e-12);
 }
 
 static void a_ball_that_bounces_off_a_belt_takes_mu_times_the_blow_along(void**) {
   constexpr Real kHeight = 1, kBounce = 0.5, kRough = 0.1;
-  for (std::uint32_t solver = 0; solver < kSolvers; ++solver) {
+  for (std::uint32_t solver = 0; solver < kSolverChoices; ++solver) {
     TestWorld t(Vec3(0, -kG, 0));
     t.world.set_dial(Dial::solver, solver);
     const std::uint32_t m = t.material(kRough, kBounce);
@@ -216,7 +215,7 @@ static void a_ball_that_bounces_off_a_belt_takes_mu_times_the_blow_along(void**)
 
 static void what_resists_spinning_is_spun_up_by_a_turntable(void**) {
   constexpr Real kSpin = 2, kArm = 0.01, kRadius = 0.5;
-  for (std::uint32_t solver = 0; solver < kSolvers; ++solver) {
+  for (std::uint32_t solver = 0; solver < kSolverChoices; ++solver) {
     TestWorld t(Vec3(0, -kG, 0));
     choose(t, solver, 4);
     Material rough;

@@ -15,7 +15,11 @@ constexpr Real kStep = 1.0 / 60;
 struct Setting {
   Real solver, manifold, broad, routines;
 };
-constexpr Setting kSettings[] = {{0, 3, 1, 1}, {0, 1, 0, 0}, {1, 2, 2, 0}, {2, 3, 3, 1}, {2, 1, 1, 0}};
+constexpr Setting kSettings[] = {{kSeverityChoice, 3, 1, 1},
+                                 {kSeverityChoice, 1, 0, 0},
+                                 {kSoftChoice, 2, 2, 0},
+                                 {kSoftChoice, 3, 3, 1},
+                                 {kSoftChoice, 1, 1, 0}};
 
 /// A small heap of unlike shapes that leans and settles, on the ground.
 void build_heap(TestWorld& t, const Setting& s) {

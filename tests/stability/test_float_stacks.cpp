@@ -43,7 +43,7 @@ Real strayed(const World& world, const std::vector<Vec3>& home) {
 // As a column of doubles (stability/soft_stacks): 2 P / (m w^2) between two cubes under a load P, P / (4 m w^2) on the ground.
 static void sixteen_columns_of_forty_sink_by_their_springs_and_stand(void**) {
   constexpr int n = 40;
-  FloatWorld t(2);  // CAROM_SOLVER_SOFT_STEP
+  FloatWorld t(kSoftChoice);
   t.ground();
   const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   for (int k = 0; k < 16; ++k)
@@ -63,7 +63,7 @@ static void sixteen_columns_of_forty_sink_by_their_springs_and_stand(void**) {
 static void a_pyramid_of_base_thirty_comes_to_rest(void**) {
   Real aside[2];
   for (const Precision precision : {Precision::in_float, Precision::in_double}) {
-    FloatWorld t(2);
+    FloatWorld t(kSoftChoice);
     t.world.set_dial(Dial::precision, static_cast<Real>(precision));
     t.ground();
     const Shape* cube = t.keep(box(Vec3::constant(0.5)));
@@ -81,7 +81,7 @@ static void a_pyramid_of_base_thirty_comes_to_rest(void**) {
 
 // By auto, stacks of forty belong to the direct solver, which knows no floats: nothing sinks.
 static void auto_gives_stacks_to_the_direct_solver_as_ever(void**) {
-  FloatWorld t(4);  // CAROM_SOLVER_AUTO
+  FloatWorld t(kAutoChoice);
   t.ground();
   const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   for (int k = 0; k < 2; ++k)
@@ -96,7 +96,7 @@ static void auto_gives_stacks_to_the_direct_solver_as_ever(void**) {
 static void a_heap_settles_as_in_doubles(void**) {
   Real deepest[2], mean[2];
   for (const Precision precision : {Precision::in_double, Precision::in_float}) {
-    FloatWorld t(2);
+    FloatWorld t(kSoftChoice);
     t.world.set_dial(Dial::precision, static_cast<Real>(precision));
     t.ground();
     constexpr Real wall = 2.2;

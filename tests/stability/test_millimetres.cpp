@@ -15,16 +15,14 @@ using namespace carom::test;
 
 namespace {
 
-// As of the dial.
-constexpr Real kSequentialSolver = 1, kSoft = 2, kDirectSolver = 3, kAutoSolver = 4;
 // Of the thickness: a hundredth is what is left where overlap is undone, and springs give as much again under some bodies.
 constexpr Real kDeep = 0.02;
 
 struct Case {
   Real solver, hz;
 };
-constexpr Case kCases[] = {{kSoft, 60},       {kSoft, 240},       {kDirectSolver, 60},
-                           {kAutoSolver, 60}, {kAutoSolver, 240}, {kSequentialSolver, 240}};
+constexpr Case kCases[] = {
+    {kSoftChoice, 60}, {kSoftChoice, 240}, {kDirectChoice, 60}, {kAutoChoice, 60}, {kAutoChoice, 240}};
 
 /// What is made, and the size by which depth is judged.
 struct Made {
@@ -164,7 +162,7 @@ static void what_stands_still_says_so(void**) {
 /// Bricks at three scales, with gravity as much scaled, move alike: in units of their size all depths are the same to 1 %
 /// of the thickness, however large or small that is.
 static void depth_scales(void**) {
-  for (const Real solver : {kSoft, kDirectSolver, kAutoSolver}) {
+  for (const Real solver : {kSoftChoice, kDirectChoice, kAutoChoice}) {
     std::vector<Real> deep;
     for (const Real scale : {1.0, 1e-3, 100.0}) {
       TestWorld t(Vec3(0, -9.81 * scale, 0));
@@ -187,7 +185,7 @@ static void depth_scales(void**) {
 static void what_is_thick_has_the_same_bits_beside_it(void**) {
   const auto cubes = [](bool beside, Real hair) {
     TestWorld t;
-    t.world.set_dial(Dial::solver, kSoft);
+    t.world.set_dial(Dial::solver, kSoftChoice);
     t.ground();
     const Shape* const cube = t.keep(box(Vec3::constant(0.5)));
     std::vector<std::uint32_t> bodies;
@@ -215,7 +213,7 @@ static void what_is_thick_has_the_same_bits_beside_it(void**) {
 
 /// Blocks of a hundred metres at 30 m/s, 0.5 m a step: the least that a dial leaves deep is nothing to them.
 static void blocks_of_a_hundred_metres_land(void**) {
-  for (const Real solver : {kSoft, kDirectSolver, kAutoSolver}) {
+  for (const Real solver : {kSoftChoice, kDirectChoice, kAutoChoice}) {
     TestWorld t;
     t.world.set_dial(Dial::solver, solver);
     t.ground();

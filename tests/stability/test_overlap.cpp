@@ -50,7 +50,7 @@ static void a_pyramid_that_overlaps_by_half_is_not_thrown_apart(void**) {
   // Each pair parts at push_speed: of four in a row the outermost moves at 1.5 times that from their middle, and the
   // top of four rows rises at three times. What was lifted so falls where it lost its support, faster in the end.
   for (const Real pitch : {0.95, 1.0, 1.05, 1.15})
-    for (const Real solver : {2, 3, 4}) {  // CAROM_SOLVER_SOFT_STEP, DIRECT, AUTO
+    for (const Real solver : {kSoftChoice, kDirectChoice, kAutoChoice}) {
       TestWorld t;
       t.world.set_dial(Dial::solver, solver);
       t.ground();
@@ -71,7 +71,7 @@ static void what_is_wedged_is_not_shot_out(void**) {
   // to go up by half a metre; it goes at most 30 times as far as it is to be parted, which is push_speed times the
   // substep.
   const Real lean = 1e-3, push_speed = 0.5;
-  for (const Real solver : {3, 4}) {  // CAROM_SOLVER_DIRECT, AUTO
+  for (const Real solver : {kDirectChoice, kAutoChoice}) {
     TestWorld t;
     t.world.set_dial(Dial::solver, solver);
     t.world.scene.gravity = Vec3::zero();

@@ -14,7 +14,6 @@ using namespace carom::test;
 namespace {
 
 constexpr Real kStep = 1.0 / 60;
-constexpr std::uint32_t kSolvers = 5;
 enum class Ground { plane, mesh, field };
 
 double level(double, double) { return 0; }
@@ -66,14 +65,14 @@ static void bodies_slide_over_ten_thousand_triangles_as_over_a_plane(void**) {
   const Real heights[] = {0.25, 0.3, 0.4};
   const Quat lying(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
   for (Shape& s : shapes) s.mass = mass_from_form(s.form, s.radius, s.half_height, s.half, s.vertices);
-  for (std::uint32_t solver = 0; solver < kSolvers; ++solver)
+  for (std::uint32_t solver = 0; solver < kSolverChoices; ++solver)
     for (std::size_t k = 0; k < 3; ++k) {
       const Quat q = k == 2 ? lying : Quat(Quat::identity());
       const Ride plane = slide(solver, shapes[k], heights[k], q, Ground::plane);
       for (const Ground ground : {Ground::mesh, Ground::field}) {
         const Ride ride = slide(solver, shapes[k], heights[k], q, ground);
         // What `severity` still does after 5 s of rest is its own, on a plane as well, and never quite the same.
-        assert_true(ride.bump <= (solver == 0 ? 2 : 1) * plane.bump + 1e-6);
+        assert_true(ride.bump <= (solver == kSeverityChoice ? 2 : 1) * plane.bump + 1e-6);
         assert_true(ride.slow <= 1e-6);
         assert_true(std::fabs(ride.last_y - plane.last_y) <= 1e-4);
       }
@@ -137,7 +136,7 @@ static void a_wall_of_a_stack_stands_on_a_mesh_as_on_a_plane(void**) {
 static void nothing_leaves_a_room_of_triangles(void**) {
   Triangles room = box_surface(Vec3(2, 2, 2));
   for (std::size_t i = 0; i < room.index.size(); i += 3) std::swap(room.index[i + 1], room.index[i + 2]);
-  for (const std::uint32_t solver : {2u, 4u}) {
+  for (const std::uint32_t solver : {kSoftChoice, kAutoChoice}) {
     TestWorld t;
     t.world.set_dial(Dial::solver, solver);
     t.add(t.keep(mesh(room)), Vec3::zero(), BodyType::fixed);

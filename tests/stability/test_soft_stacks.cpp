@@ -14,7 +14,7 @@ constexpr Real kStep = 1.0 / 60, kGravity = 9.81;
 
 /// Cubes of 1 m, each on the middle of the last; soft contacts.
 std::vector<std::uint32_t> column(TestWorld& t, int n) {
-  t.world.set_dial(Dial::solver, 2);  // CAROM_SOLVER_SOFT_STEP
+  t.world.set_dial(Dial::solver, kSoftChoice);
   t.ground();
   const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> bodies;
@@ -66,7 +66,7 @@ static void without_held_arms_a_column_of_twenty_buckles(void**) {
 
 static void a_pyramid_comes_to_rest_and_stands_for_a_minute(void**) {
   TestWorld t;
-  t.world.set_dial(Dial::solver, 2);
+  t.world.set_dial(Dial::solver, kSoftChoice);
   t.ground();
   const Shape* cube = t.keep(box(Vec3::constant(0.5)));
   std::vector<std::uint32_t> bodies;

@@ -408,7 +408,7 @@ static void a_coin_on_a_tray_and_an_arm_err_less_the_less_is_accepted(void**) {
       return run(engine, challenge, request, std::nullopt).errors[0];
     };
     const double rough = error({"solver=soft_step", "integrator=semi_implicit_euler", "rotation=implicit", "substeps=1",
-                                "velocity_iterations=4", "joint_order=0"}),
+                                "joint_order=0"}),
                  some = error({"accuracy_place=1e-2", "accuracy_turn=1e-2"}),
                  fine = error({"accuracy_place=1e-3", "accuracy_turn=1e-3"});
     const double kept = 1e-3 * challenge.scene.seconds * (1 + row.way / 2);

@@ -2600,9 +2600,9 @@ namespace Carom
         public const uint CAROM_DIAL_SUBSTEPS = 2;
         /// <summary>choice: CAROM_SOLVER_*</summary>
         public const uint CAROM_DIAL_SOLVER = 3;
-        /// <summary>at most this many impulses per contact of a group and substep</summary>
+        /// <summary>severity: at most this many impulses per contact of a group and substep</summary>
         public const uint CAROM_DIAL_VELOCITY_ITERATIONS = 4;
-        /// <summary>at most this many position corrections per contact of a group and step</summary>
+        /// <summary>severity: at most this many position corrections per contact of a group and substep; 0: none, under direct, too</summary>
         public const uint CAROM_DIAL_POSITION_ITERATIONS = 5;
         /// <summary>m/s: velocity error left unresolved at a contact</summary>
         public const uint CAROM_DIAL_VELOCITY_TOLERANCE = 6;
@@ -2711,14 +2711,12 @@ namespace Carom
         public const uint CAROM_ROTATION_SPLITTING_6 = 7;
         /// <summary>most severe contact first, by group: that of the paper of 2011</summary>
         public const uint CAROM_SOLVER_SEVERITY = 0;
-        /// <summary>warm-started sweeps over all contacts (projected Gauss-Seidel)</summary>
-        public const uint CAROM_SOLVER_SEQUENTIAL = 1;
         /// <summary>one sweep a substep over soft contacts, one that relaxes them: needs about 4 substeps</summary>
-        public const uint CAROM_SOLVER_SOFT_STEP = 2;
+        public const uint CAROM_SOLVER_SOFT_STEP = 1;
         /// <summary>each contact group as one problem, solved to a residual: small hard groups</summary>
-        public const uint CAROM_SOLVER_DIRECT = 3;
+        public const uint CAROM_SOLVER_DIRECT = 2;
         /// <summary>soft_step, but direct for groups that it would not hold; says which and why</summary>
-        public const uint CAROM_SOLVER_AUTO = 4;
+        public const uint CAROM_SOLVER_AUTO = 3;
         /// <summary>the paper's: scan all contacts of the group for the most severe</summary>
         public const uint CAROM_SEARCH_LINEAR = 0;
         /// <summary>the same order from a heap</summary>

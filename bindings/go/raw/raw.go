@@ -421,10 +421,10 @@ const CAROM_DIAL_SUBSTEPS = uint32(2)
 // choice: CAROM_SOLVER_*
 const CAROM_DIAL_SOLVER = uint32(3)
 
-// at most this many impulses per contact of a group and substep
+// severity: at most this many impulses per contact of a group and substep
 const CAROM_DIAL_VELOCITY_ITERATIONS = uint32(4)
 
-// at most this many position corrections per contact of a group and step
+// severity: at most this many position corrections per contact of a group and substep; 0: none, under direct, too
 const CAROM_DIAL_POSITION_ITERATIONS = uint32(5)
 
 // m/s: velocity error left unresolved at a contact
@@ -588,17 +588,14 @@ const CAROM_ROTATION_SPLITTING_6 = uint32(7)
 // most severe contact first, by group: that of the paper of 2011
 const CAROM_SOLVER_SEVERITY = uint32(0)
 
-// warm-started sweeps over all contacts (projected Gauss-Seidel)
-const CAROM_SOLVER_SEQUENTIAL = uint32(1)
-
 // one sweep a substep over soft contacts, one that relaxes them: needs about 4 substeps
-const CAROM_SOLVER_SOFT_STEP = uint32(2)
+const CAROM_SOLVER_SOFT_STEP = uint32(1)
 
 // each contact group as one problem, solved to a residual: small hard groups
-const CAROM_SOLVER_DIRECT = uint32(3)
+const CAROM_SOLVER_DIRECT = uint32(2)
 
 // soft_step, but direct for groups that it would not hold; says which and why
-const CAROM_SOLVER_AUTO = uint32(4)
+const CAROM_SOLVER_AUTO = uint32(3)
 
 // the paper's: scan all contacts of the group for the most severe
 const CAROM_SEARCH_LINEAR = uint32(0)

@@ -8,7 +8,7 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 
 /** Owns plugins and shapes, makes worlds. Close it after its worlds. Any thread may use it. */
-public final class Engine implements AutoCloseable {
+public final class Engine extends EngineCalls implements AutoCloseable {
     /** A call of Raw that takes an engine or a world, then what it takes besides, then the error. */
     @FunctionalInterface
     public interface Call {
@@ -45,7 +45,7 @@ public final class Engine implements AutoCloseable {
         pointer = MemorySegment.NULL;
     }
 
-    /** Any call of Raw on this engine. */
+    @Override
     public void call(Call call) {
         var scratch = Library.Scratch.get();
         scratch.check(call.of(pointer, scratch.error.segment));
@@ -56,29 +56,6 @@ public final class Engine implements AutoCloseable {
         var out = Library.Scratch.get().out;
         call((p, e) -> Raw.carom_world_create(p, MemorySegment.NULL, out, e));
         return new World(this, out.get(ADDRESS, 0));
-    }
-
-    /** By the name of its plugin: "sphere", "box", "half_space", or one on $CAROM_PLUGIN_PATH. @return a handle */
-    public long shape(String name, double... params) {
-        try (Arena local = Arena.ofConfined()) {
-            MemorySegment text = local.allocateFrom(name), numbers = numbers(local, params), out = Library.Scratch.get().out;
-            call((p, e) -> Raw.carom_shape_create_named(p, text, numbers, params.length, out, e));
-            return out.get(JAVA_LONG, 0);
-        }
-    }
-
-    /** A shape of a plugin. @return a handle */
-    public long shape(long plugin, double... params) {
-        try (Arena local = Arena.ofConfined()) {
-            MemorySegment numbers = numbers(local, params), out = Library.Scratch.get().out;
-            call((p, e) -> Raw.carom_shape_create(p, plugin, numbers, params.length, out, e));
-            return out.get(JAVA_LONG, 0);
-        }
-    }
-
-    // Never empty: a shape may have no parameters.
-    private static MemorySegment numbers(Arena arena, double[] numbers) {
-        return numbers.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_DOUBLE, numbers);
     }
 
     /** A kind of shape whose support function is Java, called on the thread that makes the call. @return a plugin, for shape() */

@@ -3,6 +3,7 @@ package carom;
 import java.lang.foreign.*;
 import java.lang.invoke.MethodHandle;
 import java.util.HashMap;
+import java.util.function.Consumer;
 
 /** Finds libcarom, once: $CAROM_LIBRARY or the property carom.library, else the system's loader by its name. */
 final class Library {
@@ -101,8 +102,34 @@ final class Library {
         }
     }
 
-    /** An array of handles, or NULL for none. */
-    static MemorySegment handles(Arena arena, long[] handles) {
-        return handles == null ? MemorySegment.NULL : arena.allocateFrom(ValueLayout.JAVA_LONG, handles);
+    // What C is given of Java's: NULL for null, and never an empty block, since a shape may have no parameters.
+    static MemorySegment in(Arena arena, double... it) { return it == null ? MemorySegment.NULL : it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(ValueLayout.JAVA_DOUBLE, it); }
+    static MemorySegment in(Arena arena, long[] it) { return it == null ? MemorySegment.NULL : it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(ValueLayout.JAVA_LONG, it); }
+    static MemorySegment in(Arena arena, int[] it) { return it == null ? MemorySegment.NULL : it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(ValueLayout.JAVA_INT, it); }
+    static MemorySegment in(Arena arena, byte[] it) { return it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(ValueLayout.JAVA_BYTE, it); }
+    static MemorySegment in(Arena arena, Vec3 v) { return v == null ? MemorySegment.NULL : in(arena, v.x(), v.y(), v.z()); }
+    static MemorySegment in(Arena arena, Quat q) { return q == null ? MemorySegment.NULL : in(arena, q.x(), q.y(), q.z(), q.w()); }
+    static MemorySegment in(Arena arena, String text) { return arena.allocateFrom(text); }
+
+    static void fits(int n, int wanted) {
+        if (n != wanted) throw new CaromException(Raw.CAROM_E_OUT_OF_RANGE, n + " where " + wanted + " are wanted", "pass arrays of one length");
+    }
+
+    interface Ask {
+        int of(MemorySegment pointer, MemorySegment dst, long capacity, MemorySegment count, MemorySegment error);
+    }
+
+    /** All of a list that says how many there are: asked for none first, then for all. */
+    static MemorySegment list(Consumer<Engine.Call> call, Arena arena, long size, Ask ask) {
+        MemorySegment count = Arena.ofAuto().allocate(8, 8);
+        for (long room = 0;; room = count.get(ValueLayout.JAVA_LONG, 0)) {
+            MemorySegment dst = room == 0 ? MemorySegment.NULL : arena.allocate(size * room, 8);
+            long fits = room;
+            call.accept((p, e) -> {
+                int result = ask.of(p, dst, fits, count, e);
+                return result == Raw.CAROM_E_BUFFER_TOO_SMALL && count.get(ValueLayout.JAVA_LONG, 0) > fits ? Raw.CAROM_OK : result; // so do some say how many
+            });
+            if (count.get(ValueLayout.JAVA_LONG, 0) <= room) return dst.asSlice(0, size * count.get(ValueLayout.JAVA_LONG, 0));
+        }
     }
 }

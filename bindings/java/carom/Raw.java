@@ -261,9 +261,9 @@ public final class Raw {
     public static final int CAROM_DIAL_SUBSTEPS = 2;
     /** choice: CAROM_SOLVER_* */
     public static final int CAROM_DIAL_SOLVER = 3;
-    /** at most this many impulses per contact of a group and substep */
+    /** severity: at most this many impulses per contact of a group and substep */
     public static final int CAROM_DIAL_VELOCITY_ITERATIONS = 4;
-    /** at most this many position corrections per contact of a group and step */
+    /** severity: at most this many position corrections per contact of a group and substep; 0: none, under direct, too */
     public static final int CAROM_DIAL_POSITION_ITERATIONS = 5;
     /** m/s: velocity error left unresolved at a contact */
     public static final int CAROM_DIAL_VELOCITY_TOLERANCE = 6;
@@ -372,14 +372,12 @@ public final class Raw {
     public static final int CAROM_ROTATION_SPLITTING_6 = 7;
     /** most severe contact first, by group: that of the paper of 2011 */
     public static final int CAROM_SOLVER_SEVERITY = 0;
-    /** warm-started sweeps over all contacts (projected Gauss-Seidel) */
-    public static final int CAROM_SOLVER_SEQUENTIAL = 1;
     /** one sweep a substep over soft contacts, one that relaxes them: needs about 4 substeps */
-    public static final int CAROM_SOLVER_SOFT_STEP = 2;
+    public static final int CAROM_SOLVER_SOFT_STEP = 1;
     /** each contact group as one problem, solved to a residual: small hard groups */
-    public static final int CAROM_SOLVER_DIRECT = 3;
+    public static final int CAROM_SOLVER_DIRECT = 2;
     /** soft_step, but direct for groups that it would not hold; says which and why */
-    public static final int CAROM_SOLVER_AUTO = 4;
+    public static final int CAROM_SOLVER_AUTO = 3;
     /** the paper's: scan all contacts of the group for the most severe */
     public static final int CAROM_SEARCH_LINEAR = 0;
     /** the same order from a heap */

@@ -3,10 +3,9 @@ package carom;
 import static java.lang.foreign.ValueLayout.*;
 
 import java.lang.foreign.*;
-import java.util.Arrays;
 
 /** Bodies and what acts on them. Any number of threads may read it; beside one that changes it others get CAROM_E_BUSY. */
-public final class World implements AutoCloseable {
+public final class World extends WorldCalls implements AutoCloseable {
     private final Engine engine;
     private MemorySegment pointer;
 
@@ -28,30 +27,11 @@ public final class World implements AutoCloseable {
         pointer = MemorySegment.NULL;
     }
 
-    /** Any call of Raw on this world: world.call((w, e) -> Raw.carom_world_set_dial(w, Raw.CAROM_DIAL_SUBSTEPS, 5, e)). */
+    /** Any call of Raw on this world: world.call((w, e) -> Raw.carom_world_cast_rays(w, rays, want, desc, hits, e)). */
+    @Override
     public void call(Engine.Call call) {
         var scratch = Library.Scratch.get();
         scratch.check(call.of(pointer, scratch.error.segment));
-    }
-
-    /** Advance by dt, s. */
-    public void step(double dt) { call((w, e) -> Raw.carom_world_step(w, dt, e)); }
-
-    /** Of all that a step changes: to compare two runs. */
-    public long hash() {
-        var out = Library.Scratch.get().out;
-        call((w, e) -> Raw.carom_world_hash(w, out, e));
-        return out.get(JAVA_LONG, 0);
-    }
-
-    /** @return a handle */
-    public long material(double friction, double restitution) {
-        try (Arena local = Arena.ofConfined()) {
-            var desc = new Raw.MaterialDesc(local).friction(friction).restitution(restitution);
-            var out = Library.Scratch.get().out;
-            call((w, e) -> Raw.carom_material_create(w, desc.segment, out, e));
-            return out.get(JAVA_LONG, 0);
-        }
     }
 
     /** A dynamic body of one shape, of density 1000 kg/m^3. */
@@ -67,7 +47,7 @@ public final class World implements AutoCloseable {
         call((w, e) -> Raw.carom_body_create(w, desc.segment, out, e));
         Body body = new Body(this, out.get(JAVA_LONG, 0));
         try {
-            for (var part : parts) call((w, e) -> Raw.carom_collider_create(w, body.handle(), part.segment, out, e));
+            for (var part : parts) collider(body.handle(), part);
             return body;
         } catch (CaromException refused) {
             body.destroy();
@@ -83,29 +63,6 @@ public final class World implements AutoCloseable {
         }
     }
 
-    /** @return a handle */
-    public long joint(Raw.JointDesc desc) {
-        var out = Library.Scratch.get().out;
-        call((w, e) -> Raw.carom_joint_create(w, desc.segment, out, e));
-        return out.get(JAVA_LONG, 0);
-    }
-
-    /** Handles of all bodies. */
-    public long[] bodies() {
-        try (Arena local = Arena.ofConfined()) {
-            return list(local, 8, (w, dst, capacity, count, e) -> Raw.carom_world_get_bodies(w, dst, capacity, count, e)).toArray(JAVA_LONG);
-        }
-    }
-
-    /** Contact points of the last step, in memory of an arena. */
-    public Raw.Contact[] contacts(Arena arena) {
-        int size = Raw.Contact.SIZE;
-        MemorySegment all = list(arena, size, (w, dst, capacity, count, e) -> Raw.carom_world_get_contacts(w, dst, size, capacity, count, e));
-        var contacts = new Raw.Contact[(int) (all.byteSize() / size)];
-        Arrays.setAll(contacts, i -> new Raw.Contact(all.asSlice((long) i * size, size)));
-        return contacts;
-    }
-
     /** One field (Raw.CAROM_FIELD_*) of some bodies, or, where these are null, of all in the order of bodies(). */
     public void read(int field, long[] bodies, double[] dst) {
         long n = dst.length / width(field, bodies, dst.length);
@@ -118,7 +75,7 @@ public final class World implements AutoCloseable {
     public void read(int field, long[] bodies, MemorySegment dst, long n, long stride) {
         if (dst.byteSize() < n * Math.max(stride, 8L * width(field, null, 0))) throw unfit(n + " records do not fit into " + dst.byteSize() + " bytes");
         try (Arena local = Arena.ofConfined()) {
-            MemorySegment handles = Library.handles(local, bodies);
+            MemorySegment handles = Library.in(local, bodies);
             call((w, e) -> Raw.carom_world_read(w, field, Raw.CAROM_SCALAR_F64, handles, n, dst, stride, e));
         }
     }
@@ -126,7 +83,7 @@ public final class World implements AutoCloseable {
     public void write(int field, long[] bodies, double[] src) {
         long n = src.length / width(field, bodies, src.length);
         try (Arena local = Arena.ofConfined()) {
-            MemorySegment handles = Library.handles(local, bodies), numbers = local.allocateFrom(JAVA_DOUBLE, src);
+            MemorySegment handles = Library.in(local, bodies), numbers = Library.in(local, src);
             call((w, e) -> Raw.carom_world_write(w, field, Raw.CAROM_SCALAR_F64, handles, n, numbers, 0, e));
         }
     }
@@ -136,23 +93,6 @@ public final class World implements AutoCloseable {
 
     /** x, y, z and the quaternion's x, y, z, w of all bodies. */
     public void poses(double[] dst) { read(Raw.CAROM_FIELD_POSE, null, dst); }
-
-    /** @param flags Raw.CAROM_SNAPSHOT_* */
-    public byte[] save(int flags) {
-        try (Arena local = Arena.ofConfined()) {
-            return list(local, 1, (w, dst, capacity, count, e) -> {
-                int result = Raw.carom_world_save(w, flags, dst, capacity, count, e);
-                return result == Raw.CAROM_E_BUFFER_TOO_SMALL ? Raw.CAROM_OK : result; // list() asks again
-            }).toArray(JAVA_BYTE);
-        }
-    }
-
-    public void restore(byte[] bytes) {
-        try (Arena local = Arena.ofConfined()) {
-            MemorySegment memory = local.allocateFrom(JAVA_BYTE, bytes);
-            call((w, e) -> Raw.carom_world_restore(w, memory, bytes.length, e));
-        }
-    }
 
     /** A copy that goes on bit for bit as this world does. Close it, too. */
     public World fork() {
@@ -173,21 +113,5 @@ public final class World implements AutoCloseable {
 
     private static CaromException unfit(String what) {
         return new CaromException(Raw.CAROM_E_OUT_OF_RANGE, what, "pass as many numbers as the field has for as many bodies");
-    }
-
-    private interface Ask {
-        int of(MemorySegment world, MemorySegment dst, long capacity, MemorySegment count, MemorySegment error);
-    }
-
-    /** All of a list that says how many there are: asked for none first, then for all. */
-    private MemorySegment list(Arena arena, long size, Ask ask) {
-        MemorySegment all = MemorySegment.NULL, count = arena.allocate(8, 8);
-        for (long capacity = 0;; capacity = count.get(JAVA_LONG, 0)) {
-            MemorySegment dst = all;
-            long fits = capacity;
-            call((w, e) -> ask.of(w, dst, fits, count, e));
-            if (count.get(JAVA_LONG, 0) <= capacity) return all.asSlice(0, size * count.get(JAVA_LONG, 0));
-            all = arena.allocate(size * count.get(JAVA_LONG, 0), 8);
-        }
     }
 }

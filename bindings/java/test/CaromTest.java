@@ -60,6 +60,34 @@ public final class CaromTest {
         }
     }
 
+    static void testEveryKindOfArgument() {
+        try (Engine engine = new Engine(); World world = engine.world(); Arena arena = Arena.ofConfined()) {
+            long small = engine.shape("sphere", 0.2);
+            long[] parts = {small, small};
+            double[] places = {-0.5, 0, 0, 0.5, 0, 0}, turns = {0, 0, 0, 1}, farthest = new double[6];
+            long capsule = engine.shapeCreateHullOf(parts, places, null, null, 0);
+            fails(Raw.CAROM_E_OUT_OF_RANGE, () -> engine.shapeCreateHullOf(parts, null, turns, null, 0));
+            engine.shapeSupport(capsule, new double[] {1, 0, 0, 0, 2, 0}, farthest);
+            same(Math.abs(farthest[0] - 0.7) < 1e-12 && Math.abs(farthest[4] - 0.2) < 1e-12, true);
+            fails(Raw.CAROM_E_OUT_OF_RANGE, () -> engine.shapeSupport(capsule, new double[3], farthest));
+            long body = world.body(capsule, new Vec3(0, 2, 0)).handle();
+            Vec3 before = world.mass(body).center();
+            world.setMass(body, 3, null, new double[] {1, 0, 0, 0, 2, 0, 0, 0, 2.5});
+            var mass = world.mass(body);
+            same(mass.mass() == 3 && mass.center().equals(before) && mass.inertia()[4] == 2 && mass.inertia()[8] == 2.5, true);
+            var hit = world.castRay(new Vec3(0, 5, 0), new Vec3(0, -1, 0), 10, null);
+            same(hit.body() == body && Math.abs(hit.time() - 2.8) < 1e-6, true);
+            world.setAccuracy(new Raw.Accuracy(arena).place(1e-3).turn(1e-3));
+            same(world.accuracy().present(), 1);
+            world.setAccuracy(null);
+            same(world.accuracy().present(), 0);
+            same(world.colliders(body).length, 1);
+            long[] found = new long[1];
+            world.translateHandles(new long[] {body}, found);
+            same(found[0], body);
+        }
+    }
+
     static void testArraysOfBodies() {
         try (Engine engine = new Engine(); World world = engine.world(); Arena arena = Arena.ofConfined()) {
             long shape = engine.shape("sphere", 0.5);
@@ -107,7 +135,7 @@ public final class CaromTest {
             try (World copy = world.fork()) {
                 long after = run(world);
                 same(run(copy), after);
-                same(world.contacts(arena).length > 0 && world.contacts(arena)[0].normal().length == 3, true);
+                same(world.contacts().length > 0 && world.contacts()[0].normal().length == 3, true);
                 world.restore(saved);
                 same(run(world), after);
             }
@@ -126,7 +154,7 @@ public final class CaromTest {
                 threads[i] = Thread.ofPlatform().start(() -> {
                     try (World world = engine.world()) {
                         world.ground(0);
-                        world.body(engine.shape(box, 0.5), new Vec3(0, 0.6, 0));
+                        world.body(engine.shapeOf(box, 0.5), new Vec3(0, 0.6, 0));
                         hashes[mine] = run(world);
                     }
                 });

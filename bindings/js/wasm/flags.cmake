@@ -6,15 +6,15 @@ option(CAROM_WASM_SIMD "Use WebAssembly's 128-bit registers: same bits, faster" 
 # spreads.
 #
 # For size, but small functions are inlined and small loops unrolled as at -O2: NOTES.md has figures. emscripten inlines
-# nothing at -Os unless INLINING_LIMIT is 0. What runs seldom, the boundary with it, is for size alone
-# (src/CMakeLists.txt): a step of the rest is slow at -Oz.
+# nothing at -Os unless INLINING_LIMIT is 0. What runs seldom is for size alone: the boundary, many worlds, characters and
+# vehicles, and what src/CMakeLists.txt lists. A step of the rest is slow at -Oz.
 set(CAROM_WASM_OPTIMISE -Os CACHE STRING "How the module is optimised: -Os, or -O2; -Oz is slow")
 set(CAROM_WASM_SELDOM "-Oz -mllvm -inline-threshold=50" CACHE STRING "How what runs seldom is optimised")
 target_compile_options(carom_flags INTERFACE -fwasm-exceptions ${CAROM_WASM_OPTIMISE} -sINLINING_LIMIT=0
   "SHELL:-mllvm -inline-threshold=225" "SHELL:-mllvm -unroll-threshold=150"
   "SHELL:-mllvm -unroll-runtime=false" "SHELL:-mllvm -unroll-allow-partial=false"
   $<$<BOOL:${CAROM_WASM_SIMD}>:-msimd128> -fno-slp-vectorize -fno-vectorize
-  "$<$<STREQUAL:$<TARGET_PROPERTY:NAME>,carom_abi>:SHELL:${CAROM_WASM_SELDOM}>")
+  "$<$<IN_LIST:$<TARGET_PROPERTY:NAME>,carom_abi$<SEMICOLON>carom_batch$<SEMICOLON>carom_kit>:SHELL:${CAROM_WASM_SELDOM}>")
 target_link_options(carom_flags INTERFACE -fwasm-exceptions)
 target_compile_definitions(carom_flags INTERFACE CAROM_FEW_COPIES)  # core/wide.h: kernels share their parts
 # Preset wasm-threads: memory that workers share, and atomic instructions. CMakeLists.txt links the

@@ -44,7 +44,7 @@ DialWord = Literal["integrator", "rotation", "substeps", "solver", "velocity_ite
 IntegratorWord = Literal["explicit_euler", "semi_implicit_euler", "rk4", "velocity_verlet"]
 RotationWord = Literal["none", "explicit", "implicit", "rk4", "lie_midpoint", "splitting", "splitting_4",
     "splitting_6"]
-SolverWord = Literal["severity", "sequential", "soft_step", "direct", "auto"]
+SolverWord = Literal["severity", "soft_step", "direct", "auto"]
 SearchWord = Literal["linear", "heap"]
 BroadWord = Literal["brute_force", "sweep_and_prune", "grid", "tree"]
 NarrowWord = Literal["hybrid", "gjk_epa"]

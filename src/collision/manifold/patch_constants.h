@@ -11,12 +11,10 @@ inline constexpr Constant<Real> kFirstTilt{
     "what encloses less is taken for one face",
     "smaller: a face is found in parts where the normal is 0.02 rad off, and what rests on it rocks; larger: faces "
     "that meet at a blunt edge are taken for one curved face"};
-inline constexpr Constant<Real> kPatchSamePlane{
-    "facet_same_plane", 0.9982, "1",
-    "cosine of 0.06 rad, twice the first tilt: the farthest that a fitted plane or a crossing of edges lies from the "
-    "normal of the query",
-    "smaller: planes that span several facets are taken for faces, and points lie off the shape; larger: normals that "
-    "a query has a little wrong lose the face they mean"};
+/// Cosine of twice the first tilt, to its fourth order: the farthest that a fitted plane or a crossing of edges lies
+/// from the normal of the query. Less, and planes that span several facets are taken for faces; more, and normals that
+/// a query has a little wrong lose the face they mean.
+inline constexpr Real kPatchSamePlane = 1 - 2 * kFirstTilt * kFirstTilt;
 
 // By how much a normal further down the list (A's face, B's, crossing edges, the query's own) must separate better to
 // be taken: resting shapes have several normals equal up to the tilt of a jitter.
@@ -45,7 +43,7 @@ inline constexpr Constant<Real> kStandsOut{
     "own: more than points along an edge do, less than those of a rim between four others (0.1)",
     "smaller: a box with points along its edges spins like a disc; larger: hulls of many sides spin like a box"};
 
-inline constexpr ConstantRow kPatchConstants[] = {kFirstTilt,           kPatchSamePlane, kPatchPreferRelative,
-                                                  kPatchPreferAbsolute, kKeepRadius,     kStandsOut};
+inline constexpr ConstantRow kPatchConstants[] = {kFirstTilt, kPatchPreferRelative, kPatchPreferAbsolute, kKeepRadius,
+                                                  kStandsOut};
 
 }  // namespace carom::collision

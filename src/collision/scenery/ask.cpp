@@ -6,6 +6,7 @@
 
 #include "collision/cast/heading.h"
 #include "collision/cast/shape_cast.h"
+#include "collision/core.h"
 #include "collision/scenery/ray_triangle.h"
 #include "collision/volume.h"
 

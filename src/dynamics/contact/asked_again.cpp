@@ -10,6 +10,7 @@
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/seams.h"
 #include "dynamics/detect.h"
+#include "dynamics/scenery.h"
 #include "dynamics/solver/direct.h"
 
 namespace carom::dynamics {
@@ -172,7 +173,11 @@ class Asking {
       if (other == ground || !moves_alike(world_, ground, other, frame_a_.p, terms.flush, 0)) continue;
       const Frame a = frame(pair.a), b = frame(pair.b);
       const bool is_alike = beside.ground_is_a == (ground == pair_.a);
-      const Manifold manifold = found(beside.record, {a, b}, settings, report);
+      Manifold manifold;
+      if (is_scenery(shape(other)))
+        meet_patch(world_, report.narrow, settings, {pair, a, b}, is_alike ? normal() : Vec3(-normal()), manifold);
+      else
+        manifold = found(beside.record, {a, b}, settings, report);
       for (int k = 0; k < manifold.count && count_ < kMostPoints; ++k) {
         ContactPoint p = is_alike ? manifold.point[k] : exchanged(manifold.point[k]);
         p.on_a = frame_a_.apply_inverse((is_alike ? a : b).apply(p.on_a));

@@ -240,7 +240,7 @@ FlatTouch as_begun(const World& world, const ContactPair& m, const Stand& stand)
     to.along = level / level.norm();
   }
   to.friction = row.friction;
-  to.is_open = g.separation > kRollOpen * shape_of(world, to.collider).bounding_radius;
+  to.is_open = g.separation > kRollApart * shape_of(world, to.collider).bounding_radius;
   const LedBody* const led = led_body(world, other);
   to.surface_x = s.x[other];
   to.surface_v = led ? led->v : s.v[other], to.surface_spin = led ? led->omega : s.omega[other];

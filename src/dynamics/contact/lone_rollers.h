@@ -23,11 +23,9 @@ inline constexpr Constant<int> kRollSteps{"roll_steps", 128, "1",
                                           "larger: coins about to lie down take 100 us; smaller: they lie down early"};
 inline constexpr Constant<Real> kRollApart{
     "roll_apart", 0.003, "1",
-    "of the way between two points, by which the other is to be farther off: else it stands on a line or a face",
-    "larger: coins are left to the solver before they lie down; smaller: what stands on its end is taken for a point"};
-inline constexpr Constant<Real> kRollOpen{
-    "roll_open", 0.003, "1", "of the body's size, from a surface, beyond which it does not touch it yet",
-    "larger: what falls onto a surface is held above it for a step; smaller: what soft contacts let spring is left out"};
+    "of the way to another point, or of the body's size, from a surface, beyond which a point does not touch it",
+    "larger: coins are left to the solver before they lie down, what falls onto a surface is held above it for a step; "
+    "smaller: what stands on its end is taken for a point, what soft contacts let spring is left out"};
 inline constexpr Constant<Real> kRollSettle{
     "roll_settle", 0.25, "1",
     "of what it weighs in a step, as the impulse that brings a slipping point to rest at first",
@@ -35,7 +33,7 @@ inline constexpr Constant<Real> kRollSettle{
 inline constexpr Constant<Real> kRollGain{
     "roll_gain", 1e-4, "1", "of its kinetic energy that a roller may gain beyond the work of forces in a step",
     "larger: errors feed what spins fast; smaller: rounding leaves it to the solver"};
-inline constexpr ConstantRow kLoneRollerConstants[] = {kRollSteps, kRollApart, kRollOpen, kRollSettle, kRollGain};
+inline constexpr ConstantRow kLoneRollerConstants[] = {kRollSteps, kRollApart, kRollSettle, kRollGain};
 
 struct LoneRollers {
   explicit LoneRollers(Memory* m) : bodies(m), pairs(m), touches(m), place(m), trial(m) {}

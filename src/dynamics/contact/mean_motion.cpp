@@ -7,6 +7,7 @@
 #include "core/vec6.h"
 #include "dynamics/body_state.h"
 #include "dynamics/contact/contact.h"
+#include "dynamics/contact/surface.h"
 #include "dynamics/contact/turning_ground.h"
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -168,6 +169,17 @@ class Group {
     return apart.dot(row.n) - (g.radius_a + g.radius_b);
   }
 
+  /// m/s, of B's surface beside A's, where arms are now: the lead knows how belts bend at a body's middle.
+  Vec3 surface_now(std::uint32_t row_index, const TurningPair* turning, const Arms& r) const {
+    const Contacts& c = *world_.contacts;
+    const Row& row = c.rows[row_index];
+    if (!turning || !turning->has_belts) return c.surface[row_index];
+    const collision::Pair& pair = world_.pairs.place(c.geometry[row_index].pair).pair;
+    const Surface a(world_, pair.a, row.a), b(world_, pair.b, row.b);
+    const Vec3 all = b.angular.cross(r.a) - a.angular.cross(r.b) - turning->belt;
+    return all - all.dot(row.n) * row.n;
+  }
+
   /// Take out what would move a point that is shut, or drag one that sticks.
   /// @param most  m/s, that a body's velocity changed by
   /// @return      whether what contacts bear depends so little on where bodies are that they may go by a mean
@@ -180,9 +192,9 @@ class Group {
       const Row& row = world_.contacts->rows[p.row];
       const Arms r = Arms::now(world_, row, world_.contacts->geometry[p.row]);
       Vec3 u = relative_velocity(world_.state, row, r.a, r.b);
-      if (!world_.contacts->surface.empty()) u += world_.contacts->surface[p.row];
-      if (const TurningPair* const t = turning_pair_at(*world_.contacts, p.row))
-        u += lead_of(world_, *t, h).along(r.a - r.b, row.n);
+      const TurningPair* const turning = turning_pair_at(*world_.contacts, p.row);
+      if (!world_.contacts->surface.empty()) u += surface_now(p.row, turning, r);
+      if (turning) u += lead_of(world_, *turning, h).along(r.a - r.b, row.n);
       const Vec3 gained = -2 * (velocity(asked, p.b, r.b) - velocity(asked, p.a, r.a));
       const Real after = u.dot(row.n), opened = gained.dot(row.n);
       const Real closing = std::max(-std::min(after, after - opened), Real(0));

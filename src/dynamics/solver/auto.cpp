@@ -394,7 +394,6 @@ void auto_end(const World& world, Poses& to, const StepTime& time) {
 
 }  // namespace
 
-extern constexpr Solver kAuto = {"auto",          true,           false,   true, false, auto_begin,
-                                 auto_velocities, auto_positions, auto_end};
+extern constexpr Solver kAuto = {"auto", true, false, false, auto_begin, auto_velocities, auto_positions, auto_end};
 
 }  // namespace carom::dynamics

@@ -36,16 +36,12 @@ struct ContactSweeps {
   void (*relax)(const Run& run, double inv_h);
   /// Likewise, but what will bounce in the next substep is not slowed down now.
   void (*relax_sparing)(const Run& run, double inv_h);
-  /// One sweep without a spring: friction, then normals, which undo no penetration.
-  void (*sweep)(const Run& run, double inv_h);
-  /// Add this substep's impulses to the step's.
-  void (*accumulate)(const Run& run);
   /// One sweep over displacements instead of velocities: what lies deeper than `slop`, or than a share of the thickness
   /// if that is less, and than its spring lets sink what it bears, is moved apart by `share` of that.
   /// @param run  velocities of this run are displacements, m and rad
   /// @param slop  m   @param slop_of_thin  1, of the thickness of the thinner of the two
   void (*part)(const Run& run, double share, double slop, double slop_of_thin);
-  /// Separations at the present poses; displacements asked for by part() are forgotten.
+  /// Separations at the present poses.
   void (*measure)(const Run& run);
 };
 

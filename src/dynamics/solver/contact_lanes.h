@@ -49,7 +49,6 @@ struct PointLanesOf {
   Lanes m_n;         // kg, normal impulse per change of velocity; 0: an empty lane
   Lanes p_n;         // N s, of the present substep
   Lanes sum_n;       // N s, of the step
-  Lanes push;        // kg m, of displacements, @see ContactKernels::part
   LaneVec n;         // unit, world, A to B; @see PairLanes::one_normal
 };
 

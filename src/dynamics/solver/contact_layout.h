@@ -171,7 +171,7 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
       point.gap = point.separation = rounded<Number>(number_at(geometry, kGeometrySeparation));
       point.reach = rounded<Number>(reach_share * square_root(inner(d, d)));
       point.p_n = rounded<Number>(p_n);
-      point.sum_n = point.push = all<Number>(0);
+      point.sum_n = all<Number>(0);
       point.n = rounded<Number>(n_k);
     }
     pair.inv_mass_a = rounded<Number>(of.inv_mass_a), pair.inv_mass_b = rounded<Number>(of.inv_mass_b);
@@ -187,7 +187,6 @@ void lay_out(const LaneRunOf<Number>& run, const LaneSources* sources) {
     pair.bounce_speed = rounded<Number>(of.bounce_speed);
     pair.thickness = rounded<Number>(of.thickness);
     pair.pull = rounded<Number>(of.pull);
-    pair.bias_rate = pair.mass_scale = pair.impulse_scale = all<Number>(0);
     pair.p_t = rounded<Number>(inner(force, t));
     pair.p_s = rounded<Number>(inner(force, cross(n, t)));
     pair.p_w = rounded<Number>(twist);

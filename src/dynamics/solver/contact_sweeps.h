@@ -399,23 +399,6 @@ void relax(const LaneRunOf<Number>& run, double per_substep) {
 }
 
 template <class Number>
-void sweep(const LaneRunOf<Number>& run, double per_substep) {
-  const auto inv_h = static_cast<Number>(per_substep);
-  each_pair(
-      run, [&](auto& pair, auto* points, auto& both, auto count, auto one_normal) __attribute__((always_inline)) {
-        constexpr int kCount = decltype(count)::value;
-        solve_friction<kCount>(both, pair, points, run.drives);
-        solve_normal<false, false, kCount, decltype(one_normal)::value>(both, points, inv_h, Number(0));
-      });
-}
-
-template <class Number>
-void accumulate(const LaneRunOf<Number>& run) {
-  for (std::size_t i = 0; i < run.count; ++i)
-    add_to_sums(run.pairs[i], run.points + run.pairs[i].first, run.pairs[i].points);
-}
-
-template <class Number>
 void part(const LaneRunOf<Number>& run, double of_depth, double tolerated, double tolerated_of_thin) {
   using Lanes = LanesOf<Number>;
   using LaneVec = LaneVecOf<Number>;
@@ -427,14 +410,12 @@ void part(const LaneRunOf<Number>& run, double of_depth, double tolerated, doubl
     const Lanes left = smaller(all<Number>(slop), of_thin * pair.thickness);
     Both<Number> both(pair, run);
     for (std::uint32_t k = 0; k < pair.points; ++k) {
-      PointLanesOf<Number>& p = run.points[pair.first + k];
+      const PointLanesOf<Number>& p = run.points[pair.first + k];
       const LaneVec n = normal_of(pair, p), r_a = pair.r_a + p.d, r_b = pair.r_b + p.d;
       const Lanes sag = pair.impulse_scale * p.p_n * inverse_or_zero(pair.mass_scale * pair.bias_rate * p.m_n);
       const Lanes wanted = share * larger(-p.separation - larger(left, kSpare * sag), all<Number>(0));
-      const Lanes next = larger(p.push + p.m_n * (wanted - dot(both.relative(r_a, r_b), n)), all<Number>(0)),
-                  d = next - p.push;
-      p.push = next;
-      both.push(r_a, r_b, d * n);
+      const Lanes push = larger(p.m_n * (wanted - dot(both.relative(r_a, r_b), n)), all<Number>(0));
+      both.push(r_a, r_b, push * n);
     }
     both.store(run);
   }
@@ -449,15 +430,14 @@ void measure(const LaneRunOf<Number>& run) {
         pair, [&](auto count, auto one_normal) __attribute__((always_inline)) {
           separate<decltype(count)::value, decltype(one_normal)::value>(run, pair, points);
         });
-    for (std::uint32_t k = 0; k < pair.points; ++k) points[k].push = all<Number>(0);
   }
 }
 
 template <class Number>
 constexpr ContactSweeps<Number> all_sweeps() {
-  return {lay_out<Number>, read_back<Number>,  prepare<Number>,  lead<Number>,         warm_start<Number>,
-          solve<Number>,   solve_thin<Number>, solve_of<Number>, relax<false, Number>, relax<true, Number>,
-          sweep<Number>,   accumulate<Number>, part<Number>,     measure<Number>};
+  return {lay_out<Number>,      read_back<Number>,   prepare<Number>,    lead<Number>,
+          warm_start<Number>,   solve<Number>,       solve_thin<Number>, solve_of<Number>,
+          relax<false, Number>, relax<true, Number>, part<Number>,       measure<Number>};
 }
 
 constexpr ContactKernels kernels_named(const char* name) {

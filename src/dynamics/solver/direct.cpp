@@ -204,7 +204,7 @@ void end_groups(const World& world) {
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) { ConeGroup(world, g).end(); });
 }
 
-extern constexpr Solver kDirect = {"direct",         false,     false, true, true, direct_begin, direct_velocities,
+extern constexpr Solver kDirect = {"direct",         false,     false, true, direct_begin, direct_velocities,
                                    direct_positions, direct_end};
 
 }  // namespace carom::dynamics

@@ -202,7 +202,7 @@ void severity_positions(const World& world, Solver::Relaxes to, const StepTime&)
 
 }  // namespace
 
-extern constexpr Solver kSeverity = {"severity",         false,  true, false, true, severity_begin, severity_velocities,
+extern constexpr Solver kSeverity = {"severity",         false,  true, true, severity_begin, severity_velocities,
                                      severity_positions, nullptr};
 
 }  // namespace carom::dynamics

@@ -54,7 +54,9 @@ void soften(const World& world, Real h) {
 }
 
 void soft_step_begin(const World& world, Solver::Begins to, const StepTime& time) {
-  begin_lanes(world, to, time.h);
+  WideContacts& wide = *world.wide;
+  pack(world, to, wide, time.h);
+  wide.displacement.resize(wide.velocity.size());
   begin_joints(world, time.h);
   soften(world, time.h);
 }
@@ -85,9 +87,10 @@ void soft_step_positions(const World& world, Solver::Relaxes to, const StepTime&
 /// What springs let sink deep is parted once a step, apart from velocities: for springs to do it they would have to be
 /// as stiff as makes heaps shake. relax() has just measured.
 void part_deep(const World& world, Poses& to) {
+  WideContacts& wide = *world.wide;
   const Real deep = kDeep * world.scene.dials[Dial::position_tolerance];
   bool any = false;
-  with_lanes(*world.wide, [&](const auto& lanes, const auto&) {
+  with_lanes(wide, [&](const auto& lanes, const auto&) {
     any = std::ranges::any_of(lanes.pairs, [&](const auto& pair) {
       bool is_deep = false;
       for (int i = 0; i < kLanes; ++i) {
@@ -97,12 +100,16 @@ void part_deep(const World& world, Poses& to) {
       return is_deep;
     });
   });
-  if (any) part_lanes(world, to, 1, kSoftShare, deep);
+  if (!any) return;
+  std::fill(wide.displacement.begin(), wide.displacement.end(), BodyVelocity{});
+  sweep_bodies(world, wide.displacement.data(),
+               [&](const auto& s, const auto& run) { s.part(run, kSoftShare, deep, kTolerableDepth / 2); });
+  displace(world, to, wide);
 }
 
 void soft_step_end(const World& world, Poses& to, const StepTime&) {
   part_deep(world, to);
-  end_lanes(world);
+  unpack(world, *world.wide);
 }
 
 /// A sweep leaves what touches closing by about as much as gravity gives it in a substep. Where that is a way to be
@@ -113,8 +120,8 @@ void sweep_thin(const World& world, Real h) {
     sweep_contacts(world, [&](const auto& s, const auto& run) { s.solve_thin(run, inv_h, push_speed, k * kSweptWay); });
 }
 
-}  // namespace
-
+/// What sweeps over a substep begin with: velocities in lanes, and the impulses of the substep before where they give no
+/// energy.   @param h  s
 void start_sweeps(const World& world, Real h) {
   lead_lanes(world, *world.wide, h);
   load_velocities(world, *world.wide);
@@ -126,6 +133,8 @@ void start_sweeps(const World& world, Real h) {
   start_couplings(world);
   refuse_start(world);
 }
+
+}  // namespace
 
 void solve_softly(const World& world, Solver::Solves to, const StepTime& time) {
   StepReport& report = to;
@@ -160,6 +169,6 @@ Softness softness(Real frequency, Real damping, Real h) {
 }
 
 extern constexpr Solver kSoftStep = {
-    "soft_step", true, false, false, false, soft_step_begin, soft_step_velocities, soft_step_positions, soft_step_end};
+    "soft_step", true, false, false, soft_step_begin, soft_step_velocities, soft_step_positions, soft_step_end};
 
 }  // namespace carom::dynamics

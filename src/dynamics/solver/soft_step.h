@@ -8,7 +8,7 @@
 //   the impulse for it:           -a/(1 + a) m_n (u_n + rate s) - p_n / (1 + a)
 // The spring may only press, and undoes penetration at push_speed at most. Relaxing takes back the velocity that the
 // spring gave: it stays in the pose. Frequencies above a quarter of the substep rate can't be resolved and are lowered
-// to it; against what does not move contacts are twice as stiff.   @source [Catto2024], [Macklin2019]
+// to it; against what does not move contacts are twice as stiff.   @source [Catto2024], [Catto2005], [Macklin2019]
 #pragma once
 
 #include "dynamics/solver/solver.h"
@@ -27,10 +27,6 @@ Softness softness(Real frequency, Real damping, Real h);
 /// s^2, what a soft contact sinks by for each m/s^2 that it bears, of the thickness that the thinner of the two has.
 /// @param give  s^2, of two that are thick   @param pull  m/s^2, gravity   @param thickness  m
 Real soft_give(Real give, Real pull, Real thickness);
-
-/// What sweeps over a substep begin with: velocities in lanes, and the impulses of the substep before where they give no
-/// energy.   @param h  s
-void start_sweeps(const World& world, Real h);
 
 /// Velocities of a substep, of what the direct solver does not solve; bodies that turn far are led back before and on
 /// after.

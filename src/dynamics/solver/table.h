@@ -10,7 +10,6 @@ struct Solver {
   const char* name;
   bool in_lanes;          // solves rows in WideContacts, but for groups that it gives to the direct solver
   bool row_by_row;        // keeps the velocity of each row up to date, and goes to the most severe
-  bool calls_direct;      // gives groups to the direct solver
   bool counts_positions;  // positions() does as many rounds as position_iterations says: none, if that is 0
   using Begins = Writes<SolverMemory, GroupViews, StepReport>;
   using Solves = Writes<Velocities, SolverMemory, StepReport>;
@@ -22,6 +21,6 @@ struct Solver {
   void (*end)(const World& world, Poses& to, const StepTime& time);         // after the last substep
 };
 
-extern const Solver kSeverity, kSequential, kSoftStep, kDirect, kAuto;  // by CAROM_SOLVER_*
+extern const Solver kSeverity, kSoftStep, kDirect, kAuto;  // by CAROM_SOLVER_*
 
 }  // namespace carom::dynamics

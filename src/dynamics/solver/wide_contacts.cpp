@@ -297,6 +297,11 @@ void lead_lanes(const World& world, WideContacts& wide, Real h) {
   if (std::ranges::any_of(c.turning_pairs, &TurningPair::has_belts)) lead_belts(world, wide, h);
 }
 
+void measure_lanes(const World& world) {
+  load_shifts(world, *world.wide);
+  over_contacts(world, [](const auto& sweeps, const auto& run) { sweeps.measure(run); });
+}
+
 void heed_impacts(const World& world, WideContacts& wide) {
   const Contacts& c = *world.contacts;
   const bool any = std::ranges::any_of(c.impacts, &Impact::concerns_solver);

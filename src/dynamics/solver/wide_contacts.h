@@ -256,6 +256,8 @@ void load_velocities(const World& world, WideContacts& wide);
 void store_velocities(const World& world, Velocities& to, const WideContacts& wide, Real h);
 /// How far bodies have come, from the state.
 void load_shifts(const World& world, WideContacts& wide);
+/// Separations of all points from the present poses.
+void measure_lanes(const World& world);
 inline BodyShift shift_since(const State& s, std::uint32_t slot, const Pose& start) {
   const Vec3 x = s.x[slot] - start.p;
   const Quat q = s.q[slot] * start.q.conjugate();
@@ -269,16 +271,5 @@ void lead_lanes(const World& world, WideContacts& wide, Real h);
 void displace(const World& world, Poses& to, const WideContacts& wide);
 /// Impulses, separations and velocities back into the rows.
 void unpack(const World& world, WideContacts& wide);
-
-/// What solvers in lanes begin and end a step with: rows into lanes and their masses; impulses back.
-/// @param h  s, substep
-void begin_lanes(const World& world, SolverMemory& memory, Real h);
-void end_lanes(const World& world);
-/// Separations of all points from the present poses.
-void measure_lanes(const World& world);
-/// Moves bodies, apart from their velocities, so that points part which were measured to be deeper than `slop`.
-/// @param share  of what is deeper, that is undone
-/// @param slop  m; of what is thin no more than half the tolerable depth, @see depth.h
-void part_lanes(const World& world, Poses& to, int sweeps, Real share, Real slop);
 
 }  // namespace carom::dynamics

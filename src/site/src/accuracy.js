@@ -9,13 +9,12 @@ const NAMES = ["10 cm", "1 cm", "1 mm", "0.1 mm", "10 µm", "1 µm"];
 const ROUGH = 0,
   USUAL = 1; // stops of the slider; then the tolerances
 
-/** A step as many games take it: one substep, four sweeps over soft contacts, flight of first order. */
+/** A step as many games take it: one substep over soft contacts, flight of first order. */
 const ROUGH_DIALS = {
   solver: "soft_step",
   integrator: "semi_implicit_euler",
   rotation: "implicit",
   substeps: 1,
-  velocity_iterations: 4,
   joint_order: 0,
 };
 const NOTES = {

@@ -187,11 +187,10 @@ void run_scene(RunOptions options, Context& context) {
   if (talk && !options.gltf.empty())
     std::printf("\nmotion: %s (%zu frames), for any glTF viewer\n", options.gltf.c_str(), recording->frame_count());
   if (run_went_wrong(run, kinds)) {
-    std::fprintf(
-        stderr,
-        "carom: the run went wrong: bodies not finite, escaped, or faults (see the summary)\n"
-        "  what to do: try a smaller --dt or more velocity_iterations (`carom dials`); if a shape is at fault, "
-        "`carom check` its plugin\n");
+    std::fprintf(stderr,
+                 "carom: the run went wrong: bodies not finite, escaped, or faults (see the summary)\n"
+                 "  what to do: try a smaller --dt or more substeps (`carom dials`); if a shape is at fault, "
+                 "`carom check` its plugin\n");
     context.exit_code = kExitBadNews;
   }
 }

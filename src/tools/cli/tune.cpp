@@ -293,7 +293,7 @@ void write_plot(const std::string& path, const Question& q, const Result& a) {
   for (const Measured& m : a.front) front.points.push_back({m.ms, m.error});
   plot.series.push_back(front);
   int colour = 1;
-  for (const char* solver : {"severity", "sequential", "soft_step", "auto", "direct"}) {
+  for (const char* solver : {"severity", "soft_step", "auto", "direct"}) {
     report::Series series{solver, {}, colour++, false};
     for (const Measured& m : a.all)
       for (const auto& [dial, value] : m.setting.dials)

@@ -61,12 +61,10 @@ std::vector<Setting> first_candidates(const Participants& who, bool few) {
     grid("auto", {2}, {1, 4});
     grid("soft_step", {1}, {2, 4, 8});
     grid("direct", {1}, {1, 4});
-    grid("sequential", {1}, {1, 4});
     return all;
   }
   for (const char* solver : {"auto", "direct"}) grid(solver, {1, 2, 4, 8}, {1, 2, 4, 8, 16});
   grid("soft_step", {1, 2}, {2, 4, 8, 16});
-  grid("sequential", {1, 2, 4}, {1, 4});
   if (who.contacts) grid("severity", {1, 2, 4}, {1, 4});  // it knows no joints
   return all;
 }
@@ -80,7 +78,7 @@ std::vector<Setting> neighbours(const Setting& setting, const Participants& who)
     near.push_back(std::move(s));
   };
   const std::string solver = get(setting, "solver");
-  const bool preset = !get(setting, "preset").empty(), sweeps = solver == "sequential" || solver == "severity";
+  const bool preset = !get(setting, "preset").empty();
   if (who.forces && !who.joints) with("integrator", "rk4");
   if (who.turns) with("rotation", preset ? "splitting_6" : "splitting_4");
   if (who.bounces) with("restitution_speed", "0.01");
@@ -91,7 +89,7 @@ std::vector<Setting> neighbours(const Setting& setting, const Participants& who)
   if (!who.contacts) return near;
   with("hold_angle", "0");
   with("precision", "float");
-  if (sweeps) {
+  if (solver == "severity") {
     for (const char* most : {"4", "30"}) with("velocity_iterations", most);
     return near;
   }

@@ -24,7 +24,7 @@ typedef struct carom_group {
 int32_t carom_world_get_groups(carom_world* world, carom_group* dst, uint64_t stride, uint64_t capacity,
                                uint64_t* count, carom_error* error);
 
-#define DIAL_SOLVER_AUTO 4 /* what has come since 0.9 in lists that grow */
+#define DIAL_SOLVER_AUTO 3 /* what has come since 0.9 in lists that grow */
 #define DIAL_SLEEP 29u
 
 static uint64_t run(Stage* s) {

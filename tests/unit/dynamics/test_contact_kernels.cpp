@@ -36,13 +36,16 @@ struct Heap {
 };
 
 void every_width_that_this_machine_has_gives_the_bits_of_the_baseline(void**) {
-  for (const std::uint32_t solver : {1u, 2u, 3u, 4u})  // CAROM_SOLVER_SEQUENTIAL, SOFT_STEP, DIRECT, AUTO
+  for (const std::uint32_t solver : {kSoftChoice, kDirectChoice, kAutoChoice})
     for (const Precision precision : {Precision::in_double, Precision::in_float}) {
-      if (solver == 3 && precision == Precision::in_float) continue;  // it has none
+      if (solver == kDirectChoice && precision == Precision::in_float) continue;  // it has none
       std::uint64_t baseline = 0;
       for (const ContactKernels* kernels : all_contact_kernels()) {
         Heap heap(solver, precision, *kernels);
-        heap.t.run(solver == 3 ? 12 : solver == 4 ? 60 : 200, 1.0 / 60);  // the direct solver takes its time with heaps
+        heap.t.run(solver == kDirectChoice ? 12
+                   : solver == kAutoChoice ? 60
+                                           : 200,
+                   1.0 / 60);  // the direct solver takes its time with heaps
         assert_true(heap.t.world.report.contact_points > 40);
         assert_true(heap.t.world.wide->is_float == (precision == Precision::in_float));
         const std::uint64_t hash = heap.t.world.hash();

@@ -39,7 +39,7 @@ bool same(const Array<ContactView>& a, const Array<ContactView>& b) {
 }
 
 void what_was_done_since_the_step_does_not_show(void**) {
-  for (const Real solver : {0.0, 1.0, 2.0, 3.0, 4.0}) {
+  for (const Real solver : {kSeverityChoice, kSoftChoice, kDirectChoice, kAutoChoice}) {
     Heap at_once(solver);
     const Array<ContactView>& seen = at_once->contact_views();
     assert_true(seen.size() > 30);
@@ -70,7 +70,7 @@ void what_was_done_since_the_step_does_not_show(void**) {
 }
 
 void those_of_a_collider_that_has_gone_go_with_it(void**) {
-  Heap whole(4), less(4);
+  Heap whole(kAutoChoice), less(kAutoChoice);
   const std::uint32_t gone = less->scene.first_collider[less.bodies[1]];
   std::vector<ContactView> stay;
   for (const ContactView& v : whole->contact_views())
@@ -96,9 +96,9 @@ void there_are_none_before_a_step_nor_after_one_without(void**) {
 }
 
 void readers_may_all_come_first(void**) {
-  const Heap once(2);
+  const Heap once(kSoftChoice);
   for (int k = 0; k < 20; ++k) {
-    Heap heap(2);
+    Heap heap(kSoftChoice);
     const World& world = heap.t.world;
     bool good[4] = {};
     std::vector<std::thread> readers;

@@ -15,7 +15,7 @@ constexpr Real kFloatRoundoff = 0x1p-24;
 struct FloatWorld : TestWorld {
   explicit FloatWorld(Precision precision = Precision::in_float, const Vec3& gravity = Vec3(0, -9.81, 0))
       : TestWorld(gravity) {
-    world.set_dial(Dial::solver, 2);  // CAROM_SOLVER_SOFT_STEP
+    world.set_dial(Dial::solver, kSoftChoice);
     world.set_dial(Dial::precision, static_cast<Real>(precision));
   }
   /// A body of that mass, kg.

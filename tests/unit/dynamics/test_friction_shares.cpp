@@ -15,7 +15,7 @@ Vec3 at(const LaneVec& v, std::uint32_t lane) { return Vec3(v.x[lane], v.y[lane]
 
 static void shares_of_points_add_up_to_the_friction_of_their_pair(void**) {
   TestWorld t;
-  t.world.set_dial(Dial::solver, 2);  // CAROM_SOLVER_SOFT_STEP
+  t.world.set_dial(Dial::solver, kSoftChoice);
   t.ground();
   // Loaded off the middle, pushed and turned: loads differ from point to point, and force and twist are not zero.
   const std::uint32_t lower = t.add(t.keep(box(Vec3(0.5, 0.2, 0.7))), Vec3(0, 0.2, 0));

@@ -104,19 +104,19 @@ void compare(int towers, int cubes, Real solver, bool with_ball, bool is_joined 
 
 }  // namespace
 
-static void memory_of_sleepers_goes_back(void**) { compare(400, 1, 4, false); }
-static void of_towers_too(void**) { compare(90, 4, 4, false); }
-static void under_soft_contacts_too(void**) { compare(300, 2, 2, false); }
-static void under_the_direct_solver_too(void**) { compare(350, 1, 3, false); }
-static void while_somebody_is_awake(void**) { compare(400, 1, 4, true); }
+static void memory_of_sleepers_goes_back(void**) { compare(400, 1, kAutoChoice, false); }
+static void of_towers_too(void**) { compare(90, 4, kAutoChoice, false); }
+static void under_soft_contacts_too(void**) { compare(300, 2, kSoftChoice, false); }
+static void under_the_direct_solver_too(void**) { compare(350, 1, kDirectChoice, false); }
+static void while_somebody_is_awake(void**) { compare(400, 1, kAutoChoice, true); }
 
 static void joints_wake_up_in_new_lanes(void**) {
-  compare(400, 2, 2, false, true);
-  compare(400, 2, 4, false, true);
+  compare(400, 2, kSoftChoice, false, true);
+  compare(400, 2, kAutoChoice, false, true);
 }
 
 static void a_small_world_keeps_its_memory(void**) {
-  Towers t(20, 3, 4, false);
+  Towers t(20, 3, kAutoChoice, false);
   t.fall_asleep();
   t.run(2);  // lists of who fell asleep are settled
   const std::size_t room = t.world.contacts->rows.capacity(), bytes = t.memory.bytes;

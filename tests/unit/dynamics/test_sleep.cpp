@@ -19,10 +19,10 @@ constexpr Real kStep = 1.0 / 60;
 
 /// Three cubes on the ground, a lone cube 20 m beside them, a plank that can be moved far away; all asleep.
 struct Camp {
-  explicit Camp(Real solver = 0) {
+  explicit Camp(int solver = kSeverityChoice) {
     t.world.set_dial(Dial::sleep, 1);
     t.world.set_dial(Dial::solver, solver);
-    if (solver > 0) t.world.set_dial(Dial::substeps, 4);
+    if (solver != kSeverityChoice) t.world.set_dial(Dial::substeps, 4);
     ground_material = t.material(0.5, 0);
     wood = t.material(0.6, 0);
     cube = t.keep(box(Vec3::constant(0.5)));
@@ -63,7 +63,7 @@ static void nobody_sleeps_unless_the_dial_is_on(void**) {
 }
 
 static void a_stack_sleeps_within_seconds_and_then_nothing_runs(void**) {
-  for (const Real solver : {0.0, 1.0, 2.0}) {
+  for (const int solver : {kSeverityChoice, kSoftChoice}) {
     Camp c(solver);
     assert_true(c.stack_sleeps() && c.t.world.asleep(c.lone));
     assert_int_equal(c.t.world.report.asleep_bodies, 4);

@@ -59,7 +59,7 @@ void the_picture_on_the_page_is_that_of_the_table(void**) {
 /// A pile that falls, bounces, rolls and comes to rest; a swept ball; joints; particles: every stage has work, and none
 /// writes what it does not declare (the watch ends the program where one does).
 void no_stage_writes_what_it_does_not_declare(void**) {
-  for (const Real solver : {0.0, 1.0, 2.0, 3.0, 4.0}) {
+  for (const Real solver : {kSeverityChoice, kSoftChoice, kDirectChoice, kAutoChoice}) {
     TestWorld t;
     t.world.watches_stages = true;
     t.world.set_dial(Dial::solver, solver);

@@ -255,9 +255,9 @@ pub const CAROM_DIAL_ROTATION: u32 = 1;
 pub const CAROM_DIAL_SUBSTEPS: u32 = 2;
 /// choice: CAROM_SOLVER_*
 pub const CAROM_DIAL_SOLVER: u32 = 3;
-/// at most this many impulses per contact of a group and substep
+/// severity: at most this many impulses per contact of a group and substep
 pub const CAROM_DIAL_VELOCITY_ITERATIONS: u32 = 4;
-/// at most this many position corrections per contact of a group and step
+/// severity: at most this many position corrections per contact of a group and substep; 0: none, under direct, too
 pub const CAROM_DIAL_POSITION_ITERATIONS: u32 = 5;
 /// m/s: velocity error left unresolved at a contact
 pub const CAROM_DIAL_VELOCITY_TOLERANCE: u32 = 6;
@@ -366,14 +366,12 @@ pub const CAROM_ROTATION_SPLITTING_4: u32 = 6;
 pub const CAROM_ROTATION_SPLITTING_6: u32 = 7;
 /// most severe contact first, by group: that of the paper of 2011
 pub const CAROM_SOLVER_SEVERITY: u32 = 0;
-/// warm-started sweeps over all contacts (projected Gauss-Seidel)
-pub const CAROM_SOLVER_SEQUENTIAL: u32 = 1;
 /// one sweep a substep over soft contacts, one that relaxes them: needs about 4 substeps
-pub const CAROM_SOLVER_SOFT_STEP: u32 = 2;
+pub const CAROM_SOLVER_SOFT_STEP: u32 = 1;
 /// each contact group as one problem, solved to a residual: small hard groups
-pub const CAROM_SOLVER_DIRECT: u32 = 3;
+pub const CAROM_SOLVER_DIRECT: u32 = 2;
 /// soft_step, but direct for groups that it would not hold; says which and why
-pub const CAROM_SOLVER_AUTO: u32 = 4;
+pub const CAROM_SOLVER_AUTO: u32 = 3;
 /// the paper's: scan all contacts of the group for the most severe
 pub const CAROM_SEARCH_LINEAR: u32 = 0;
 /// the same order from a heap

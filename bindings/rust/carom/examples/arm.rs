@@ -3,16 +3,15 @@ use carom::{raw, Body, BodyDesc, Engine, Joint, JointDesc, Result, World};
 
 /// A number for each joint.
 fn read(world: &World, field: u32, joints: &[Joint]) -> Result<[f64; 2]> {
-    let (mut out, kind) = ([0.0; 2], raw::CAROM_SCALAR_F64);
-    let to = out.as_mut_ptr().cast();
-    world.call(|p, e| unsafe { raw::carom_world_read_joints(p, field, kind, joints.as_ptr(), 2, to, 0, e) })?;
-    Ok(out)
+    let mut out = [[0.0]; 2];
+    world.read_joints(field, Some(joints), &mut out)?;
+    Ok(out.map(|[number]| number))
 }
 
 /// Inverse dynamics, against gravity.
 fn forces(world: &World, arm: Body, speeds: [f64; 2], accelerations: [f64; 2]) -> Result<[f64; 2]> {
-    let (mut out, v, a) = ([0.0; 2], speeds.as_ptr(), accelerations.as_ptr());
-    world.call(|p, e| unsafe { raw::carom_tree_get_forces(p, arm, v, a, out.as_mut_ptr(), 2, e) })?;
+    let mut out = [0.0; 2];
+    world.tree_forces(arm, Some(&speeds), Some(&accelerations), &mut out)?;
     Ok(out)
 }
 
@@ -40,8 +39,7 @@ fn main() -> Result<()> {
         let speed = read(&world, raw::CAROM_JOINT_BULK_VELOCITY, &joints)?;
         let wanted = [0, 1].map(|i| 400.0 * (goal[i] - angle[i]) - 40.0 * speed[i]); // rad/s^2
         let torque = forces(&world, link, speed, wanted)?;
-        let (field, kind, from) = (raw::CAROM_JOINT_BULK_TARGET_EFFORT, raw::CAROM_SCALAR_F64, torque.as_ptr().cast());
-        world.call(|p, e| unsafe { raw::carom_world_write_joints(p, field, kind, joints.as_ptr(), 2, from, 0, e) })?;
+        world.write_joints(raw::CAROM_JOINT_BULK_TARGET_EFFORT, Some(&joints), &torque.map(|number| [number]))?;
         world.step(1.0 / 60.0)?;
     }
     let ([a, b], [x, y]) = (level, angle);

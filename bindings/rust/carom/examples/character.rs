@@ -24,8 +24,8 @@ fn main() -> Result<()> {
     let (walk, dt) = ([1.5, 0.0, 0.0], 1.0 / 60.0);
     for _ in 0..180 {
         world.step(dt)?;
-        world.call(|p, e| unsafe { raw::carom_character_move(p, &desc, &mut walker, walk.as_ptr(), 0.0, dt, e) })?;
-        world.call(|p, e| unsafe { raw::carom_character_push(p, &desc, &walker, dt, e) })?;
+        world.character_move(Some(&desc), &mut walker, walk, 0.0, dt)?;
+        world.character_push(Some(&desc), &walker, dt)?;
     }
     let (pushed, feet) = (world.position(load)?[0] - 3.0, walker.position[1] - walker.foot);
     let firm = walker.ground == raw::CAROM_GROUND_FIRM;

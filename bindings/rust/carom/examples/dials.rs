@@ -5,7 +5,7 @@ use carom::{raw, BodyDesc, Engine, JointDesc, Result};
 fn error(dials: &[(u32, f64)]) -> Result<f64> {
     let engine = Engine::new()?;
     let mut world = engine.world()?;
-    world.call(|p, e| unsafe { raw::carom_world_set_preset(p, raw::CAROM_PRESET_FAST, e) })?;
+    world.set_preset(raw::CAROM_PRESET_FAST)?;
     for &(dial, value) in dials {
         world.set_dial(dial, value)?;
     }

@@ -7,16 +7,12 @@ fn main() -> Result<()> {
     world.ground(0.0)?;
     let sphere = engine.shape("sphere", &[0.5])?;
     let ball = world.body(sphere, &BodyDesc { position: [0.0, 2.5, 0.0], ..Default::default() })?;
-    world.call(|p, e| unsafe { raw::carom_world_collect_events(p, raw::CAROM_EVENTS_CONTACT, 1.0, e) })?;
+    world.collect_events(raw::CAROM_EVENTS_CONTACT, 1.0)?;
     let mut found = Vec::new();
     for step in 0..60 {
         world.step(1.0 / 60.0)?; // events are those of the last step
-        let (mut events, mut count): ([raw::carom_contact_event; 8], u64) = unsafe { std::mem::zeroed() };
-        let stride = std::mem::size_of_val(&events[0]) as u64;
-        world.call(|p, e| unsafe {
-            raw::carom_world_get_contact_events(p, events.as_mut_ptr(), stride, 8, &mut count, e)
-        })?;
-        let hits = events.iter().take(count as usize).filter(|event| event.kind == raw::CAROM_CONTACT_HIT);
+        let events = world.contact_events()?;
+        let hits = events.iter().filter(|event| event.kind == raw::CAROM_CONTACT_HIT);
         found.extend(hits.map(|event| (f64::from(step + 1) / 60.0, *event)));
     }
     let (at, hit) = found[0];

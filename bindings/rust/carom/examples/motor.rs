@@ -16,17 +16,15 @@ fn main() -> Result<()> {
     })?;
     let twist = raw::CAROM_COORDINATE_TWIST;
     let motor = raw::carom_joint_motor { enabled: 1, speed: 1.0, max_force: 200.0, ..Default::default() }; // rad/s, N m
-    world.call(|p, e| unsafe { raw::carom_joint_set_motor(p, hinge, twist, &motor, e) })?;
+    world.joint_set_motor(hinge, twist, &motor)?;
     let limit = raw::carom_joint_limit { enabled: 1, lower: -1.0, upper: 1.0, ..Default::default() }; // rad
-    world.call(|p, e| unsafe { raw::carom_joint_set_limit(p, hinge, twist, &limit, e) })?;
+    world.joint_set_limit(hinge, twist, &limit)?;
     let mut angle = Vec::new();
     for steps in [30, 120] {
         for _ in 0..steps {
             world.step(1.0 / 60.0)?;
         }
-        let mut state = raw::carom_joint_state::default();
-        world.call(|p, e| unsafe { raw::carom_joint_get_state(p, hinge, &mut state, e) })?;
-        angle.push(state.coordinate[twist as usize]);
+        angle.push(world.joint_state(hinge)?.coordinate[twist as usize]);
     }
     println!("{:.2} rad after 0.5 s, {:.2} rad after 2.5 s, at the limit", angle[0], angle[1]);
     assert!((angle[0] - 0.5).abs() < 0.02 && (angle[1] - 1.0).abs() < 0.01);

@@ -3,12 +3,7 @@ use carom::{raw, BodyDesc, Engine, Result, World};
 
 /// What lies along a direction; time counts in lengths of it.
 fn cast(world: &World, from: [f64; 3], way: [f64; 3]) -> Result<raw::carom_world_hit> {
-    let mut hit: raw::carom_world_hit = unsafe { std::mem::zeroed() };
-    let (desc, size) = (std::ptr::null(), std::mem::size_of_val(&hit) as u64);
-    world.call(|p, e| unsafe {
-        raw::carom_world_cast_ray(p, from.as_ptr(), way.as_ptr(), f64::INFINITY, desc, &mut hit, size, e)
-    })?;
-    Ok(hit)
+    world.cast_ray(from, way, f64::INFINITY, None)
 }
 
 fn main() -> Result<()> {

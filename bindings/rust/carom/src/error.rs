@@ -1,7 +1,7 @@
 //! Failures, and whether the library that was loaded fits this crate.
 use crate::raw;
 use std::collections::HashMap;
-use std::ffi::{c_char, c_void, CStr};
+use std::ffi::{c_char, c_void, CStr, CString};
 use std::sync::OnceLock;
 
 /// What was wrong, and what to do. Nothing has changed.
@@ -31,6 +31,19 @@ impl Error {
     pub(crate) fn new(code: i32, message: String, remedy: &str) -> Self {
         Error { code, argument: 0, message, remedy: remedy.into(), witness: None }
     }
+}
+
+/// What C takes as a text.
+pub(crate) fn text(text: &str) -> Result<CString> {
+    let refused = |_| Error::new(raw::CAROM_E_OUT_OF_RANGE, format!("{text:?} has a zero byte"), "leave it out");
+    CString::new(text).map_err(refused)
+}
+
+/// Whether slices that go together are of one length.
+pub(crate) fn fits(n: usize, wanted: u64) -> Result<()> {
+    let refused =
+        || Error::new(raw::CAROM_E_OUT_OF_RANGE, format!("{n} where {wanted} are wanted"), "pass slices of one length");
+    (n as u64 == wanted).then_some(()).ok_or_else(refused)
 }
 
 /// Make a call, whose last argument is a `carom_error*`.
@@ -89,66 +102,25 @@ fn file_of(address: *const c_void) -> String {
     }
 }
 
-fn check_manifest(manifest: &str, file: &str) -> Result<()> {
-    let here = raw::VERSION;
+pub(crate) fn check_manifest(manifest: &str, file: &str) -> Result<()> {
     let remedy = "install a libcarom and a crate of one version, or build the crate against that library anew";
     let refuse = |what: String| Err(Error::new(raw::CAROM_E_UNSUPPORTED, format!("{file} {what}"), remedy));
-    let mut lines = manifest.lines();
-    let version = lines.next().and_then(|line| line.strip_prefix("carom ")).unwrap_or("?");
+    let (first, rows) = manifest.split_once('\n').unwrap_or_default();
+    let version = first.strip_prefix("carom ").unwrap_or("?");
     let numbers = |text: &str| text.split('.').map(|n| n.parse().ok()).collect::<Option<Vec<u32>>>();
-    let fits = match (numbers(version), numbers(here)) {
-        // Before 1.0 a minor version may break clients.
-        (Some(there), Some(here)) => {
-            there[0] == here[0] && (there[0] > 0 || there.get(1) == here.get(1)) && there >= here
-        }
-        _ => false,
-    };
-    if !fits {
-        return refuse(format!("is of version {version}, this crate of {here}"));
+    let (there, here) = (numbers(version).unwrap_or_default(), numbers(raw::VERSION).unwrap_or_default());
+    // Before 1.0 a minor version may break clients.
+    if there < here || there[0] != here[0] || here[0] == 0 && there[1] != here[1] {
+        return refuse(format!("is of version {version}, this crate of {}", raw::VERSION));
     }
-    let mut rows = HashMap::new();
-    for line in lines {
-        if let [name, offset, size, kind] = line.split(' ').collect::<Vec<_>>()[..] {
-            rows.insert(name, (offset.parse().unwrap_or(usize::MAX), size.parse().unwrap_or(0), kind));
-        }
-    }
+    let rows: HashMap<_, _> = rows.lines().filter_map(|line| line.split_once(' ')).collect();
     for &(name, offset, size, kind) in raw::LAYOUT {
-        match rows.get(name) {
-            Some(&there) if there == (offset, size, kind) => {}
-            Some(&(_, longer, "struct")) if kind == "struct" && longer > size => {} // what a newer one has more is not ours
-            Some(&(at, bytes, other)) => {
-                return refuse(format!(
-                    "has {name} as {other} of {bytes} bytes at {at}, this crate as {kind} of {size} bytes at {offset}"
-                ))
-            }
-            None => return refuse(format!("has no {name}")),
+        let ours = format!("{offset} {size} {kind}");
+        let Some(&theirs) = rows.get(name) else { return refuse(format!("has no {name}")) };
+        let more = theirs.split(' ').nth(1).and_then(|n| n.parse().ok()) > Some(size); // what a newer one has more is not ours
+        if theirs != ours && !(more && kind == "struct" && theirs.ends_with(" struct")) {
+            return refuse(format!("has {name} as {theirs} (offset, bytes, kind), this crate as {ours}"));
         }
     }
     Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn another_library_is_refused() {
-        let ours = unsafe { CStr::from_ptr(raw::carom_abi_manifest()) }.to_str().unwrap();
-        assert_eq!(check_manifest(ours, "x"), Ok(()));
-        let said = |other: &str| check_manifest(&ours.replacen(raw::VERSION, other, 1), "/lib/x.so").unwrap_err();
-        for other in ["0.0.1", "0.99.0", "99.0.0", "?"] {
-            assert!(said(other).message.starts_with("/lib/x.so is of version "), "{}", said(other));
-        }
-        let patched = ours.replacen(raw::VERSION, &format!("{}1", raw::VERSION), 1);
-        assert_eq!(check_manifest(&patched, "x"), Ok(()));
-        let (_, row) = ours.split_once("carom_contact.separation ").unwrap();
-        let row = row.lines().next().unwrap();
-        let moved = ours.replace(&format!("separation {row}"), "separation 4 8 f64");
-        assert!(check_manifest(&moved, "x")
-            .unwrap_err()
-            .message
-            .contains("carom_contact.separation as f64 of 8 bytes at 4"));
-        let gone = ours.replace(&format!("carom_contact.separation {row}\n"), "");
-        assert!(check_manifest(&gone, "x").unwrap_err().message.contains("has no carom_contact.separation"));
-    }
 }

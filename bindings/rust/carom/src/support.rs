@@ -1,5 +1,5 @@
 //! A closure as the support function of a plugin.
-use crate::{raw, text, Result};
+use crate::{error::text, raw, Engine, Plugin, Result};
 use std::ffi::{c_void, CString};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
@@ -10,6 +10,22 @@ pub struct Param<'a> {
     pub unit: &'a str,
     pub min: f64,
     pub max: f64,
+}
+
+impl Engine {
+    /// A kind of shape whose support function is a closure, from parameters and a direction to the farthest point
+    /// ([`raw::carom_support_fn`]). It is called on any thread. A panic in it is a fault of the shape.
+    pub fn plugin<F>(&self, id: &str, params: &[Param], support: F) -> Result<Plugin>
+    where
+        F: Fn(&[f64], [f64; 3]) -> [f64; 3] + Send + Sync + 'static,
+    {
+        let kept = Kept::new(id, params, Box::new(support))?;
+        let mut plugin = Plugin::default();
+        let description = kept.description();
+        let registered = self.call(|p, e| unsafe { raw::carom_plugin_register(p, &description, &mut plugin, e) });
+        self.0.supports.lock().unwrap().push(kept);
+        registered.map(|()| plugin)
+    }
 }
 
 type Support = dyn Fn(&[f64], [f64; 3]) -> [f64; 3] + Send + Sync;

@@ -72,8 +72,6 @@ void read_turn(const TurnDrive& t, RattleDrive& d, Real h) {
 
 }  // namespace
 
-bool may_be_row(const RattleDrive& d) { return d.law != RattleDrive::Law::pull; }
-
 void read_drives(const World& world, Rattle& r, Real h) {
   for (const RattleJoint& j : r.joints) {
     const Joint& joint = world.joints.joint[j.slot];

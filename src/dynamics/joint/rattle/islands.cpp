@@ -268,8 +268,8 @@ void weigh_swings(Rattle& r, std::span<const Rattle::Seat> seats) {
 
 /// Block products that a factorisation of an island may take.
 std::uint64_t allowed_work(std::uint32_t joints, int order) {
-  if (order <= 2) return std::max(kRattleWorkAtOrder2 * joints, kRattleWorkOfFewAtOrder2.value);
-  return std::max(kRattleWork * joints, kRattleWorkOfFew.value);
+  const std::uint64_t less = order <= 2 ? kRattleLessAtOrder2.value : 1;
+  return std::max(kRattleWork / less * joints, kRattleWorkOfFew / less);
 }
 
 /// Who sits on whom, and the order of elimination.

@@ -40,13 +40,10 @@ inline constexpr Constant<std::uint64_t> kRattleWorkOfFew{
     "one "
     "body takes 5,000",
     "larger: stars of hundreds of joints take milliseconds; smaller: they are left to the solver"};
-inline constexpr Constant<std::uint64_t> kRattleWorkAtOrder2{
-    "rattle_work_at_order_2", 12, "block products a joint",
-    "that a factorisation may take at order 2, which is to cost no more than the solver: chains and trees take 3",
-    "larger: nets take many times as long as by the solver; smaller: rings are left to it"};
-inline constexpr Constant<std::uint64_t> kRattleWorkOfFewAtOrder2{
-    "rattle_work_of_few_at_order_2", 2500, "block products", "that a factorisation may take in any case at order 2",
-    "larger: nets take many times as long as by the solver; smaller: stars of 20 joints are left to it"};
+inline constexpr Constant<std::uint64_t> kRattleLessAtOrder2{
+    "rattle_less_at_order_2", 8, "1",
+    "times less work may a factorisation take at order 2, which is to cost no more than the solver",
+    "smaller: nets take many times as long as by the solver; larger: rings and stars of 20 joints are left to it"};
 inline constexpr Constant<Real> kRattleSwing{
     "rattle_swing", 1.2, "rad",
     "by which the forces of joints may swing a body in a stage before its island takes twice as many: steps that are "
@@ -66,17 +63,9 @@ inline constexpr Constant<std::uint64_t> kRattleParts{
     "joints times parts of a step up to which an island may take further halvings: some 6 ms",
     "larger: a step in which a whip cracks stalls; smaller: the solver takes it over, and takes its energy"};
 inline constexpr int kMostHalvings = 10;
-inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,
-                                                   kRattleRest,
-                                                   kRattleRounds,
-                                                   kRattleWork,
-                                                   kRattleWorkOfFew,
-                                                   kRattleWorkAtOrder2,
-                                                   kRattleWorkOfFewAtOrder2,
-                                                   kRattleSwing,
-                                                   kRattleGain,
-                                                   kRattleHalvings,
-                                                   kRattleParts};
+inline constexpr ConstantRow kRattleConstants[] = {kRattleGap,       kRattleRest,         kRattleRounds, kRattleWork,
+                                                   kRattleWorkOfFew, kRattleLessAtOrder2, kRattleSwing,  kRattleGain,
+                                                   kRattleHalvings,  kRattleParts};
 
 /// Two joints on one body: a block of the matrix beside its diagonal.
 struct RattlePair {
@@ -294,8 +283,6 @@ void save_kicks(const World& world, const Rattle& r, Array<Vec3>& kicks);
 void restore_kicks(const World& world, const Rattle& r, const Array<Vec3>& kicks);
 /// s, of the impulse that is kept of a drive, as solvers keep it in substeps of h.
 inline Real kept_for(DriveKind kind, Real h) { return acts_once(kind) ? h : h / 2; }
-/// Whom a step may hold by a row.
-bool may_be_row(const RattleDrive& drive);
 /// What joints' drives are set to, in substeps of h.
 void read_drives(const World& world, Rattle& r, Real h);
 /// Lists of `held` bodies, and of the others.

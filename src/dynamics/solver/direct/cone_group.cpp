@@ -347,7 +347,8 @@ void ConeGroup::begin(Velocities& to, Real h, std::uint64_t work) {
   rest_.lies = lies_still();
   rest_.is_bounded = is_bounded && !(problem_.stood && starts_from_nothing(problem_));
   rest_.at_once = rest_.lies || (rest_.is_bounded && rest_.stood && kExpectedAtRest * work_ > own_work(work));
-  rest_.waits = rest_.is_bounded && rest_.at_once && (rest_.is_close || (rest_.lies && rest_.waits));
+  const bool waits = rest_.is_bounded && rest_.at_once && (rest_.is_close || (rest_.lies && rest_.waits));
+  rest_.waits = waits && !goes_round();
   if (rest_.is_too_large || rest_.gave_up || takes_all_of(own_work(work))) return go_on_by_sweeps(to, h);
   solution_ = {};
   solution_.residual = residual(problem_);

@@ -65,6 +65,7 @@ class ConeGroup {
   bool find_leads();
   /// The record of a row's pair, if its ground leads bodies of the group; else null.
   const TurningPair* led_by(std::uint32_t row) const;
+  bool goes_round();
   void take_along(Real h);
   bool turns_far(const ConeBody& b, Real h) const;
   void lead_back(Real h);

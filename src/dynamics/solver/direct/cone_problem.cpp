@@ -116,16 +116,13 @@ class FrozenSlip {
   static constexpr int kIdleRounds = 8;
   static constexpr std::uint32_t kRoundSteps = 60, kHard = 30;
   // A soft round is easy for Newton's method and goes part of the way, a hard one the other way round.
-  // What only locks is linear, and is at its end after a hard round or two.
-  static constexpr Real kFirstOfLinks = 1e-7;
-  // What lies on all its contacts, within their cones, will mostly go on to stick: that is nearly linear.
+  // What lies on all its contacts, within their cones, will mostly go on to stick: that is nearly linear, as joints alone are.
   static constexpr Real kFirstOfBorne = 1e-5;
   // What is next to solved is better followed closely, in more steps, if there are any to spare.
   static constexpr std::uint32_t kStepsToSpare = 10;
   static constexpr Real kFirst = 1e-3, kLeast = 1e-10, kMost = 1, kGood = 0.1, kHarder = 0.1, kSofter = 30;
 
   Real first_softness() const {
-    if (problem_.contacts.empty()) return kFirstOfLinks;
     const bool is_close = most_steps_ >= kStepsToSpare && is_little(problem_, solution_.residual);
     return is_close || is_borne(problem_) ? kFirstOfBorne : kFirst;
   }

@@ -117,6 +117,16 @@ bool ConeGroup::find_leads() {
   return is_led;
 }
 
+/// Whether ground that a host moves, or a belt, takes it round: it is asked something else in each substep, and what one left over
+/// would add up.
+bool ConeGroup::goes_round() {
+  bool found = false;
+  each([&](const ConeContact& contact, std::uint32_t i) {
+    found |= led_by(i) && (contact.a == kInvalid || contact.b == kInvalid);
+  });
+  return found;
+}
+
 /// What loads give a body is reckoned from where the ground that it lies on leads it: on a disc that is round, and what
 /// holds it on its circle is a load as its weight is. Ground that a host moves leads all of its group.
 void ConeGroup::take_along(Real h) {

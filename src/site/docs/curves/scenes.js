@@ -13,10 +13,9 @@ const asked = (least) =>
 const by = (name, choices, settings) =>
   choices.map(([word, value]) => ({ name: word, settings: settings({ [name]: value }) }));
 const SOLVERS = [
-  ["sequential", 1],
-  ["soft_step", 2],
-  ["direct", 3],
-  ["auto, as it comes", 4],
+  ["soft_step", 1],
+  ["direct", 2],
+  ["auto, as it comes", 3],
 ];
 const INTEGRATORS = [
   ["explicit_euler", 0],

@@ -136,7 +136,7 @@ const char* const kHowToReadWorkPrecision =
     "To the left is cheaper, down is more exact. A thin line is one setting; its dots are steps of 1/30 s (coarse) to 1/960 "
     "s. The bold line is an engine's front: no other run of it is both cheaper and more exact. Dashed verticals are what a "
     "frame at 60 Hz may cost, the dashed level is the scene's bound; crosses on top are runs that fell. Marks of Carom: "
-    "circles auto, squares direct, triangles soft_step, diamonds sequential and severity; presets are named. Point at a dot for its figures, at "
+    "circles auto, squares direct, triangles soft_step, diamonds severity; presets are named. Point at a dot for its figures, at "
     "a line to single it out.";
 
 void add_work_precision(Document& page, const View& view) {
@@ -208,9 +208,11 @@ void add_maps(Document& page, const Sweep& sweep) {
 }
 
 std::vector<Solver> own_solvers() {
-  return {{"auto", kOurs, "auto"},           {"direct", kOurs, "direct"},
-          {"soft_step", kOurs, "soft_step"}, {"sequential", kOurs, "sequential"},
-          {"severity", kOurs, "severity"},   {"the defaults", kOurs, kDefaultSetting}};
+  return {{"auto", kOurs, "auto"},
+          {"direct", kOurs, "direct"},
+          {"soft_step", kOurs, "soft_step"},
+          {"severity", kOurs, "severity"},
+          {"the defaults", kOurs, kDefaultSetting}};
 }
 
 std::vector<Solver> engines_as_solvers(const View& view) {

@@ -175,7 +175,7 @@ Svg::Mark mark_of(const std::string& setting) {
   if (setting.starts_with("auto")) return Svg::Mark::circle;
   if (setting.starts_with("direct")) return Svg::Mark::square;
   if (setting.starts_with("soft_step")) return Svg::Mark::triangle;
-  if (setting.starts_with("sequential") || setting.starts_with("severity")) return Svg::Mark::diamond;
+  if (setting.starts_with("severity")) return Svg::Mark::diamond;
   return Svg::Mark::circle;
 }
 

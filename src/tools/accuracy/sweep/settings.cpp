@@ -120,8 +120,6 @@ const std::vector<Setting>& carom_settings() {
       solved("auto", 4, kTouches, ", points kept for 3 mm", {"keep_distance=3e-3"}),
       solved("auto", 4, kTouches, ", points kept for 0.1 mm", {"keep_distance=1e-4"}),
       solved("auto", 4, kTouches, ", points asked in each step", {"keep_distance=0"}),
-      solved("sequential", 1, kLasts),
-      solved("sequential", 4, kLasts),
       solved("severity", 1, kLasts),
       solved(
           "severity", 4, kLasts, ", to the end",

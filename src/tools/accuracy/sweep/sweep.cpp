@@ -24,7 +24,7 @@ const std::vector<Map>& maps() {
 bool in_maps(const Entry& entry) {
   if (entry.mover) return true;
   for (const char* name : {kDefaultSetting, "auto, 1 substep", "direct, 1 substep", "soft_step, 4 substeps",
-                           "sequential, 4 substeps", "severity, 4 substeps, to the end"})
+                           "severity, 4 substeps, to the end"})
     if (entry.setting == name) return true;
   return false;
 }
