@@ -227,7 +227,7 @@ static void a_capped_solve_stays_sane(void**) {
   f.diagonal.resize(1);
   std::vector<Vec6> scratch(1);
   ConeProblem problem{contacts, bodies.data(), 0, 1, &e, nullptr, &f, scratch.data()};
-  const ConeSolution solution = solve_cones(problem, 1e-9, 100);
+  const ConeSolution solution = solve_cones(problem, 1e-9);
   assert_true(solution.residual > 0.5);  // there is no solution, and it says so
   assert_true(bodies[0].v.all_finite() && bodies[0].v.norm() < 1);
 }

@@ -85,8 +85,46 @@ static void thin_round_bodies_that_are_poured_stay_out_of_each_other(void**) {
   }
 }
 
+/// A stack let go with small gaps, which closes layer by layer.   @return whether all lie on each other after 4 s
+static bool stands(const Shape& shape, Real thickness, int count, Real gap, Real dt) {
+  TestWorld t;
+  const std::uint32_t m = t.material(0.35, 0);
+  t.ground(m);
+  const Shape* kept = t.keep(shape);
+  std::vector<std::uint32_t> bodies;
+  for (int i = 0; i < count; ++i) {
+    const Real x = 0.1 * (i % 3), z = 0.12 * (i % 4);
+    bodies.push_back(t.add(kept, thickness * Vec3(x, 0.5 + i * (1 + gap), z), BodyType::dynamic, Quat::identity(), m));
+  }
+  t.run(static_cast<int>(4 / dt), dt);
+  Real top = 0;
+  for (const std::uint32_t i : bodies) top = std::max(top, t.world.pose(i).p.y());
+  return std::fabs(top / thickness - (count - 0.5)) < 0.02 * count;
+}
+
+/// In contact through their neighbours, in impacts that no step solves exactly: 34 of 108 fell over. Three still do, so one in
+/// twelve may.
+static void thin_bodies_that_are_dropped_stay_a_stack(void**) {
+  int fallen = 0, all = 0;
+  for (const Real thickness : {0.0006, 0.0013, 0.003, 0.006}) {
+    const Shape shapes[] = {box(thickness * Vec3(4, 0.5, 4)), cylinder(8 * thickness, thickness / 2),
+                            box(thickness * Vec3(12, 0.5, 7))};
+    for (const Shape& shape : shapes)
+      for (const int count : {9, 12, 14})
+        for (const Real gap : {0.15, 0.4}) {
+          ++all;
+          if (stands(shape, thickness, count, gap, 1.0 / 60)) continue;
+          print_message("fallen: %g mm, %d of gap %g\n", double(1e3 * thickness), count, double(gap));
+          ++fallen;
+        }
+  }
+  print_message("%d of %d stacks fell\n", fallen, all);
+  assert_true(12 * fallen <= all);
+}
+
 int main() {
   const CMUnitTest tests[] = {
+      cmocka_unit_test(thin_bodies_that_are_dropped_stay_a_stack),
       cmocka_unit_test(thin_round_bodies_that_are_poured_stay_out_of_each_other),
   };
   return cmocka_run_group_tests_name("stability/coins", tests, nullptr, nullptr);

@@ -63,11 +63,12 @@ struct GroupRest {
   bool has_moved = false;     // a little, since its separations were measured
   bool resists = false;       // some of them resist rolling or spinning
   std::uint32_t repeats = 0;  // substeps that repeated its impulses and are not added yet
-  bool is_bounded = false;    // in what it may take
-  std::uint64_t share = 0;    // block products that it may take in this step, if so
-  std::uint64_t work = 0;     // of them, those that it may still take
-  bool is_far_off = false;    // what was found last came nowhere near the law
-  bool gave_up = false;       // that did not do for a substep: nor will it for the next
+  std::uint64_t work_of_step = 0;  // block products, of the dearest step of Newton's method
+  bool is_bounded = false;         // in what it may take
+  std::uint64_t share = 0;         // block products that it may take in this step, if so
+  std::uint64_t work = 0;          // of them, those that it may still take
+  bool is_far_off = false;         // what was found last came nowhere near the law
+  bool gave_up = false;            // that did not do for a substep: nor will it for the next
 
   /// Whether its overlaps and joints are put right in this substep.
   bool parts_now() const { return !is_too_large && !(in_lanes && waits); }
@@ -208,6 +209,9 @@ struct DirectGroups {
   }
 
   bool is_few(std::size_t group) const { return rest[group].is_few; }
+  /// Whether all substeps may yield for half of the work that few have: then the exact law is tried in each of them, and
+  /// where that does not end contacts yield.
+  bool may_yield(std::size_t group, int substeps) const;
   bool is_joined(std::size_t group) const { return begin[group].link < begin[group + 1].link; }
   std::size_t groups() const { return begin.empty() ? 0 : begin.size() - 1; }
   std::span<TreeNode> nodes_of(const Begin& from, const Begin& to) {

@@ -160,13 +160,9 @@ void print_counts(const Question& q, const Result& a) {
                 a.seconds, q.seconds, q.patience);
 }
 
-bool holds(double predicted, double found) {
-  return (predicted == 0 && found == 0) || (found <= 2 * predicted && predicted <= 2 * found);
-}
-
 /// Of times and of errors each: other work on the machine changes the one, chaos the other.
 std::string verdict_on_fresh(const Measured& pick, const Result& a) {
-  const bool time = holds(pick.ms, a.fresh.ms), error = holds(pick.error, a.fresh.error);
+  const bool time = tune::holds(pick.ms, a.fresh.ms), error = tune::errors_agree(pick, a.fresh);
   if (time && error) return "within a factor of two of what was said";
   std::string text = "NOT within a factor of two of what was said";
   if (!time) text += "; the time differs: is this machine busy?";
@@ -200,8 +196,12 @@ void print_result(const Question& q, const Result& a) {
   const std::string unit = unit_of(q, a);
   std::printf("Pick for %.3g ms a frame at %g Hz: %s\n", q.budget_ms, q.frame_rate, pick.setting.text().c_str());
   print_margins(q, a);
-  std::printf("Run once more in a new world: %.3g ms, error %s: %s\n", a.fresh.ms,
-              error_text(a.fresh.error, unit.c_str()).c_str(), verdict_on_fresh(pick, a).c_str());
+  std::string error = error_text(a.fresh.error, unit.c_str());
+  if (a.chaotic)
+    error += format(" (runs: %s to %s)", error_text(a.fresh.least_error, unit.c_str()).c_str(),
+                    error_text(a.fresh.most_error, unit.c_str()).c_str());
+  std::printf("Run once more in a new world: %.3g ms, error %s: %s\n", a.fresh.ms, error.c_str(),
+              verdict_on_fresh(pick, a).c_str());
 }
 
 nlohmann::json to_json(const Measured& m) {

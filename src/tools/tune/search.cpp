@@ -173,7 +173,7 @@ class Search {
 
   void judge(Measured& m, const Trace& trace, const References& references) const {
     m.errors = errors_of(trace, references, question_.frame_rate);
-    m.error = m.errors[static_cast<std::size_t>(result_.kind)];
+    take_errors(m, {m.errors[static_cast<std::size_t>(result_.kind)]});
     m.offences = offences_of(trace, references);
     m.fallen = trace.fell ? std::max(1, fallen(trace, references)) : fallen(trace, references);
     m.ms = trace.ms, m.worst_ms = trace.worst_ms;
@@ -218,7 +218,7 @@ class Search {
     result_.chaotic = apart > kApart * median(errors) + kDistance;
     if (!result_.chaotic || question_.kind_chosen) return;
     result_.kind = ErrorKind::laws;
-    for (Measured& m : measured) m.error = m.errors[static_cast<std::size_t>(result_.kind)];
+    for (Measured& m : measured) take_errors(m, {m.errors[static_cast<std::size_t>(result_.kind)]});
   }
 
   /// Below it errors are not told apart.
@@ -266,8 +266,13 @@ class Search {
         timed += 1e-3 * again.ms * frames;
       }
       m.ms = median(ms), m.worst_ms = median(worst);
-      if (result_.chaotic) m.error = median(errors);
+      if (result_.chaotic) take_errors(m, errors);
     }
+  }
+
+  static void take_errors(Measured& m, const std::vector<double>& errors) {
+    const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
+    m.least_error = *least, m.most_error = *most, m.error = median(errors);
   }
 
   double nudge(int k) const { return result_.chaotic ? k * kNudge : 0; }
@@ -290,7 +295,7 @@ class Search {
       timed += 1e-3 * ms.back() * result_.seconds * question_.frame_rate;
     }
     result_.fresh.ms = median(ms);
-    if (result_.chaotic) result_.fresh.error = median(errors);
+    if (result_.chaotic) take_errors(result_.fresh, errors);
   }
 
   Engine& engine_;

@@ -134,7 +134,8 @@ int fallen(const Trace& trace, const References& references);
 
 struct Measured {
   Setting setting;
-  double error = 0;
+  double error = 0;                        ///< of the middle run, where all is chaos
+  double least_error = 0, most_error = 0;  ///< among its runs
   double ms = 0, worst_ms = 0;
   bool is_default = false;
   int fallen = 0;  ///< bodies
@@ -157,6 +158,16 @@ struct Result {
   int let_fall = 0;             ///< of them, those that let fall what stands
   int left_out = 0;             ///< settings for which no time was left
 };
+
+/// Within a factor of two, both: where all is chaos, some run of the one and some run of the other. A pick is the best of what was
+/// measured, so its middle run flatters it.
+inline bool holds(double said, double found) {
+  return (said == 0 && found == 0) || (found <= 2 * said && said <= 2 * found);
+}
+inline bool errors_agree(const Measured& said, const Measured& found) {
+  const bool overlap = said.least_error <= 2 * found.most_error && found.least_error <= 2 * said.most_error;
+  return overlap || holds(said.error, found.error);
+}
 
 /// @param progress  called with (done, of about so many, what)   @throws Error
 Result search(Engine& engine, const Question& question,

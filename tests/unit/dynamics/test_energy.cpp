@@ -50,13 +50,12 @@ class Island {
     apply_impulses(problem);
     for (ConeContact& c : contacts_) c.u = c.surface + relative<&ConeBody::v>(bodies_.data(), c);
     for (ConeLink& c : links_) c.u = c.surface + relative<&ConeBody::v>(bodies_.data(), c);
-    solve_yielding(problem, 1e-3, 0.1, kTolerance, kSteps);
-    solve_closer(problem, 1e-3, kTolerance, 1e-4, kSteps);
+    solve_yielding(problem, 1e-3, 0.1, kTolerance);
+    solve_closer(problem, 1e-3, kTolerance, 1e-4);
   }
 
   ConeProblem problem;
   static constexpr Real kTolerance = 1e-6;  // m/s
-  static constexpr std::uint32_t kSteps = 400;
 
  private:
   template <class Row>

@@ -39,7 +39,7 @@ bool find_factor_at_rest(ConeProblem& problem, const Sticking& sticking) {
   for (const ConeContact& c : problem.contacts)
     if (sticking.has(c)) add_sticking(problem, c, 1 / resistance_at_rest(c));
   hold_locked(problem);
-  return factor(*problem.elimination, problem.first, problem.last, problem.tree, *problem.factor);
+  return factor(*problem.elimination, problem.first, problem.last, problem.tree, *problem.factor) > 0;
 }
 
 /// Each refinement leaves of a mode that contacts hardly feel, as the sway of a tall stack, R / (R + its share) of what

@@ -45,6 +45,9 @@ std::size_t BlockFactor::at(const Elimination& e, std::uint32_t later, std::uint
 
 namespace {
 
+/// Block products of a row with so many blocks beside the diagonal.
+std::uint64_t products_of(std::uint64_t filled) { return 1 + filled + filled * (filled + 1) / 2; }
+
 /// The row of a child: what its joint leaves free of it, @see TreeNode. Most have nothing beside the diagonal.
 template <class N>
 bool factor_child(const Elimination& e, std::uint32_t j, TreeNode& node, const Blocks& f, N n) {
@@ -80,15 +83,19 @@ template <class N>
 
 }  // namespace
 
-bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<TreeNode> tree, BlockFactor& of) {
+std::uint64_t factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<TreeNode> tree,
+                     BlockFactor& of) {
   const Blocks f = of.all();
+  std::uint64_t products = 0;
   for (std::uint32_t j = first; j < last; ++j) {
     TreeNode* const node = tree.empty() ? nullptr : &tree[j - first];
     if (!node || !node->is_held()) {
       if (node && !node->is_stale) continue;
-      if (!factor_in_place(f.diagonal[j])) return false;
+      if (!factor_in_place(f.diagonal[j])) return 0;
+      std::uint64_t filled = 0;
       for (std::uint32_t k = e.column[j]; k < e.column[j + 1]; ++k)
-        if (f.is_filled[k]) solve_rows(f.diagonal[j], f.beside[k], WholeBlock());
+        if (f.is_filled[k]) solve_rows(f.diagonal[j], f.beside[k], WholeBlock()), ++filled;
+      products += products_of(filled);
       subtract_row(e, j, f, WholeBlock());
       continue;
     }
@@ -103,9 +110,13 @@ bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::
         add_left(f.diagonal[j], node->by_all, node->arm, f.diagonal[node->parent], n);
       return true;
     });
-    if (!is_definite) return false;
+    if (!is_definite) return 0;
+    if (node->is_stale) {
+      const auto *const begin = f.is_filled + e.column[j], *const end = f.is_filled + e.column[j + 1];
+      products += products_of(node->is_bare ? 0 : static_cast<std::uint64_t>(std::count(begin, end, 1)));
+    }
   }
-  return true;
+  return std::max<std::uint64_t>(products, 1);
 }
 
 namespace {

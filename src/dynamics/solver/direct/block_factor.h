@@ -39,8 +39,10 @@ struct BlockFactor {
 /// Factor the columns [first, last) of one system.
 /// @param tree  by place, from `first` on, or none: a child is what its joint leaves free, and its parent takes it along.
 ///              What is not stale stays as it was factored last
-/// @return false: a pivot was not positive, the matrix was not definite within rounding; the factor is of no use
-bool factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<TreeNode> tree, BlockFactor& of);
+/// @return block products that it took; 0: a pivot was not positive, the matrix was not definite within rounding; the factor is
+///         of no use
+std::uint64_t factor(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<TreeNode> tree,
+                     BlockFactor& of);
 
 /// Solve with a factor, in place.
 /// @param x  by place

@@ -1,8 +1,6 @@
 #include "dynamics/solver/direct/cone_group.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 #include "dynamics/contact/depth.h"
 #include "dynamics/integrate/rotation/rotation.h"
@@ -93,17 +91,20 @@ ConeGroup::ConeGroup(const World& world, std::size_t group)
   problem_.stood = rest_.stood;
 }
 
-/// Of Newton's method.   @param work  block products, beyond those of kAlways
-std::uint32_t ConeGroup::allowed_steps(std::uint64_t work) const {
-  if (!rest_.is_bounded) return kMostSteps;
+/// Of Newton's method, from here on.   @param work  block products
+void ConeGroup::allow(std::uint64_t work) {
+  if (!rest_.is_bounded) return;
   if (starts_from_nothing(problem_)) work = std::max<std::uint64_t>(work, kStepsOfYielding * work_);
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(kAlways + work / work_, kMostSteps));
+  problem_.most.products = problem_.taken.products + work;
 }
 
+/// So many at least, whatever was taken.
+void ConeGroup::allow_steps(std::uint32_t steps) { problem_.least_steps = problem_.taken.steps + steps; }
+
 void ConeGroup::account_work() {
-  if (!rest_.is_bounded) return;
-  const std::uint32_t beyond = std::max(solution_.factorisations, kAlways.value) - kAlways;
-  rest_.work -= std::min(rest_.work, beyond * work_);
+  const NewtonWork& taken = problem_.taken;
+  if (taken.steps > 0) rest_.work_of_step = std::max(rest_.work_of_step, taken.products / taken.steps);
+  if (rest_.is_bounded) rest_.work -= std::min(rest_.work, taken.products);
 }
 
 /// Impulses of substeps that repeated the one before, into those of the step.
@@ -201,41 +202,42 @@ void ConeGroup::keep(Velocities& to) {
 
 /// Impulses, by the exact law as far as the work goes. What joints and contacts share is undetermined by it, and so is
 /// found where contacts yield first.
-void ConeGroup::find(Real h, Real goal, std::uint32_t most_steps) {
-  if (shares()) return find_shares(goal, most_steps);
-  find_exact(goal, most_steps);
+void ConeGroup::find(Real h, Real goal) {
+  if (shares()) return find_shares(goal);
+  find_exact(goal);
   if (gives_energy() && drop_bends(problem_)) {
     hold_forest_again();
-    find_exact(goal, most_steps);
+    find_exact(goal);
   }
   if (problem_.contacts.empty()) return;
   solution_.is_wedged = !solution_.reached && is_wedged(problem_);
   solution_.is_rejected = !is_sound();
   if (solution_.is_wedged || solution_.is_rejected) {
-    yield_more(goal, most_steps);
+    yield_more(goal);
   } else if (is_few() && !solution_.reached && solution_.residual > kGiveOfContacts * most_borne(problem_)) {
-    find_without_work(h, goal, most_steps);
+    find_without_work(h, goal);
   }
   solution_.residual = residual(problem_), solution_.reached = solution_.residual <= goal;
 }
 
 /// Of joints and contacts: what they bear is undetermined by the exact law, so contacts yield first, from what they bore in
 /// the last substep on, and then less and less.
-void ConeGroup::find_shares(Real goal, std::uint32_t most_steps) {
+void ConeGroup::find_shares(Real goal) {
   bound_friction(problem_);
   solution_.residual = residual_of_known_friction(problem_);
   solution_.reached = solution_.residual <= goal;
   if (solution_.reached) return;  // the last impulses solve it
-  find_yielding(kForgets, goal, most_steps);
+  find_yielding(kForgets, goal);
   const std::uint32_t taken = solution_.factorisations;
-  solution_ = solve_closer(problem_, kGiveOfContacts, goal, world_.scene.dials[Dial::velocity_tolerance],
-                           std::max(most_steps, taken + kAlways) - taken);
+  allow_steps(kAlways);
+  solution_ = solve_closer(problem_, kGiveOfContacts, goal, world_.scene.dials[Dial::velocity_tolerance]);
   solution_.factorisations += taken, ++solution_.rounds;
   solution_.is_rejected = !is_sound();
   if (!solution_.is_rejected) return;
   drop_impulses(problem_);
-  find_yielding(1, goal, most_steps);
-  if (throws(problem_)) yield_more(goal, most_steps);
+  allow(rest_.work);
+  find_yielding(1, goal);
+  if (throws(problem_)) yield_more(goal);
 }
 
 /// Of a contact's response: as soft as springs of solver soft_step, but what is thin sinks by no more in a substep than
@@ -248,36 +250,39 @@ Real ConeGroup::give_of_sweeps(Real h) const {
 }
 
 /// Few bodies for which the work did not suffice are swept from where they began: what was found in part may be anything.
-/// Where surfaces drive them they yield, since sweeps have no bound of energy.
-void ConeGroup::find_without_work(Real h, Real goal, std::uint32_t most_steps) {
-  if (is_driven(problem_)) {
-    find_yielding(1, goal, kStepsOfYielding);
-  } else {
+/// Where sweeps come nowhere near, or surfaces drive bodies, contacts yield: that has a bound of energy.
+void ConeGroup::find_without_work(Real h, Real goal) {
+  if (!is_driven(problem_)) {
     return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
     sweep(problem_, kSweepsInstead, give_of_sweeps(h));
+    if (!throws(problem_) && residual(problem_) <= kUnborne * most_borne(problem_)) return;
   }
-  if (throws(problem_)) yield_more(goal, most_steps);
+  allow_steps(kStepsOfYielding);
+  find_yielding(1, goal);
+  bound_by_cones(problem_);
+  if (throws(problem_)) yield_more(goal);
 }
 
-void ConeGroup::find_yielding(Real forgets, Real goal, std::uint32_t most_steps) {
-  solution_.factorisations += solve_yielding(problem_, kGiveOfContacts, forgets, goal, most_steps);
+void ConeGroup::find_yielding(Real forgets, Real goal) {
+  solution_.factorisations += solve_yielding(problem_, kGiveOfContacts, forgets, goal);
 }
 
 /// Where no velocity obeys the law, as where surfaces close on a body, or it would shoot it out, which no machine does:
 /// contacts yield, more and more. From nothing on, for what they bear by now may be anything.
-void ConeGroup::yield_more(Real goal, std::uint32_t most_steps) {
-  if (is_few()) most_steps = std::max(most_steps, kStepsOfYielding.value);
+void ConeGroup::yield_more(Real goal) {
   for (Real give = kGiveOfContacts;; give = std::min(10 * give, kGiveOfSweeps.value)) {
     drop_impulses(problem_);
-    solution_.factorisations += solve_yielding(problem_, give, 1, goal, most_steps);
+    allow_steps((is_few() ? kStepsOfYielding : kAlways).value);
+    solution_.factorisations += solve_yielding(problem_, give, 1, goal);
     if (give >= kGiveOfSweeps || !throws(problem_)) return;
   }
 }
 
 /// From the solution on: what is off by a little gives a little.
-void ConeGroup::find_exact(Real goal, std::uint32_t most_steps) {
+void ConeGroup::find_exact(Real goal) {
   const ConeSolution was = solution_;
-  solution_ = solve_cones(problem_, goal, std::max(most_steps, was.factorisations + kAlways) - was.factorisations);
+  allow_steps(kAlways);
+  solution_ = solve_cones(problem_, goal);
   solution_.factorisations += was.factorisations, solution_.rounds += was.rounds;
 }
 
@@ -404,17 +409,18 @@ std::uint64_t ConeGroup::work_of_substep(std::uint32_t substeps) const {
 }
 
 void ConeGroup::solve(Velocities& to, Real h, int substeps) {
-  if (!rest_.waits) find_solution(h, allowed_steps(work_of_substep(static_cast<std::uint32_t>(substeps))));
+  if (!rest_.waits) find_solution(h, work_of_substep(static_cast<std::uint32_t>(substeps)));
   finish(to);
 }
 
-void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
+void ConeGroup::find_solution(Real h, std::uint64_t work) {
   const Real goal = rest_.goal;
   if (is_still_at_rest(goal)) {
     rest_.is_close = true;
     return account_work();
   }
-  find(h, goal, most_steps);
+  allow(work);
+  find(h, goal);
   find_lock_impulses(problem_);
   if (!solution_.reached && may_be_held()) {
     hold();
@@ -427,7 +433,8 @@ void ConeGroup::find_solution(Real h, std::uint32_t most_steps) {
     const std::uint32_t taken = solution_.factorisations;
     solution_ = {};
     solution_.residual = residual(problem_);
-    find(h, goal, most_steps);
+    allow(work);
+    find(h, goal);
     find_lock_impulses(problem_);
     solution_.factorisations += taken;
   }

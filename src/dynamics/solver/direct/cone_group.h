@@ -52,7 +52,8 @@ class ConeGroup {
   void each(F&& f) {
     for (std::size_t i = 0; i < problem_.contacts.size(); ++i) f(problem_.contacts[i], row_[i]);
   }
-  std::uint32_t allowed_steps(std::uint64_t work) const;
+  void allow(std::uint64_t work);
+  void allow_steps(std::uint32_t steps);
   void account_work();
   void accumulate_repeats();
   bool repeat(Velocities& to, Real tolerance);
@@ -73,13 +74,13 @@ class ConeGroup {
   void hold_forest(Forest forest);
   void hold_forest_again();
   void follow_impulses();
-  void find(Real h, Real goal, std::uint32_t most_steps);
+  void find(Real h, Real goal);
   Real give_of_sweeps(Real h) const;
-  void find_without_work(Real h, Real goal, std::uint32_t most_steps);
-  void find_yielding(Real forgets, Real goal, std::uint32_t most_steps);
-  void yield_more(Real goal, std::uint32_t most_steps);
-  void find_exact(Real goal, std::uint32_t most_steps);
-  void find_shares(Real goal, std::uint32_t most_steps);
+  void find_without_work(Real h, Real goal);
+  void find_yielding(Real forgets, Real goal);
+  void yield_more(Real goal);
+  void find_exact(Real goal);
+  void find_shares(Real goal);
   Real tolerance() const;
   Real goal(bool is_bounded, Real h) const;
   std::uint64_t own_work(std::uint64_t most) const;
@@ -87,7 +88,7 @@ class ConeGroup {
   bool takes_all_of(std::uint64_t work) const;
   void go_on_by_sweeps(Velocities& to, Real h);
   void sweep_on(Real h);
-  void find_solution(Real h, std::uint32_t most_steps);
+  void find_solution(Real h, std::uint64_t work);
   void finish(Velocities& to);
   bool lies_still() const;
   bool is_far_off() const;

@@ -84,7 +84,7 @@ inline constexpr Constant<std::uint32_t> kExpectedAtRest{
 inline constexpr Constant<Real> kUnborne{
     "direct_unborne", 0.1, "1",
     "of what loads do to a body in a substep, that a solution may leave of what stood before it is given up: soft "
-    "contacts, which take over then, leave half of it in the first",
+    "contacts, which take over then, leave half of it in the first; of what is borne, that sweeps may leave where the work ended",
     "larger: what a solution does not hold sinks on; smaller: towers at rest are thrown down for micrometres"};
 inline constexpr Constant<Real> kBends{
     "direct_bends", 0.3, "rad",

@@ -84,18 +84,16 @@ bool is_little(const ConeProblem& problem, Real offence) {
 /// Rounds at one slip until the offence with that slip is small.
 class FrozenSlip {
  public:
-  FrozenSlip(ConeProblem& problem, ConeSolution& solution, std::uint32_t most_steps)
-      : problem_(problem), solution_(solution), most_steps_(most_steps), softness_(first_softness()) {}
+  FrozenSlip(ConeProblem& problem, ConeSolution& solution)
+      : problem_(problem), solution_(solution), softness_(first_softness()) {}
 
   /// @return whether it has come nearer
   bool solve(Real target) {
     const Real first = offence_now();
     Real left = first;
-    for (int i = 0, idle = 0;
-         i < kRounds && idle < kIdleRounds && left > target && solution_.factorisations < most_steps_; ++i) {
+    for (int i = 0, idle = 0; i < kRounds && idle < kIdleRounds && left > target && problem_.may_go_on(); ++i) {
       Round round(problem_, softness_);
-      const std::uint32_t most = std::min(kRoundSteps, most_steps_ - solution_.factorisations);
-      const std::uint32_t steps = round.minimise(0.1 * target, most);
+      const std::uint32_t steps = round.minimise(0.1 * target, kRoundSteps);
       solution_.factorisations += steps;
       ++solution_.rounds;
       const Real now = offence_now(), was = softness_;
@@ -118,13 +116,10 @@ class FrozenSlip {
   // A soft round is easy for Newton's method and goes part of the way, a hard one the other way round.
   // What lies on all its contacts, within their cones, will mostly go on to stick: that is nearly linear, as joints alone are.
   static constexpr Real kFirstOfBorne = 1e-5;
-  // What is next to solved is better followed closely, in more steps, if there are any to spare.
-  static constexpr std::uint32_t kStepsToSpare = 10;
   static constexpr Real kFirst = 1e-3, kLeast = 1e-10, kMost = 1, kGood = 0.1, kHarder = 0.1, kSofter = 30;
 
   Real first_softness() const {
-    const bool is_close = most_steps_ >= kStepsToSpare && is_little(problem_, solution_.residual);
-    return is_close || is_borne(problem_) ? kFirstOfBorne : kFirst;
+    return is_little(problem_, solution_.residual) || is_borne(problem_) ? kFirstOfBorne : kFirst;
   }
   Real offence_now() const {
     return largest_offence(problem_, [](const ConeContact& c) { return c.slip; });
@@ -132,7 +127,6 @@ class FrozenSlip {
 
   ConeProblem& problem_;
   ConeSolution& solution_;
-  std::uint32_t most_steps_;
   Real softness_;
 };
 
@@ -156,7 +150,7 @@ void update_slips(ConeProblem& problem, bool first, Real noise) {
 
 }  // namespace
 
-ConeSolution solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps) {
+ConeSolution solve_cones(ConeProblem& problem, Real tolerance) {
   constexpr int kSlips = 60;
   constexpr Real kOfTolerance = 0.3, kOfSlip = 0.03;  // closer to a slip that will change is for nothing
   problem.factored = problem.locked_softness = 0;
@@ -166,11 +160,11 @@ ConeSolution solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t mos
   if (solution.reached) return solution;
   save_impulses<&ConeContact::best, &ConeLink::best>(problem);
   for (ConeContact& c : problem.contacts) c.slip = 0;
-  FrozenSlip frozen(problem, solution, most_steps);
+  FrozenSlip frozen(problem, solution);
   Real now = solution.residual;
   const bool has_slips = !problem.contacts.empty();  // joints have none: what did not help once never will
   bool goes_on = true;
-  for (int i = 0; i < kSlips && goes_on && solution.residual > tolerance && solution.factorisations < most_steps; ++i) {
+  for (int i = 0; i < kSlips && goes_on && solution.residual > tolerance && problem.may_go_on(); ++i) {
     update_slips(problem, i == 0, tolerance);
     const Real target = kOfTolerance * tolerance;
     goes_on = frozen.solve(has_slips ? std::max(target, kOfSlip * now) : target) || has_slips;

@@ -10,6 +10,7 @@
 
 #include "core/invalid.h"
 #include "dynamics/solver/direct/block_factor.h"
+#include "dynamics/solver/direct/cone_group_constants.h"
 #include "dynamics/solver/direct/cone_link.h"
 
 namespace carom::dynamics {
@@ -91,6 +92,12 @@ struct ConeBody {
 
 /// One system: runs of contacts and of bodies; indices in a contact count from the first body of all systems, as do
 /// places of the elimination.
+/// Of Newton's method: steps, and block products.
+struct NewtonWork {
+  std::uint32_t steps = 0;
+  std::uint64_t products = 0;
+};
+
 struct ConeProblem {
   std::span<ConeContact> contacts;
   ConeBody* bodies;
@@ -109,6 +116,12 @@ struct ConeProblem {
   // method came to its end, so that they give no more.
   Real may_give = -1;  // no such round
   bool is_proven = false;
+  NewtonWork taken{}, most{kMostSteps, ~std::uint64_t{0}};
+  std::uint32_t least_steps = kAlways;  // that it may take however much work those are
+
+  bool may_go_on() const {
+    return taken.steps < least_steps || (taken.steps < most.steps && taken.products < most.products);
+  }
 
   /// The body of a node.
   std::uint32_t body_at(std::uint32_t node) const { return nodes[first + node]; }
@@ -285,8 +298,8 @@ Real residual_of_known_friction(const ConeProblem& problem);
 /// however large R, and of many that redundant contacts allow the one near the start is found), each a smooth convex
 /// problem in the velocities for Newton's method with an exact line search; mu |u_t| is that of the round's start.
 ///
-/// @param tolerance  m/s   @param most_steps  Newton steps in all; the solution of a capped solve is what it came to
+/// @param tolerance  m/s; the solution of a solve that is cut short by ConeProblem::most is what it came to
 /// @source [DeSaxce1998], [Todorov2014] for the primal view; @oracle tests/oracle/test_direct
-ConeSolution solve_cones(ConeProblem& problem, Real tolerance, std::uint32_t most_steps);
+ConeSolution solve_cones(ConeProblem& problem, Real tolerance);
 
 }  // namespace carom::dynamics

@@ -6,6 +6,7 @@
 #include "dynamics/solver/direct/forest.h"
 #include "dynamics/solver/direct/group_links.h"
 #include "dynamics/solver/direct/load.h"
+#include "dynamics/solver/direct/yielding_constants.h"
 #include "dynamics/solver/wide_contacts.h"
 
 namespace carom::dynamics {
@@ -136,6 +137,11 @@ void DirectGroups::forget() {
   rest.clear(), row.clear(), begin.clear();
   bodies.clear(), elimination.forget_edges();
   if (has_forest()) forest().joints.clear(), forest().nodes.clear(), forest().more.clear();
+}
+
+bool DirectGroups::may_yield(std::size_t group, int substeps) const {
+  const std::uint64_t steps = static_cast<std::uint64_t>(substeps) * kStepsOfYielding;
+  return is_few(group) && 2 * steps * rest[group].work_of_step <= kWorkOfFew;
 }
 
 void gather_groups(const World& world, SolverMemory& memory, Real h, std::uint64_t most_factor) {

@@ -31,7 +31,8 @@ void ConeGroup::follow_lanes(Velocities& to, Real h, bool again) {
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);
   hold_forest(again ? Forest::as_it_began : Forest::anew);
   measure_links(problem_);
-  if (!problem_.links.empty()) solve_yielding(problem_, kGiveOfDisplacements, 1, tolerance(), kAlways);
+  problem_.most.steps = kAlways;
+  if (!problem_.links.empty()) solve_yielding(problem_, kGiveOfDisplacements, 1, tolerance());
   find_lock_impulses(problem_);
   accumulate_links(world_, problem_, link_row_);
   Real most2 = 0;  // (m/s)^2

@@ -118,10 +118,10 @@ void ConeGroup::part(Poses& to, Real h, Real most_closed, Forest forest) {
   const Real most_asked = asked();
   let_locks_yield();
   const Real goal = is_joined() ? std::max(0.1 * tolerable_gap(), kGiveOfDisplacements * most_asked) : 0.01 * tolerance;
-  const auto most_steps = static_cast<std::uint32_t>(
-      std::clamp<std::uint64_t>(kLeastWork / work_, 2 * kAlways.value, kStepsOfYielding.value));
+  problem_.taken = {}, problem_.most = {kStepsOfYielding, kLeastWork};
+  allow_steps(2 * kAlways);
   if (!problem_.contacts.empty() || !problem_.links.empty())
-    solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal, most_steps);
+    solution_.factorisations = solve_yielding(problem_, kGiveOfDisplacements, 1, goal);
   rest_.has_parted = true;
   const Real share = displacement_share(most_asked, most_closed);
   for (const ConeBody& b : bodies_of(problem_)) {
@@ -164,7 +164,7 @@ void ConeGroup::settle(Velocities& to, Real h) {
   load_links(world_, problem_, link_row_, LinkPhase::settle, h);
   hold_forest(Forest::anew);
   measure_links(problem_);
-  const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance, kMostSteps);
+  const ConeSolution solution = solve_cones(problem_, kFineShare * tolerance);
   solution_.factorisations += solution.factorisations;
   find_lock_impulses(problem_);
   accumulate_links(world_, problem_, link_row_);

@@ -29,7 +29,7 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   bool is_reached = false;
   Real left = kInfinity, off = tolerance;
   bool whole = false;  // the last step was
-  for (; steps < most_steps; ++steps) {
+  for (; steps < most_steps && problem_.may_go_on(); ++steps) {
     const Real now = find_gradient();
     off = std::min(now, tolerance), is_reached = now <= tolerance;
     if (is_reached) break;
@@ -37,6 +37,7 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
     if (factor == NextFactor::none) break;
     if (factor == NextFactor::same && !(now < kFalls * left) && (whole || now <= rounding())) break;
     left = now;
+    ++problem_.taken.steps, problem_.taken.products += work_of_contacts();
     find_step();
     const Real length = search();
     whole = length == 1;
@@ -131,10 +132,18 @@ Round::NextFactor Round::find_factor(Real still) {
   spread_stale(!is_as_soft);
   problem_.factored = 0;
   assemble();
-  if (!factor(*problem_.elimination, problem_.first, problem_.last, problem_.tree, *problem_.factor))
-    return NextFactor::none;
+  const std::uint64_t products =
+      factor(*problem_.elimination, problem_.first, problem_.last, problem_.tree, *problem_.factor);
+  problem_.taken.products += products;
+  if (products == 0) return NextFactor::none;
   problem_.factored = factored_as();
   return NextFactor::another;
+}
+
+std::uint64_t Round::work_of_contacts() const {
+  const auto acts = [](const ConeContact& c) { return c.curvature != ConeCurvature::none; };
+  const auto act = static_cast<std::uint64_t>(std::ranges::count_if(problem_.contacts, acts));
+  return problem_.contacts.size() + (kWorkOfContact - 1) * act;
 }
 
 ConeCurvature Round::curvature_of(const ConeContact& c, Real still) const {

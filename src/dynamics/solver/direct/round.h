@@ -19,8 +19,8 @@ class Round {
   enum class Friction { coulomb, known };
   Round(ConeProblem& problem, Real softness, Friction friction);
 
-  /// @param tolerance  m/s, of contact velocities   @return Newton steps taken
-  std::uint32_t minimise(Real tolerance, std::uint32_t most_steps);
+  /// As far as the work goes.   @param tolerance  m/s, of contact velocities   @return Newton steps taken
+  std::uint32_t minimise(Real tolerance, std::uint32_t most_steps = kMostSteps);
   /// As it was before.
   void take_back();
   /// It ended where rounding decides which way to go: a softer round is better conditioned.
@@ -65,6 +65,8 @@ class Round {
   void mark_stale(std::uint32_t body) {
     if (body != kInvalid) problem_.tree[problem_.elimination->place[body] - problem_.first].is_stale = true;
   }
+  /// Block products that contacts take as long as, in a step. What does not act is not in the matrix.
+  std::uint64_t work_of_contacts() const;
   ConeCurvature curvature_of(const ConeContact& c, Real still) const;
   /// M + sum J^T (dP/dz / R) J. Locks are always in it, and hardly a round resists them otherwise than the last: with
   /// the masses they are assembled once a solve.

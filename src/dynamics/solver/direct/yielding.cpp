@@ -89,16 +89,25 @@ void bound_friction(ConeProblem& problem) {
   }
 }
 
-std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance, std::uint32_t most_steps) {
+std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance) {
   for (ConeContact& c : problem.contacts) c.give = forgets * give * c.k, c.slip = 0;
   bound_friction(problem);
   problem.factored = problem.locked_softness = 0;
-  const std::uint32_t steps = Round(problem, give, Round::Friction::known).minimise(tolerance, most_steps);
+  const std::uint32_t steps = Round(problem, give, Round::Friction::known).minimise(tolerance);
   for (ConeContact& c : problem.contacts) c.give = 0;
   return steps;
 }
 
-ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, Real tolerable, std::uint32_t most_steps) {
+void bound_by_cones(ConeProblem& problem) {
+  save_impulses<&ConeContact::best, &ConeLink::best>(problem);
+  for (ConeContact& c : problem.contacts) {
+    const Real p_n = std::max(Real(0), c.p.dot(c.n));
+    c.best = project_on_cylinder(c.p, c.n, c.friction * p_n);
+  }
+  return_to_impulses<&ConeContact::best, &ConeLink::best>(problem);
+}
+
+ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, Real tolerable) {
   constexpr Real kSlow = 0.3, kShare = 0.05, kHardest = 1e-10;
   ConeSolution solution;
   Real last = kInfinity;
@@ -111,7 +120,7 @@ ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, Real 
     const Real left = solution.residual / last;
     const bool is_slow = left >= kSlow && solution.residual > tolerable;
     counted += solution.rounds > 0 && !is_slow;
-    if (solution.reached || counted == kRoundsCloser || solution.factorisations >= most_steps) return solution;
+    if (solution.reached || counted == kRoundsCloser || !problem.may_go_on()) return solution;
     if (is_slow) {
       // A round leaves give / (give + response) of the error: of what bears far more than itself next to all. What contradicts
       // itself responds to nothing, and no round helps.
@@ -121,7 +130,7 @@ ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, Real 
     const Real may_give = problem.may_give;
     const bool was_proven = problem.is_proven;
     Round round(problem, give, Round::Friction::known);
-    solution.factorisations += round.minimise(tolerance, most_steps - solution.factorisations);
+    solution.factorisations += round.minimise(tolerance);
     if (!is_harder || problem.is_proven) continue;
     round.take_back();  // cut short: what was before is better known
     problem.may_give = may_give, problem.is_proven = was_proven;

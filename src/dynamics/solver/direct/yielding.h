@@ -18,10 +18,10 @@ void bound_friction(ConeProblem& problem);
 
 /// Newton's method on it, from the impulses that act. One that is cut short keeps the impulses of its steps: what they
 /// do to the bodies is what was found, to the bit.
-/// @param give  of a contact's response   @param tolerance  m/s   @param most_steps  of Newton
+/// @param give  of a contact's response   @param tolerance  m/s
 /// @param forgets  1: contacts yield from where they bear nothing; less: by so much, from what acts already
 /// @return      steps taken
-std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance, std::uint32_t most_steps);
+std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real tolerance);
 
 /// From a solution that yields on: rounds in which each contact keeps to what it bore in the round before, friction as it is
 /// known: by what was borne in the last substep, of what begins to bear by the round before. What a contact gives shrinks by the softness of what it
@@ -29,7 +29,10 @@ std::uint32_t solve_yielding(ConeProblem& problem, Real give, Real forgets, Real
 /// It is taken back where Newton's method does not come to its end in it.
 /// @param tolerable  m/s: what is no faster needs no harder round
 /// @param give  as of that solution: one matrix serves while the same contacts stick   @return its residual is of known friction
-ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, Real tolerable, std::uint32_t most_steps);
+ConeSolution solve_closer(ConeProblem& problem, Real give, Real tolerance, Real tolerable);
+
+/// Friction of such a solution, which bounds of the last substep held, within the cones of what bears now.
+void bound_by_cones(ConeProblem& problem);
 
 /// Sum of k p^2 of contacts, kg m^2/s^2.
 Real borne(const ConeProblem& problem);
