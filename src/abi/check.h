@@ -111,7 +111,7 @@ void write_element(const T& full, void* array, std::uint64_t index, std::uint64_
 
 inline Vec3 to_vec3(const double v[3]) { return Vec3(v[0], v[1], v[2]); }
 /// From x, y, z, w within kUnitTolerance of unit length.
-inline Quat to_quat(const double q[4]) { return normalized(Quat(q[3], q[0], q[1], q[2])); }
+inline Quat to_quat(const double q[4]) { return oriented(Quat(q[3], q[0], q[1], q[2])); }
 inline void from_vec3(const Vec3& v, double out[3]) { out[0] = v.x(), out[1] = v.y(), out[2] = v.z(); }
 inline void from_quat(const Quat& q, double out[4]) { out[0] = q.x(), out[1] = q.y(), out[2] = q.z(), out[3] = q.w(); }
 

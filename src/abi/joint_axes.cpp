@@ -136,7 +136,7 @@ bool read_turn(Call& call, const carom_joint_orientation_drive* given, TurnDrive
                  to.gains))
     return false;
   to.mode = static_cast<AxisDrive>(d.drive);
-  to.target = normalized(to_quat(d.target)), to.velocity = to_vec3(d.velocity), to.effort = to_vec3(d.effort);
+  to.target = to_quat(d.target), to.velocity = to_vec3(d.velocity), to.effort = to_vec3(d.effort);
   to.max_force = {or_any(d.max_force[0]), or_any(d.max_force[1]), or_any(d.max_force[2])};
   return true;
 }

@@ -338,7 +338,7 @@ bool check_turn_gains(const World&, const Joint& joint, const Given& given) {
          given.within(1, 0, rates ? kMostDamping : kStrongestMotor);
 }
 void write_turn_target(World& world, std::uint32_t slot, const Joint& joint, const double* r) {
-  const Quat to = normalized(to_quat(r));
+  const Quat to = to_quat(r);
   if (!(to == joint.turn.target)) set_turn(world, slot, joint, [&](TurnDrive& t) { t.target = to; });
 }
 void write_turn_velocity(World& world, std::uint32_t slot, const Joint& joint, const double* r) {

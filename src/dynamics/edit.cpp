@@ -76,7 +76,7 @@ void World::fill_body(std::uint32_t i, const BodyDef& def) {
   put<Mat3>(scene.inv_inertia, i, Mat3::zero());
   put(scene.first_collider, i, kInvalid);
   put(state.x, i, def.pose.p);
-  put(state.q, i, normalized(def.pose.q));
+  put(state.q, i, oriented(def.pose.q));
   put(state.held_q, i, state.q[i]);
   put(state.placed_x, i, state.x[i]);
   put(state.placed_q, i, state.q[i]);
@@ -148,7 +148,7 @@ void World::fill_collider(std::uint32_t i, std::uint32_t body, const Shape* shap
                           std::uint32_t material) {
   Colliders& c = scene.colliders;
   put(c.shape, i, shape);
-  put(c.local, i, Pose{normalized(local.q), local.p});
+  put(c.local, i, Pose{oriented(local.q), local.p});
   put(c.body, i, body);
   put(c.material, i, material);
   put(c.density, i, density);
@@ -325,7 +325,7 @@ void World::set_gravity(const Vec3& g) {
 }
 
 void World::set_pose(std::uint32_t body, const Pose& pose) {
-  const Quat q = normalized(pose.q);
+  const Quat q = oriented(pose.q);
   const Vec3 x = pose.p + q * scene.center[body];
   const bool same = q == state.q[body] && x == state.x[body] && !state.is_lost(body);
   if (same && scene.type[body] != BodyType::dynamic) return;  // a host that places all in every step wakes none

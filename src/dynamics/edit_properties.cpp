@@ -97,7 +97,7 @@ void World::set_local_pose(std::uint32_t collider, const Pose& local) {
   contact_views();
   mark_touched_by_host(*this, body);
   pairs.remove(collider);
-  c.local[collider] = Pose{normalized(local.q), local.p};
+  c.local[collider] = Pose{oriented(local.q), local.p};
   settle_mass(body);
   queries->mark_changed(collider);
   queries->mark_moved(body);

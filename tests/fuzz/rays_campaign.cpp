@@ -5,7 +5,8 @@
 //   fuzz_rays_campaign --show K
 //
 // What each owes:
-//   - a ray cast by the engine at each shape alone, by the world, and in a batch of each is the same to the bit;
+//   - a ray cast by the engine at each shape alone, turned as it was given or as the world says, by the world, and in a
+//     batch of each is the same to the bit;
 //   - none is undecided, and a hit has a bracket around its time and a unit normal against the ray;
 //   - through a seam of flush shapes, or between triangles, it hits where the surface is;
 //   - within the plane of a side it hits where that side begins;
@@ -70,10 +71,20 @@ struct Standing {
 
 struct Place {
   carom_world* world = nullptr;
-  std::vector<Standing> all;
+  std::vector<Standing> all, all_as_read;  // turned as given, and as the world says
 };
 
 constexpr double kUpright[4] = {0, 0, 0, 1};
+/// Of a length that is off by as much as a host may be, or by rounding.
+void any_turn(Random& r, double to[4]) {
+  double sum = 0;
+  do {
+    sum = 0;
+    for (int i = 0; i < 4; ++i) to[i] = r.between(-1, 1), sum += to[i] * to[i];
+  } while (sum > 1 || sum < 0.01);
+  const double length = (r.below(2) ? 1 : 1 + r.between(-9e-7, 9e-7)) / std::sqrt(sum);
+  for (int i = 0; i < 4; ++i) to[i] *= length;
+}
 
 class Stage {
  public:
@@ -96,7 +107,7 @@ class Stage {
       field[wavy] = make_field(wavy);
       mesh[wavy] = make_mesh(wavy);
     }
-    const double tilted[4] = {0.36 * std::sqrt(0.5), 0.48 * std::sqrt(0.5), 0.8 * std::sqrt(0.5), std::sqrt(0.5)};
+    Random random(7);
     for (int o = 0; o < kOuts; ++o) {
       const double out = kOut[o];
       int k = 0;
@@ -110,6 +121,8 @@ class Stage {
       k = 0;
       for (const carom_shape s : {box, hull, cylinder, cone, capsule, sphere, ellipsoid, cube}) {
         stand(alone[o][0][k], s, {{out, out, -out}}, kUpright);
+        double tilted[4];
+        any_turn(random, tilted);
         stand(alone[o][1][k++], s, {{out, out, -out}}, tilted);
       }
     }
@@ -213,6 +226,9 @@ class Stage {
     Standing s{shape, at, {}};
     std::memcpy(s.turned, turned, sizeof s.turned);
     place.all.push_back(s);
+    const carom_body* one = &body;
+    must(carom_world_read(place.world, CAROM_FIELD_ORIENTATION, CAROM_SCALAR_F64, one, 1, s.turned, 0, &e), e);
+    place.all_as_read.push_back(s);
   }
 
   carom_engine* engine_ = nullptr;
@@ -343,7 +359,7 @@ bool surface_point(int kind, Random& r, V& p, V& n) {
 void aim_at_one(const Stage& stage, Random& r, Case& c) {
   const int o = r.below(kOuts), tilted = r.below(2), kind = r.below(8);
   c.place = &stage.alone[o][tilted][kind];
-  const Standing& it = c.place->all[0];
+  const Standing& it = c.place->all_as_read[0];
   const double out = kOut[o], length = r.between(1, 10);
   const double blur = 64 * 0x1p-53 * (1 + 2 * out);  // m: of places out there, turned
   V p, n;
@@ -423,20 +439,23 @@ std::string judge(const Stage& stage, const Case& c, bool show) {
                 hit.lower, hit.upper, int(c.want), c.time);
   }
   // Each alone: the first of them is what the world says.
-  carom_cast best = {};
-  best.time = best.lower = c.max, best.upper = INFINITY;
-  for (const Standing& s : c.place->all) {
-    carom_cast one = {};
-    one.struct_size = sizeof one;
-    must(carom_ray_cast(stage.engine(), s.shape, s.at.x, s.turned, c.origin.x, c.direction.x, c.max, nullptr, &one, &e),
-         e);
-    if (one.outcome == CAROM_CAST_UNDECIDED) return say("undecided alone", one.time, one.upper);
-    if (one.outcome != CAROM_CAST_MISS && (best.outcome == CAROM_CAST_MISS || one.time < best.time)) best = one;
+  for (const std::vector<Standing>* standing : {&c.place->all, &c.place->all_as_read}) {
+    carom_cast best = {};
+    best.time = best.lower = c.max, best.upper = INFINITY;
+    for (const Standing& s : *standing) {
+      carom_cast one = {};
+      one.struct_size = sizeof one;
+      must(carom_ray_cast(stage.engine(), s.shape, s.at.x, s.turned, c.origin.x, c.direction.x, c.max, nullptr, &one,
+                          &e),
+           e);
+      if (one.outcome == CAROM_CAST_UNDECIDED) return say("undecided alone", one.time, one.upper);
+      if (one.outcome != CAROM_CAST_MISS && (best.outcome == CAROM_CAST_MISS || one.time < best.time)) best = one;
+    }
+    if (hit.outcome != best.outcome || hit.time != best.time || hit.lower != best.lower || hit.upper != best.upper ||
+        std::memcmp(hit.normal, best.normal, sizeof hit.normal) != 0 ||
+        std::memcmp(hit.point, best.point_b, sizeof hit.point) != 0)
+      return say("engine and world differ", best.time, hit.time);
   }
-  if (hit.outcome != best.outcome || hit.time != best.time || hit.lower != best.lower || hit.upper != best.upper ||
-      std::memcmp(hit.normal, best.normal, sizeof hit.normal) != 0 ||
-      std::memcmp(hit.point, best.point_b, sizeof hit.point) != 0)
-    return say("engine and world differ", best.time, hit.time);
   carom_rays rays = {};
   rays.struct_size = sizeof rays, rays.scalar = CAROM_SCALAR_F64, rays.count = 1;
   rays.origins = c.origin.x, rays.directions = c.direction.x, rays.max = &c.max;

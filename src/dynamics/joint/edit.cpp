@@ -93,7 +93,7 @@ void World::fill_joint(std::uint32_t slot, const JointDef& def) {
   if (def.kind == JointKind::gear) joint.transmission.ratio = 1;
   joints.measured += def.measured;
   if (def.kind == JointKind::six_axis) give_axes(joints, slot);
-  joint.def.frame_a.q = normalized(def.frame_a.q), joint.def.frame_b.q = normalized(def.frame_b.q);
+  joint.def.frame_a.q = oriented(def.frame_a.q), joint.def.frame_b.q = oriented(def.frame_b.q);
   if (parts(def)) scene.joined.add(def.body_a, def.body_b);
 }
 

@@ -1,4 +1,6 @@
 // The bound on what a motion between two poses does to the points of the smaller body, against the points themselves.
+#include <cstring>
+
 #include "carom_test.h"
 #include "core/pose.h"
 #include "random_pairs.h"
@@ -56,11 +58,45 @@ static void no_point_of_a_body_comes_farther_than_its_way(void**) {
   assert_true(std::fabs(way_bound(here, turned, 0.5) - moved) <= 40 * kUnitRoundoff);
 }
 
+static bool same_bits(const Quat& a, const Quat& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+static void what_has_been_scaled_once_stays_as_it_is(void**) {
+  Random random(83);
+  int moved = 0;
+  for (int i = 0; i < 10'000'000; ++i) {
+    // Of any length that a host may give, and of whole powers; some with parts that are next to nothing.
+    const Real size = i % 3 == 0 ? 1 + random.uniform(-1e-6, 1e-6) : std::pow(Real(2), random.uniform(-30, 30));
+    Quat q = size * random_rotation(random);
+    if (i % 5 == 0) q.at[i % 4] *= 1e-9;
+    const Quat scaled = normalized(q);
+    assert_true(same_bits(oriented(scaled), scaled));
+    assert_true(same_bits(oriented(oriented(q)), oriented(q)));
+    moved += !same_bits(normalized(scaled), scaled);
+  }
+  assert_true(moved > 100'000);  // what it is there for: scaled again, some come out otherwise
+}
+
+static void what_is_off_by_more_is_scaled(void**) {
+  Random random(84);
+  for (int i = 0; i < 100'000; ++i) {
+    const Quat q = random_rotation(random);
+    const Real off = std::pow(Real(10), -random.uniform(6, 14)) * (i % 2 ? 1 : -1);
+    const Quat given = (1 + off) * q, is = oriented(given);
+    // The sum of squares errs by 3 u itself.
+    assert_true(std::fabs(is.squared_norm() - 1) <= 15 * kUnitRoundoff);
+    assert_true((is - q).squared_norm() <= 1e3 * kUnitRoundoff * kUnitRoundoff);
+  }
+  assert_true(oriented(Quat::zero()) == Quat::identity());
+  assert_true(oriented(Quat(kInfinity, 0, 0, 0)) == Quat::identity());
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(no_point_of_the_smaller_body_moves_farther_than_the_bound),
       cmocka_unit_test(a_shift_and_a_turn_alone_attain_the_bound),
       cmocka_unit_test(no_point_of_a_body_comes_farther_than_its_way),
+      cmocka_unit_test(what_has_been_scaled_once_stays_as_it_is),
+      cmocka_unit_test(what_is_off_by_more_is_scaled),
   };
   return cmocka_run_group_tests_name("core/pose", tests, nullptr, nullptr);
 }
