@@ -178,6 +178,58 @@ void a_stiff_drive_keeps_its_arm(void**) {
   }
 }
 
+/// A rod on a motor at its end, against gravity: I w' = M until it is at its speed, and then for ever, with a motor that has
+/// little to spare and turns of radians a substep; and beyond 2048 rad, where an angle that counts turns has lost the digits of rounding.
+void a_motor_brings_a_long_arm_to_its_speed(void**) {
+  struct Scene {
+    Real length, mass, speed, surge, step;  // m, kg, rad/s, rad/s^2, s
+    bool on_a_base, has_tip;
+  };
+  const Scene scenes[] = {
+      {0.4, 1.5, 500, 24000, kStep, false, false},     {0.2, 0.4, 900, 9000, kStep, true, false},
+      {1.1, 8, -330, 700, Real(1) / 120, false, true}, {0.3, 0.2, 610, 1500, Real(1) / 30, true, false},
+      {0.7, 30, 140, 90, kStep, false, true},          {0.55, 2.5, -470, 4000, Real(1) / 240, true, true}};
+  for (const int solver : {kSoftChoice, kDirectChoice, kAutoChoice})
+    for (const Scene& s : scenes) {
+      static OneOf turn(1, 3);
+      if (!turn.next()) continue;
+      TestWorld t;
+      choose(t, solver);
+      const auto rod = [&](Real from) {
+        const Real across = s.mass * s.length * s.length / 12;
+        return add_body(t, Vec3(from + s.length / 2, 0, 0), s.mass, Vec3(across / 50, across, across));
+      };
+      std::uint32_t base = kInvalid;
+      if (s.on_a_base) {
+        base = add_body(t, Vec3(0, 0, -1), 50, Vec3(5, 5, 5));
+        join(t, JointKind::weld, kInvalid, base, Vec3(0, 0, -1), Quat::identity());
+      }
+      const std::uint32_t arm = rod(0);
+      Real inertia = s.mass * s.length * s.length / 3;
+      if (s.has_tip) {
+        join(t, JointKind::weld, arm, rod(s.length), Vec3(s.length, 0, 0), Quat::identity());
+        inertia *= 8;
+      }
+      const std::uint32_t j = join(t, JointKind::hinge, base, arm, Vec3(0, 0, 0), x_along(Vec3(0, 0, 1)));
+      set_motor(t, j, Coordinate::twist, s.speed, inertia * s.surge);
+      const Real until = std::fabs(s.speed) / s.surge + 3000 / std::fabs(s.speed);
+      const Real way = s.speed < 0 ? -1 : 1;
+      // Gravity takes m g l / I at most; what it takes from a motor to its speed comes back in half a turn.
+      const Real falls = 9.81 * (s.has_tip ? 2 * s.length : s.length / 2) * s.mass / inertia;
+      Real before = 0;
+      for (Real time = 0; time < until; time += s.step) {
+        t.run(1, s.step);
+        const Real u = way * t.world.state.omega[arm].z();
+        assert_true(u >=
+                    std::min((s.surge - falls) * (time + s.step), (1 - 1e-9) * std::fabs(s.speed)) - falls * s.step);
+        assert_true(u <= (1 + 1e-9) * std::fabs(s.speed));
+        assert_true(gap_of(t, j) < 1e-9);
+        before = u;
+      }
+      assert_true(std::fabs(before - std::fabs(s.speed)) < 1e-9 * std::fabs(s.speed));
+    }
+}
+
 void snapshots_hold_turns(void**) {
   const auto bytes_of = [](const World& w) {
     std::vector<std::byte> bytes(save_state(w, nullptr, 0));
@@ -292,11 +344,17 @@ void a_cross_turns_both_ways(void**) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(a_stop_is_never_passed_by_a_motor),   cmocka_unit_test(nor_is_it_by_what_is_thrown),
-      cmocka_unit_test(turns_are_counted_at_any_speed),      cmocka_unit_test(a_spring_winds_up_many_turns),
-      cmocka_unit_test(a_stiff_drive_keeps_its_arm),         cmocka_unit_test(snapshots_hold_turns),
-      cmocka_unit_test(a_body_that_is_put_back_stays_there), cmocka_unit_test(poses_a_little_apart_are_counted),
-      cmocka_unit_test(gears_turn_their_hinges_many_times),  cmocka_unit_test(a_cross_turns_both_ways),
+      cmocka_unit_test(a_stop_is_never_passed_by_a_motor),
+      cmocka_unit_test(nor_is_it_by_what_is_thrown),
+      cmocka_unit_test(turns_are_counted_at_any_speed),
+      cmocka_unit_test(a_spring_winds_up_many_turns),
+      cmocka_unit_test(a_stiff_drive_keeps_its_arm),
+      cmocka_unit_test(a_motor_brings_a_long_arm_to_its_speed),
+      cmocka_unit_test(snapshots_hold_turns),
+      cmocka_unit_test(a_body_that_is_put_back_stays_there),
+      cmocka_unit_test(poses_a_little_apart_are_counted),
+      cmocka_unit_test(gears_turn_their_hinges_many_times),
+      cmocka_unit_test(a_cross_turns_both_ways),
   };
   return cmocka_run_group_tests_name("oracle/joint_turns", tests, nullptr, nullptr);
 }

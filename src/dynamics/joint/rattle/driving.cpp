@@ -319,19 +319,27 @@ Real Driving::left_of(const RattleDrive& d) {
   return d.law == Law::motor ? d.most - std::fabs(d.load) : d.goal == d.lower ? d.load : -d.load;
 }
 
-void Driving::look_at_loads(Real half) const {
+void Driving::look_at_loads(Real half, bool is_first) const {
   for (const RattleJoint& j : joints()) {
     std::uint32_t k = j.row + j.locks;
-    each_row(j, [&](RattleDrive& d) { d.load = r_.rows[k++].p / half, d.before[0] = left_of(d); });
+    each_row(j, [&](RattleDrive& d) {
+      d.led = r_.rows[k++].p / half;
+      if (is_first) d.load = d.led, d.before[0] = left_of(d);
+    });
   }
 }
 
 bool Driving::bears(Real begun, Real whole) const {
-  bool all = true;
+  bool all = true, is_known = true;
   for (const RattleJoint& j : joints()) {
     std::uint32_t k = j.row + j.locks;
     each_row(j, [&](RattleDrive& d) {
       d.load = r_.rows[k++].load;
+      const Real mean = (d.load + d.led) / 2;
+      if (d.law == Law::motor && std::fabs(d.load - d.led) > d.most && std::fabs(mean) <= d.most) {
+        if (left_of(d) < 0 && island_.halvings < island_.most_halvings) return void(is_known = false);
+        d.load = mean;
+      }
       const Real left = left_of(d), before = std::exchange(d.before[0], left);
       if (left >= 0) return;
       all = false;
@@ -346,6 +354,7 @@ bool Driving::bears(Real begun, Real whole) const {
       d.gave_way = true;
     });
   }
+  if (!is_known) return ++island_.halvings, false;
   if (!all) island_.is_changed = true;
   return all;
 }

@@ -42,9 +42,11 @@ class Driving {
   /// Rows that can't all be held: motors among them are no rows any more; where there are but limits, the step is the solver's.
   /// @return whether there are any
   bool give_way() const;
-  /// As a part of a step begins, what rows bear by impulses of half a stage.
-  void look_at_loads(Real half) const;
-  /// As a substep ends: what is a row bears no more than it may.   @param begun, whole  as of look_back()
+  /// What rows bear on the way of a stage, by impulses of half of it.   @param is_first  a part of a step begins
+  void look_at_loads(Real half, bool is_first) const;
+  /// As a substep ends: what is a row bears no more than it may. Where that goes up and down by more within a stage and is less
+  /// in the mean, bodies turn too far in it to tell: it is taken in halves, and of the shortest the mean counts.
+  /// @param begun, whole  as of look_back()
   bool bears(Real begun, Real whole) const;
   /// Likewise of soft rows.   @param half  s, of a stage
   bool soft_rows_bear(Real half) const;
@@ -65,7 +67,7 @@ class Driving {
   /// m or rad, of a row, where a stage may lead.
   Real error(const RattleJoint& j, const RattleDrive& d, const Placed& next) const {
     if (d.row.coordinate < kFirstTurn) {
-      const Real off = along(next, j, d).at - d.goal;
+      const Real off = along(d.law == RattleDrive::Law::motor ? next.without_whole_turns() : next, j, d).at - d.goal;
       return is_angle(d.row) ? nearest_turn(off, 0) : off;
     }
     const Quat from = apart_of(j, now(r_.bodies[j.a]), now(r_.bodies[j.b]));  // how it has turned since then
@@ -74,7 +76,7 @@ class Driving {
   /// Where a motor is to be after h, from where it is. A limit is to stay.
   Real goal(const RattleJoint& j, const RattleDrive& d, const Placed& at) const {
     if (d.law == RattleDrive::Law::limit) return d.goal;
-    return d.row.coordinate < kFirstTurn ? along(at, j, d).at : 0;
+    return d.row.coordinate < kFirstTurn ? along(at.without_whole_turns(), j, d).at : 0;
   }
 
  private:

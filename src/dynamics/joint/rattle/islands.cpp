@@ -247,9 +247,14 @@ void lay_out(const World& world, Rattle& r) {
   }
 }
 
+bool locks_turns(const RattleJoint& j) {
+  return std::any_of(j.part, j.part + j.parts, [](JointPart part) { return part == JointPart::orientation; });
+}
+
 /// How fast joints that pull swing a body about the middle of those: that is how links of a chain swing against each
 /// other, and one link about its joint.
 ///   w^2 = sum of F |r - c| / (I + m |c|^2),   c the mean of the arms r; of one joint F |r| / (I + m |r|^2)
+/// A joint that locks all turns swings nothing: its bodies turn as one.
 void weigh_swings(Rattle& r, std::span<const Rattle::Seat> seats) {
   for (std::size_t i = 0, end; i < seats.size(); i = end) {
     const auto arm = [&](const Rattle::Seat& s) { return s.is_a ? r.joints[s.joint].arm_a : r.joints[s.joint].arm_b; };
@@ -261,7 +266,7 @@ void weigh_swings(Rattle& r, std::span<const Rattle::Seat> seats) {
     for (std::size_t k = i; k < end; ++k) {
       const Real far = (end - i == 1 ? mean : arm(seats[k]) - mean).norm();
       (seats[k].is_a ? r.joints[seats[k].joint].swing_a : r.joints[seats[k].joint].swing_b) =
-          b.turns && inertia > 0 ? far / inertia : 0;
+          b.turns && inertia > 0 && !locks_turns(r.joints[seats[k].joint]) ? far / inertia : 0;
     }
   }
 }

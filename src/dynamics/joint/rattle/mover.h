@@ -107,12 +107,12 @@ class Mover {
     for (int round = 0; round < kRattleRounds; ++round) {
       push(h);
       const Real off = find_errors();
-      if (!finite(off)) return driving_.give_way(), false;
+      if (!finite(off)) return give_up(h);
       if (round == 0) first = off;
       if (off > kLost * first) break;
       if (off <= island_.rounding || (off > 0.5 * before && off <= 64 * island_.rounding)) {
         tell(false);
-        if (has_drives() && std::exchange(island_.is_new, false)) driving_.look_at_loads(h / 2);
+        if (has_drives()) driving_.look_at_loads(h / 2, std::exchange(island_.is_new, false));
         turn_gears();
         const Real work = work_of_rows();
         for (RattleBody& b : bodies()) b.inv_mass > 0 ? arrive(b) : stay(b);
@@ -129,8 +129,7 @@ class Mover {
       // errors are those of displacements h M^-1 J^T p
       solve([&](RattleRow& row, Real x) { row.p -= x / h; });
     }
-    if (!driving_.give_way()) ++island_.halvings;
-    return false;
+    return give_up(h);
   }
 
   /// What its end is tried from, maybe more than once.
@@ -199,6 +198,15 @@ class Mover {
   static constexpr Real kLost =
       100;  // of errors as Newton's method began: it leads nowhere, and turns grow without end
   static constexpr Real kHoldsTo = 1.8;  // rad a stage: short of 2, where what is explicit in directions holds no more
+
+  /// A stage that Newton's method found no end of: it turns bodies too far for their rows, or these can't all be held.
+  bool give_up(Real h) const {
+    constexpr Real kFar = 1;  // rad
+    const bool far = std::ranges::any_of(
+        movers(), [&](const RattleBody& b) { return b.turns && h * h * b.omega.squared_norm() > kFar * kFar; });
+    if ((far && island_.halvings < island_.most_halvings) || !driving_.give_way()) ++island_.halvings;
+    return false;
+  }
 
   /// J, of motion.
   Real energy() const {

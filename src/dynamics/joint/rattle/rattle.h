@@ -122,6 +122,7 @@ struct RattleDrive {
   Real goal;          // m or rad: of a row, where it is to be as a stage ends; of a spring how far it is off
   Real damping;       // N s/m, as it acts
   Real load;          // N or N m: what it did last
+  Real led;           // N or N m: of a row, what it bore on the way of a stage
   bool gave_way;      // it was a row of this part of the step, and can't be
   int way;            // of a motor that is a force; of a limit that was just met: 1 the lower, -1 the upper end
   Real before[2];     // how far it was from where that ends as a substep began; of a limit from both ends

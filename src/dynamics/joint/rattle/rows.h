@@ -34,6 +34,7 @@ struct Placed {
   const Stand a, b;
   Vec3 r_a, r_b, gap;               // m, world
   Real turned_a = 0, turned_b = 0;  // rad: of a gear, about its axes, since the stage began
+  Vec3 near = joint.turned;         // rad: to which its angles are the nearest that the poses tell
 
   Placed(const RattleJoint& j, const Stand& at_a, const Stand& at_b)
       : joint(j), a(at_a), b(at_b), r_a(a.r * j.arm_a), r_b(b.r * j.arm_b), gap((b.x - a.x) + (r_b - r_a)) {}
@@ -54,7 +55,7 @@ struct Placed {
         const Quat t = (a.q * joint.frame_a).conjugate() * (b.q * joint.frame_b);
         const Real sign = t.w() < 0 ? -1 : 1, angle = 2 * angle_of<double>(sign * t.x(), sign * t.w());
         const Vec3 axis = (x_a + x_b) / std::max(1 + x_a.dot(x_b), Real(1e-3));
-        return {nearest_turn(angle, joint.turned.x()), Vec3::zero(), axis, axis};
+        return {nearest_turn(angle, near.x()), Vec3::zero(), axis, axis};
       }
       case Coordinate::swing: {
         const Vec3 c = x_a.cross(x_b);
@@ -70,6 +71,15 @@ struct Placed {
         return {far, d, (r_a + gap).cross(d), r_b.cross(d)};
       }
     }
+  }
+
+  /// The same, its angles with the digits of one turn, not of all that were counted.
+  Placed without_whole_turns() const {
+    Placed placed = *this;
+    placed.near.x() = nearest_turn(near.x(), 0);
+    if (joint.plane != SwingPlane::none)
+      placed.near.y() = nearest_turn(near.y(), 0), placed.near.z() = nearest_turn(near.z(), 0);
+    return placed;
   }
 
   /// Along both ropes of a pulley. One of no length pulls nowhere.
@@ -96,7 +106,7 @@ struct Placed {
     }
     k -= static_cast<int>(kPlaces);
     const Quat q = apart_of(joint, a, b);
-    const Vec3 at = nearest_angles(told_angles(q, joint.plane), joint.turned, joint.plane);
+    const Vec3 at = nearest_angles(told_angles(q, joint.plane), near, joint.plane);
     Vec3 w;
     for (int i = 0; i < 3; ++i) w[i] = rates_of_angles(q, joint.plane, at, Vec3::unit(i))[k];
     w = a.r * (joint.axes_a * w);

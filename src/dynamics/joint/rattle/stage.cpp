@@ -114,8 +114,11 @@ void restore_part(const World& world, Rattle& r, const RattleIsland& island) {
 /// A step in which a motor is overcome or reaches its speed, or a limit is met or let go: again with what was found, in parts
 /// that end where that happens.   @return whether it went well
 bool move_in_parts(const World& world, Rattle& r, RattleIsland& island, Real dt, int substeps, int order) {
-  constexpr int kMostTries = 8, kLooks = 5;  // of the step as it was asked for, in all that is done again
-  const int most = kMostTries * (world.accuracy ? substeps : world.plan->substeps) * rattle::stages_of(order);
+  // Of the step as it was asked for, in all that is done again; where it is taken in halves, of these as far as there is work.
+  constexpr int kMostTries = 8, kLooks = 5;
+  const auto as_many = [&](int parts) { return kMostTries * parts * rattle::stages_of(order); };
+  const int halved = std::min(as_many(substeps), static_cast<int>(kRattleParts / std::max(island.joints, 1u)));
+  const int most = world.accuracy ? as_many(substeps) : std::max(as_many(world.plan->substeps), halved);
   const Real there = order == 2 ? 1e-4 : order == 4 ? 1e-7 : 1e-10;  // of a part of a step, about where it ends
   Real from = 0, until = 1;
   int looks = 0;
@@ -131,9 +134,11 @@ bool move_in_parts(const World& world, Rattle& r, RattleIsland& island, Real dt,
       for (std::uint32_t i = island.body; i < island.body + island.movers; ++i)
         clear_kicks(ledger_of(world), r.bodies[i].slot);
     const bool is_stiff = order > 2 && island.is_stiff;
-    const int stages = std::max(1, static_cast<int>(std::ceil(substeps * (until - from)))) *
-                       (is_stiff ? rattle::stages_of(order) : 1) *
-                       island.finer;  // none is longer than those of the step
+    const auto stages_in = [&](Real part) {  // none is longer than those of the step
+      return std::max(1, static_cast<int>(std::ceil(substeps * part))) * (is_stiff ? rattle::stages_of(order) : 1) *
+             island.finer;
+    };
+    const int stages = stages_in(until - from);
     island.work += stages * (is_stiff ? 1 : rattle::stages_of(order));
     move_some(world, r, from * dt, (until - from) * dt, stages, is_stiff ? 2 : order);
     if (!island.is_moving && !island.is_changed) return false;
@@ -150,7 +155,7 @@ bool move_in_parts(const World& world, Rattle& r, RattleIsland& island, Real dt,
     for (int looked = 0; looked < kLooks; ++looked) {  // what meets a limit stops there, whatever becomes of it then
       save_part(world, r, island);
       island.is_changed = false, island.is_moving = true;
-      rattle::begin_islands(world, r, (1 - from) * dt, stages, is_stiff ? 2 : order);
+      rattle::begin_islands(world, r, (1 - from) * dt, stages_in(1 - from), is_stiff ? 2 : order);
       if (island.is_moving || !island.is_changed) break;
       restore_part(world, r, island);
     }
