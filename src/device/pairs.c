@@ -688,7 +688,8 @@ static int walk(Difference* d, int last_only, double gap, uint32_t cap, int pati
 // ---- poses: core/quat.h, core/pose.h, abi/check.h ----
 static Mat matrix_of(CAROM_GLOBAL const double* given) {
   const double n2 = (given[0] * given[0] + given[1] * given[1]) + (given[2] * given[2] + given[3] * given[3]);
-  const double s = 1 / sqrt(n2), x = given[0] * s, y = given[1] * s, z = given[2] * s, w = given[3] * s;
+  const double s = fabs(n2 - 1) <= 12 * K_U ? 1 : 1 / sqrt(n2);
+  const double x = given[0] * s, y = given[1] * s, z = given[2] * s, w = given[3] * s;
   const double tx = 2 * x, ty = 2 * y, tz = 2 * z;
   const double twx = tx * w, twy = ty * w, twz = tz * w;
   const double txx = tx * x, txy = ty * x, txz = tz * x;
