@@ -245,7 +245,7 @@ def raw(api):
                     f"        {access} static extern {types.of(f['returns'])} {f['name']}({given});", ""]
             if access == "public" and f["arguments"] and f["arguments"][-1]["type"] == "carom_error *":
                 out += Safe(types, f).lines()
-    out += ["        /// <summary>The lines of carom_abi_manifest() that this class was written for.</summary>", '        internal const string Layout = @"']
+    out.append(f'        internal const string Layout = @"carom {api["version"]}')  # as carom_abi_check() reads it
     for s in api["structs"]:
         out.append(f"{s['name']} 0 {s['size']} struct")
         out += [f"{s['name']}.{f['name']} {f['offset']} {f['size']} {f['kind']}" for f in s["fields"]]

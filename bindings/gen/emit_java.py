@@ -66,10 +66,92 @@ class Types:
                 f"public {owner} {name}({java}... it) {{ MemorySegment.copy(it, 0, segment, {layout}, {at}, count(it.length, {n})); return this; }}"]
 
 
+# What the calls on engines and worlds share.
+HELP = '''\
+    // What C is given of Java's: NULL for null, and never an empty block, since a shape may have no parameters.
+    static MemorySegment in(Arena arena, double... it) { return it == null ? MemorySegment.NULL : it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_DOUBLE, it); }
+    static MemorySegment in(Arena arena, long[] it) { return it == null ? MemorySegment.NULL : it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_LONG, it); }
+    static MemorySegment in(Arena arena, int[] it) { return it == null ? MemorySegment.NULL : it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_INT, it); }
+    static MemorySegment in(Arena arena, byte[] it) { return it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_BYTE, it); }
+    static MemorySegment in(Arena arena, Vec3 v) { return v == null ? MemorySegment.NULL : in(arena, v.x(), v.y(), v.z()); }
+    static MemorySegment in(Arena arena, Quat q) { return q == null ? MemorySegment.NULL : in(arena, q.x(), q.y(), q.z(), q.w()); }
+    static MemorySegment in(Arena arena, String text) { return arena.allocateFrom(text); }
+
+    static void fits(int n, int wanted) {
+        if (n != wanted) throw new CaromException(CAROM_E_OUT_OF_RANGE, n + " where " + wanted + " are wanted", "pass arrays of one length");
+    }
+
+    interface Ask {
+        int of(MemorySegment pointer, MemorySegment dst, long capacity, MemorySegment count, MemorySegment error);
+    }
+
+    /** All of a list that says how many there are: asked for none first, then for all. */
+    static MemorySegment list(Consumer<EngineCalls.Call> call, Arena arena, long size, Ask ask) {
+        MemorySegment count = Arena.ofAuto().allocate(8, 8);
+        for (long room = 0;; room = count.get(JAVA_LONG, 0)) {
+            MemorySegment dst = room == 0 ? MemorySegment.NULL : arena.allocate(size * room, 8);
+            long fits = room;
+            call.accept((p, e) -> {
+                int result = ask.of(p, dst, fits, count, e);
+                return result == CAROM_E_BUFFER_TOO_SMALL && count.get(JAVA_LONG, 0) > fits ? CAROM_OK : result; // so do some say how many
+            });
+            if (count.get(JAVA_LONG, 0) <= room) return dst.asSlice(0, size * count.get(JAVA_LONG, 0));
+        }
+    }
+'''
+
+# Arrays of records, whose width goes by the field.
+RECORDS = '''\
+    static int width(int field, long[] bodies, int numbers) {
+        if (field < 0 || field >= WIDTH.length) throw unfit("there is no field " + field);
+        int width = WIDTH[field];
+        if (numbers % width != 0 || bodies != null && numbers / width != bodies.length)
+            throw unfit(numbers + " numbers, " + width + " a body" + (bodies == null ? "" : ", for " + bodies.length + " bodies"));
+        return width;
+    }
+
+    static CaromException unfit(String what) {
+        return new CaromException(Raw.CAROM_E_OUT_OF_RANGE, what, "pass as many numbers as the field has for as many bodies");
+    }
+'''
+
+# What begins each class of calls.
+OWNER = '''\
+    private MemorySegment pointer;
+
+    {name}Calls(MemorySegment pointer) {{ this.pointer = pointer; }}
+
+    /** What calls of Raw take; NULL once it is closed, which they refuse. */
+    public MemorySegment pointer() {{ return pointer; }}
+
+    /** Any call of Raw on this {lower}: {lower}.call((p, e) -> Raw.{example}). */
+    public void call(EngineCalls.Call call) {{
+        var scratch = Library.Scratch.get();
+        scratch.check(call.of(pointer, scratch.error.segment));
+    }}
+
+    /** Give back all memory; closing twice does nothing.{more} */
+    @Override
+    public void close() {{
+        if (pointer.equals(MemorySegment.NULL)) return;
+        call(Raw::carom_{lower}_destroy);
+        pointer = MemorySegment.NULL;
+    }}
+'''
+CALL = '''\
+    /** A call of Raw that takes an engine or a world, then what it takes besides, then the error. */
+    @FunctionalInterface
+    public interface Call {
+        int of(MemorySegment pointer, MemorySegment error);
+    }
+'''
+EXAMPLES = {"Engine": "carom_engine_set_jobs(p, jobs, e)", "World": "carom_world_cast_rays(p, rays, want, desc, hits, e)"}
+
+
 def raw(api):
     types = Types(api)
     out = ["// Written by bindings/gen/generate from include/carom; do not edit.", "package carom;", "",
-           "import static java.lang.foreign.ValueLayout.*;", "", "import java.lang.foreign.*;", "import java.lang.invoke.MethodHandle;", "",
+           "import static java.lang.foreign.ValueLayout.*;", "", "import java.lang.foreign.*;", "import java.lang.invoke.MethodHandle;", "import java.util.function.Consumer;", "",
            "/** All of include/carom: functions and constants under their own names, structs as classes. A handle is a long. */",
            "public final class Raw {", "    private Raw() {}", "",
            f'    public static final String VERSION = "{api["version"]}";', f'    public static final String SONAME = "{api["soname"]}";']
@@ -111,7 +193,7 @@ def raw(api):
         out += docs(f["doc"], "    ")
         out += [f"    public static {'String' if text else back} {f['name']}({given}) {{",
                 f"        try {{ return {call}; }} catch (Throwable problem) {{ throw Library.thrown(problem); }}", "    }", ""]
-    out += ["    /** The lines of carom_abi_manifest() that this class was written for. */", '    static final String LAYOUT = """']
+    out += [HELP, "    /** What this class was written for, as carom_abi_check() reads it. */", '    static final String LAYOUT = """', f"carom {api['version']}"]
     for s in api["structs"]:
         out.append(f"{s['name']} 0 {s['size']} struct")
         out += [f"{s['name']}.{f['name']} {f['offset']} {f['size']} {f['kind']}" for f in s["fields"]]
@@ -145,7 +227,7 @@ def method(call):
         if value.kind in ("struct", "state"):
             passed[value.name] = f"{name} == null ? MemorySegment.NULL : {name}.segment" if value.optional else f"{name}.segment"
         elif value.kind not in ("number", "handle"):
-            before.append(f"var {memory} = Library.in(local, {name});")
+            before.append(f"var {memory} = Raw.in(local, {name});")
             passed[value.name] = memory
             if value.to:
                 after.append(f"MemorySegment.copy({memory}, {VALUES.get(value.base, VALUES['uint64_t'])[1]}, 0, {name}, 0, {name}.length);")
@@ -166,14 +248,14 @@ def method(call):
     for argument, (first, *others) in call.lengths.items():
         many = lambda v: f"{name_of(v.name)}.length" + (f" / {v.count}" if v.count > 1 else "")  # noqa: E731
         passed[argument] = many(first)
-        before += [f"Library.fits({name_of(o.name) + ' == null ? ' + many(first) + ' : ' if o.optional else ''}{many(o)}, {many(first)});" for o in others]
+        before += [f"Raw.fits({name_of(o.name) + ' == null ? ' + many(first) + ' : ' if o.optional else ''}{many(o)}, {many(first)});" for o in others]
     words = ", ".join(["p", *(passed[a["name"]] for a in f["arguments"][1:-1]), "e"])
     raw_call, record = f"Raw.{f['name']}({words})", []
     if call.list:
         layout = VALUES.get(call.list, VALUES["uint64_t"])[1]
         struct = call.list.startswith("carom_") and call.list in STRUCTS
         arena, size = ("Arena.ofAuto()", f"Raw.{class_of(call.list)}.SIZE") if struct else ("local", {"uint8_t": 1, "uint32_t": 4}.get(call.list, 8))
-        found = f"Library.list(this::call, {arena}, {size}, (p, dst, capacity, count, e) -> {raw_call})"
+        found = f"Raw.list(this::call, {arena}, {size}, (p, dst, capacity, count, e) -> {raw_call})"
         returns = f"Raw.{class_of(call.list)}[]" if struct else {"uint8_t": "byte[]", "uint32_t": "int[]"}.get(call.list, "long[]")
         last = [f"var all = {found};", f"var each = new Raw.{class_of(call.list)}[(int) (all.byteSize() / {size})];",
                 f"for (int i = 0; i < each.length; i++) each[i] = new Raw.{class_of(call.list)}(all.asSlice((long) i * {size}, {size}));", "return each;"] \
@@ -197,6 +279,21 @@ def method(call):
     return record + docs(f["doc"], "    ") + [f"    public {returns} {name_of(call.name)}({given}) {{", *("        " + line for line in body), "    }", ""]
 
 
+def records(call):
+    """Arrays of doubles: through memory that the thread keeps, since fresh pages would cost more than the copy."""
+    f, given = call.function, next(v for v in call.given if v.kind == "records")
+    name, to = name_of(given.name), given.to
+    words = {"field": "field", "scalar": "Raw.CAROM_SCALAR_F64", "handles": "handles", "n": "n", given.name: "memory", "stride": "0"}
+    copy = f"MemorySegment.copy(memory, JAVA_DOUBLE, 0, {name}, 0, {name}.length);" if to else f"MemorySegment.copy({name}, 0, memory, JAVA_DOUBLE, 0, {name}.length);"
+    made = f"call((p, e) -> Raw.{f['name']}(p, {', '.join(words[a['name']] for a in f['arguments'][1:-1])}, e));"
+    return docs(f["doc"], "    ") + [f"    public void {name_of(call.name)}(int field, long[] bodies, double[] {name}) {{",
+        f"        long n = {name}.length / width(field, bodies, {name}.length);",
+        f"        MemorySegment memory = Library.Scratch.get().buffer(8L * {name}.length);",
+        *([] if to else ["        " + copy]),
+        "        try (Arena local = Arena.ofConfined()) {", "            MemorySegment handles = Raw.in(local, bodies);", "            " + made, "        }",
+        *(["        " + copy] if to else []), "    }", ""]
+
+
 STRUCTS = set()
 
 
@@ -204,13 +301,45 @@ def calls(owner):
     def text_of(api):
         STRUCTS.update(s["name"] for s in api["structs"])
         name = owner.removeprefix("carom_").capitalize()
+        lower, engine = name.lower(), name == "Engine"
         out = ["// Written by bindings/gen/generate from include/carom; do not edit.", "package carom;", "", "import static java.lang.foreign.ValueLayout.*;", "",
-               "import java.lang.foreign.*;", "", f"/** Calls on {'an engine' if name == 'Engine' else 'a world'} that need no pointer of the caller's. A handle is a long. */",
-               f"public abstract sealed class {name}Calls permits {name} {{",
-               f"    /** Any call of Raw on this {name.lower()}. */", "    public abstract void call(Engine.Call call);", ""]
+               "import java.lang.foreign.*;", "", f"/** Calls on {'an engine' if engine else 'a world'} that need no pointer of the caller's. A handle is a long. */",
+               f"public abstract sealed class {name}Calls implements AutoCloseable permits {name} {{",
+               *([CALL] if engine else []),
+               OWNER.format(name=name, lower=lower, example=EXAMPLES[name], more=" Fails while worlds are open." if engine else "")]
         for o, methods in faces.calls(api):
             if o == owner:
-                out += [line for call in methods if not any(v.kind == "records" for v in call.given) for line in method(call)]
-        out[-1:] = ["}", ""]
+                for call in methods:
+                    if not any(v.kind == "records" for v in call.given):
+                        out += method(call)
+                    elif any(v.base == "carom_body" for v in call.given):  # of bodies; those of joints and particles are left to Raw
+                        out += records(call)
+        if not engine:
+            widths = [re.match(r"(\d+): ", c["doc"]) for c in api["constants"] if re.fullmatch(r"CAROM_FIELD_(?!COUNT)[A-Z_]+", c["name"])]
+            out += [f"    private static final int[] WIDTH = {{{', '.join(w[1] for w in widths)}}}; // numbers a body, by field", "", RECORDS]
+        out[-1:] = [*out[-1].splitlines(), "}", ""]
         return "\n".join(out)
     return text_of
+
+
+def small(text):
+    return lambda api: "// Written by bindings/gen/generate from include/carom; do not edit.\npackage carom;\n\n" + text
+
+
+VEC3 = small('''\
+public record Vec3(double x, double y, double z) {
+    static Vec3 of(double[] numbers) { return new Vec3(numbers[0], numbers[1], numbers[2]); }
+}
+''')
+QUAT = small('''\
+/** A rotation, of unit length. */
+public record Quat(double x, double y, double z, double w) {
+    public static final Quat IDENTITY = new Quat(0, 0, 0, 1);
+
+    static Quat of(double[] numbers) { return new Quat(numbers[0], numbers[1], numbers[2], numbers[3]); }
+}
+''')
+POSE = small('''\
+/** A body's place, m, and its orientation. */
+public record Pose(Vec3 position, Quat orientation) {}
+''')

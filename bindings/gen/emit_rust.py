@@ -163,11 +163,63 @@ def method(call):
     return docs(f["doc"], "    ") + [f"    pub fn {name_of(call.name)}{generic}({given}) -> Result<{returns}> {{", *("        " + line for line in before + last), "    }", ""]
 
 
+# What the methods below call.
+HELP = '''\
+/// Numbers of arrays: f32 or f64.
+/// # Safety
+/// `SCALAR` says what the type is.
+pub unsafe trait Scalar: Copy {
+    const SCALAR: u32;
+}
+unsafe impl Scalar for f32 {
+    const SCALAR: u32 = raw::CAROM_SCALAR_F32;
+}
+unsafe impl Scalar for f64 {
+    const SCALAR: u32 = raw::CAROM_SCALAR_F64;
+}
+
+fn refused(message: String, remedy: &str) -> Error {
+    Error { code: raw::CAROM_E_OUT_OF_RANGE, argument: 0, message, remedy: remedy.into(), witness: None }
+}
+
+/// What C takes as a text.
+pub(crate) fn text(text: &str) -> Result<CString> {
+    CString::new(text).map_err(|_| refused(format!("{text:?} has a zero byte"), "leave it out"))
+}
+
+/// Whether slices that go together are of one length.
+fn fits(n: usize, wanted: u64) -> Result<()> {
+    let unlike = || refused(format!("{n} where {wanted} are wanted"), "pass slices of one length");
+    (n as u64 == wanted).then_some(()).ok_or_else(unlike)
+}
+
+impl World {
+    /// All of a list that says how many there are: asked for none first, then for all.
+    fn list<T>(
+        &self,
+        ask: impl Fn(*mut raw::carom_world, *mut T, u64, *mut u64, *mut raw::carom_error) -> i32,
+    ) -> Result<Vec<T>> {
+        let (mut all, mut count) = (Vec::new(), 0);
+        loop {
+            let room = all.capacity() as u64;
+            match self.call(|p, e| ask(p, all.as_mut_ptr(), room, &mut count, e)) {
+                Err(error) if error.code != raw::CAROM_E_BUFFER_TOO_SMALL || count <= room => return Err(error),
+                _ if count > room => all.reserve(count as usize), // some say so by that error
+                _ => break,
+            }
+        }
+        unsafe { all.set_len(count as usize) }; // as many were written: it was at most the capacity
+        Ok(all)
+    }
+}
+'''
+
+
 def calls(api):
     """What needs no pointer of the caller's, as methods."""
     out = ["//! Calls of the interface as methods. Written by bindings/gen/generate from include/carom; do not edit.",
            "#![allow(rustdoc::broken_intra_doc_links, rustdoc::invalid_html_tags, clippy::doc_lazy_continuation, clippy::doc_overindented_list_items, clippy::too_many_arguments, clippy::type_complexity)]",
-           "use crate::{fits, raw, text, Engine, Result, Scalar, World};", "use std::mem::size_of;", "use std::ptr::null;", ""]
+           "use crate::{raw, Engine, Error, Result, World};", "use std::ffi::CString;", "use std::mem::size_of;", "use std::ptr::null;", "", HELP]
     for owner, methods in faces.calls(api):
         out += [f"impl {owner.removeprefix('carom_').capitalize()} {{", *(line for call in methods for line in method(call))]
         out[-1:] = ["}", ""]

@@ -3,10 +3,72 @@
 package carom
 
 import (
+	"fmt"
+	"reflect"
 	"unsafe"
 
 	"carom/raw"
 )
+
+// Vec3 and Quat, which is x, y, z, w.
+type (
+	Vec3 = [3]float64
+	Quat = [4]float64
+)
+
+// Pose is a record of raw.CAROM_FIELD_POSE.
+type Pose struct {
+	Position    Vec3
+	Orientation Quat
+}
+
+// Record is what one body has of a field: as many numbers as the field, or more.
+type Record interface {
+	[1]float64 | [3]float64 | [4]float64 | [6]float64 | [7]float64 | Pose |
+		[1]float32 | [3]float32 | [4]float32 | [6]float32 | [7]float32
+}
+
+func scalarOf[R Record]() uint32 {
+	if kind := reflect.TypeFor[R](); kind.Kind() == reflect.Array && kind.Elem().Kind() == reflect.Float32 {
+		return raw.CAROM_SCALAR_F32
+	}
+	return raw.CAROM_SCALAR_F64
+}
+
+// C refuses NULL also where there is nothing to read: a shape may have no parameters.
+func first[T any](all []T) *T {
+	if len(all) == 0 {
+		return new(T)
+	}
+	return &all[0]
+}
+
+func cstring(text string) *byte {
+	return &append([]byte(text), 0)[0]
+}
+
+func unlike(n, wanted int) error {
+	return &Error{Code: Code(raw.CAROM_E_OUT_OF_RANGE), Message: fmt.Sprintf("%d where %d are wanted", n, wanted), Remedy: "pass slices of one length"}
+}
+
+// All of a list that says how many there are: asked for none first, then for all.
+func list[T any](ask func(dst *T, capacity uint64, count *uint64, e *raw.Error) int32) (all []T, err error) {
+	for {
+		var count uint64
+		room := uint64(len(all))
+		err = check(func(e *raw.Error) int32 {
+			code := ask(first(all), room, &count, e)
+			if code == raw.CAROM_E_BUFFER_TOO_SMALL && count > room {
+				return raw.CAROM_OK // so do some say how many there are
+			}
+			return code
+		})
+		if err != nil || count <= room {
+			return all[:min(count, room)], err
+		}
+		all = make([]T, count)
+	}
+}
 
 // Cast the ray origin + t direction, 0 <= t <= max, against a shape.
 // @param position, orientation  of the shape: [3] m, [4] x, y, z, w

@@ -5,11 +5,8 @@
 package carom
 
 import (
-	"fmt"
-	"reflect"
-	"sync"
-
 	"carom/raw"
+	"sync"
 )
 
 // Handles are numbers, which the library validates in every call. Descriptors come from raw.NewBodyDesc and its like.
@@ -23,8 +20,6 @@ type (
 	MaterialDesc = raw.MaterialDesc
 	Plugin       = raw.Plugin
 	Shape        = raw.Shape
-	Vec3         = [3]float64
-	Quat         = [4]float64
 )
 
 // Engine owns plugins and shapes, and makes worlds. Close gives it back, after its worlds.
@@ -39,11 +34,10 @@ func NewEngine(threads int) (*Engine, error) {
 	if err := checkLibrary(); err != nil {
 		return nil, err
 	}
-	var pointer *raw.Engine
-	if err := check(func(e *raw.Error) int32 { return raw.EngineCreate(nil, &pointer, e) }); err != nil {
+	engine := &Engine{}
+	if err := check(func(e *raw.Error) int32 { return raw.EngineCreate(nil, &engine.pointer, e) }); err != nil {
 		return nil, err
 	}
-	engine := &Engine{pointer: pointer}
 	if threads > 1 {
 		jobs := raw.NewJobsDesc()
 		jobs.Threads = uint32(threads)
@@ -67,7 +61,6 @@ func (engine *Engine) Close() error {
 	for _, kept := range engine.kept {
 		kept.free()
 	}
-	engine.kept = nil
 	return nil
 }
 
@@ -155,18 +148,6 @@ func (world *World) Fork() (*World, error) {
 	return &World{copy, world.engine}, err
 }
 
-// Pose is a record of raw.CAROM_FIELD_POSE.
-type Pose struct {
-	Position    Vec3
-	Orientation Quat
-}
-
-// Record is what one body has of a field: as many numbers as the field, or more.
-type Record interface {
-	[1]float64 | [3]float64 | [4]float64 | [6]float64 | [7]float64 | Pose |
-		[1]float32 | [3]float32 | [4]float32 | [6]float32 | [7]float32
-}
-
 // Positions reads those of all bodies, in the order of Bodies.
 func (world *World) Positions(dst []Vec3) error {
 	return Read(world, raw.CAROM_FIELD_POSITION, nil, dst)
@@ -174,45 +155,3 @@ func (world *World) Positions(dst []Vec3) error {
 
 // Poses reads those of all bodies, in the order of Bodies.
 func (world *World) Poses(dst []Pose) error { return Read(world, raw.CAROM_FIELD_POSE, nil, dst) }
-
-func scalarOf[R Record]() uint32 {
-	if kind := reflect.TypeFor[R](); kind.Kind() == reflect.Array && kind.Elem().Kind() == reflect.Float32 {
-		return raw.CAROM_SCALAR_F32
-	}
-	return raw.CAROM_SCALAR_F64
-}
-
-// C refuses NULL also where there is nothing to read: a shape may have no parameters.
-func first[T any](all []T) *T {
-	if len(all) == 0 {
-		return new(T)
-	}
-	return &all[0]
-}
-
-func cstring(text string) *byte {
-	return &append([]byte(text), 0)[0]
-}
-
-func unlike(n, wanted int) error {
-	return &Error{Code: Code(raw.CAROM_E_OUT_OF_RANGE), Message: fmt.Sprintf("%d where %d are wanted", n, wanted), Remedy: "pass slices of one length"}
-}
-
-// All of a list that says how many there are: asked for none first, then for all.
-func list[T any](ask func(dst *T, capacity uint64, count *uint64, e *raw.Error) int32) (all []T, err error) {
-	for {
-		var count uint64
-		room := uint64(len(all))
-		err = check(func(e *raw.Error) int32 {
-			code := ask(first(all), room, &count, e)
-			if code == raw.CAROM_E_BUFFER_TOO_SMALL && count > room {
-				return raw.CAROM_OK // so do some say how many there are
-			}
-			return code
-		})
-		if err != nil || count <= room {
-			return all[:min(count, room)], err
-		}
-		all = make([]T, count)
-	}
-}

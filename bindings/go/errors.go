@@ -1,27 +1,6 @@
 package carom
 
-/*
-#cgo pkg-config: carom
-#cgo linux LDFLAGS: -ldl
-#define _GNU_SOURCE
-#include <carom/carom.h>
-#ifndef _WIN32
-#include <dlfcn.h>
-#endif
-
-static const char *carom_file(void) {
-#ifndef _WIN32
-  Dl_info info;
-  if (dladdr(carom_abi_manifest(), &info) && info.dli_fname) return info.dli_fname;
-#endif
-  return "libcarom";
-}
-*/
-import "C"
-
 import (
-	"fmt"
-	"slices"
 	"strings"
 	"sync"
 
@@ -69,39 +48,9 @@ func text(bytes []byte) string {
 	return before
 }
 
-// Is the library that was loaded one that package raw can call? Compared once: version, and the layout of every struct.
-var checkLibrary = sync.OnceValue(func() error {
-	return checkManifest(raw.AbiManifest(), C.GoString(C.carom_file()))
-})
+// Is the library that was loaded one that package raw can call? Asked once: version, and the layout of every struct.
+var checkLibrary = sync.OnceValue(func() error { return checkLayout(raw.Layout()) })
 
-func checkManifest(manifest, file string) error {
-	refuse := func(what string, arguments ...any) error {
-		return &Error{Code: Code(raw.CAROM_E_UNSUPPORTED), Message: file + " " + fmt.Sprintf(what, arguments...),
-			Remedy: "install a libcarom and a module of one version, or build the program against that library anew"}
-	}
-	version, lines, _ := strings.Cut(strings.TrimPrefix(manifest, "carom "), "\n")
-	var here, there [3]int
-	fmt.Sscanf(raw.VERSION, "%d.%d.%d", &here[0], &here[1], &here[2])
-	_, err := fmt.Sscanf(version, "%d.%d.%d", &there[0], &there[1], &there[2])
-	same := there[0] == here[0] && (here[0] > 0 || there[1] == here[1]) // 0.10 differs from 0.9
-	if err != nil || !same || slices.Compare(there[:], here[:]) < 0 {
-		return refuse("is of version %s, this module of %s", version, raw.VERSION)
-	}
-	rows := map[string]raw.Row{}
-	for _, line := range strings.Split(lines, "\n") {
-		var row raw.Row
-		fmt.Sscanf(line, "%s %d %d %s", &row.Name, &row.Offset, &row.Size, &row.Kind)
-		rows[row.Name] = row
-	}
-	for _, ours := range raw.Layout {
-		theirs, there := rows[ours.Name]
-		longer := theirs.Kind == "struct" && ours.Kind == "struct" && theirs.Size > ours.Size // a newer one's: the tail is not ours
-		if !there {
-			return refuse("has no %s", ours.Name)
-		} else if theirs != ours && !longer {
-			return refuse("has %s as %s of %d bytes at %d, this module as %s of %d bytes at %d", ours.Name,
-				theirs.Kind, theirs.Size, theirs.Offset, ours.Kind, ours.Size, ours.Offset)
-		}
-	}
-	return nil
+func checkLayout(layout string) error {
+	return check(func(e *raw.Error) int32 { return raw.AbiCheck(cstring(layout), e) })
 }

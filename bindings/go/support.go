@@ -1,6 +1,7 @@
 package carom
 
 /*
+#cgo pkg-config: carom
 #include <carom/carom.h>
 #include <stdlib.h>
 

@@ -170,6 +170,7 @@ int32_t carom_version(uint32_t *major, uint32_t *minor, uint32_t *patch);
 const char *carom_result_name(int32_t result);
 const char *carom_result_remedy(int32_t result);
 const char *carom_abi_manifest(void);
+int32_t carom_abi_check(const char *layout, carom_error *error);
 int32_t carom_accuracy_init(carom_accuracy *accuracy, uint32_t struct_size);
 int32_t carom_world_set_accuracy(carom_world *world, const carom_accuracy *accuracy, carom_error *error);
 int32_t carom_world_get_accuracy(carom_world *world, carom_accuracy *accuracy, uint32_t *present, carom_error *error);

@@ -147,6 +147,13 @@ CAROM_API const char *carom_result_remedy(int32_t result);
  *  Static storage. */
 CAROM_API const char *carom_abi_manifest(void);
 
+/** Is this library what a client was built for? As bindings ask when they have loaded it: of the same major version and
+ *  not older (of the same minor version before 1.0), and with the same structs, some of which may be larger here.
+ *  @param layout  of the client: lines of carom_abi_manifest(), the first with its version, zero-terminated
+ *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE (no line of a version); UNSUPPORTED (the message names this library's file, and the
+ *          first line that differs) */
+CAROM_API int32_t carom_abi_check(const char *layout, carom_error *error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -225,7 +225,7 @@ class BasicEngine {
   /// @param desc  an allocator, a log; null: defaults
   static Out<BasicEngine> create(const carom_engine_desc *desc = nullptr) {
     return detail::run<P, BasicEngine>([&](BasicEngine &made, carom_error *e) {
-      const auto result = detail::check_library(carom_abi_manifest(), e);
+      const auto result = detail::check_library(e);
       return result == CAROM_OK ? carom_engine_create(desc, &made.owner_->pointer, e) : result;
     });
   }

@@ -13,9 +13,6 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
-#if __has_include(<dlfcn.h>)
-#include <dlfcn.h>
-#endif
 
 namespace carom {
 
@@ -105,26 +102,12 @@ inline std::int32_t refuse(carom_error *e, std::int32_t code, const std::string 
   return code;
 }
 
-/// Does a library whose carom_abi_manifest() this is do what these headers say?
-inline std::int32_t check_library(const char *manifest, carom_error *e) {
-  unsigned major = 0, minor = 0, patch = 0;
-  const int read = std::sscanf(manifest, "carom %u.%u.%u\n", &major, &minor, &patch);
-  const bool same =
-      major == CAROM_VERSION_MAJOR && (major > 0 || minor == CAROM_VERSION_MINOR);  // 0.10 differs from 0.9
-  if (read == 3 && same && std::pair(minor, patch) >= std::pair(CAROM_VERSION_MINOR, CAROM_VERSION_PATCH))
-    return CAROM_OK;
-  const char *file = "the library";
-#if __has_include(<dlfcn.h>)
-  Dl_info info;
-  if (dladdr(manifest, &info) && info.dli_fname) file = info.dli_fname;
-#endif
-  const auto dotted = [](unsigned a, unsigned b, unsigned c) {
-    return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
-  };
-  const std::string here = dotted(CAROM_VERSION_MAJOR, CAROM_VERSION_MINOR, CAROM_VERSION_PATCH);
-  return refuse(e, CAROM_E_UNSUPPORTED,
-                std::string(file) + " is of version " + dotted(major, minor, patch) + ", this program of " + here,
-                "install libcarom " + here + ", or compile with the headers of that library");
+/// Does the library do what these headers say?
+inline std::int32_t check_library(carom_error *e) {
+  char version[48];
+  std::snprintf(version, sizeof version, "carom %u.%u.%u", CAROM_VERSION_MAJOR, CAROM_VERSION_MINOR,
+                CAROM_VERSION_PATCH);
+  return carom_abi_check(version, e);
 }
 
 }  // namespace detail

@@ -21,12 +21,12 @@ add_test(NAME abi/api_signatures COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_
 add_test(NAME abi/versions COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_versions.py ${PROJECT_SOURCE_DIR})
 set_tests_properties(abi/api_fresh abi/api_reader abi/api_signatures abi/circles abi/parts abi/versions PROPERTIES TIMEOUT 60 LABELS abi)
 # What computes in a step, and what stands on it: its bits are of no C library.
+get_property(objects GLOBAL PROPERTY carom_objects)
 get_property(shape_plugins DIRECTORY ${PROJECT_SOURCE_DIR}/plugins PROPERTY BUILDSYSTEM_TARGETS)
 list(FILTER shape_plugins INCLUDE REGEX "^plugin_")
 list(TRANSFORM shape_plugins REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")
 add_test(NAME abi/libm COMMAND ${CAROM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/abi/check_libm.py ${CMAKE_NM} ${CMAKE_C_COMPILER}
-  ${CMAKE_CURRENT_BINARY_DIR}/libm $<TARGET_OBJECTS:carom_collision> $<TARGET_OBJECTS:carom_dynamics> $<TARGET_OBJECTS:carom_batch> $<TARGET_OBJECTS:carom_abi>
-  $<TARGET_OBJECTS:carom_kit> ${shape_plugins} COMMAND_EXPAND_LISTS)
+  ${CMAKE_CURRENT_BINARY_DIR}/libm ${objects} ${shape_plugins} COMMAND_EXPAND_LISTS)
 set_tests_properties(abi/libm PROPERTIES TIMEOUT 60 LABELS abi)
 carom_script_test(symbols -DLIBRARY=$<TARGET_FILE:carom> -DSANITIZE=${CAROM_SANITIZE})
 carom_script_test(arrows)

@@ -286,6 +286,7 @@ std::vector<Attempt> try_engine_calls(const Bench& b) {
   distance.struct_size = sizeof distance;
   carom_dial_info dial_info = {};
   dial_info.struct_size = sizeof dial_info;
+  add("abi_check", carom_abi_check(carom_abi_manifest(), nullptr));
   add("engine_create", carom_engine_create(nullptr, &engine, nullptr));
   add("engine_destroy", carom_engine_destroy(b.engine, nullptr));
   add("plugin_load", carom_plugin_load(b.engine, CAROM_PLUGIN_DIR "/cone.so", &handle, nullptr));

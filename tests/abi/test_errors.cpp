@@ -109,6 +109,9 @@ int32_t set_jobs_of_new_engine(void (*change)(carom_jobs_desc&), carom_error* e)
 
 // clang-format off
 const Row kEngine[] = {
+    {"layout", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) { return carom_abi_check(nullptr, e); }},
+    {"layout: no version", CAROM_E_OUT_OF_RANGE, 1, [](Bench&, carom_error* e) { return carom_abi_check("carom_error 0 576 struct\n", e); }},
+    {"layout: older", CAROM_E_UNSUPPORTED, 1, [](Bench&, carom_error* e) { return carom_abi_check("carom 99.0.0\n", e); }},
     {"engine out", CAROM_E_NULL_ARGUMENT, 2, [](Bench&, carom_error* e) { return carom_engine_create(nullptr, nullptr, e); }},
     {"alloc without free", CAROM_E_NULL_ARGUMENT, 1, [](Bench&, carom_error* e) {
        carom_engine_desc d;

@@ -135,6 +135,43 @@ void sizes_are_sizeof(void**) {
   assert_string_equal(layout.at("carom_body_desc.inertia").kind.c_str(), "f64[9]");
 }
 
+// What bindings ask: a text as their own is, with a change.
+void a_client_of_another_layout_is_refused(void**) {
+  const std::string own = carom_abi_manifest(), version = own.substr(0, own.find('\n'));
+  carom_error e = CAROM_ERROR_INIT;
+  const auto answer = [&](const std::string& layout) { return carom_abi_check(layout.c_str(), &e); };
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string changed = own;
+    assert_int_not_equal(changed.find(from), std::string::npos);
+    return changed.replace(changed.find(from), from.size(), to);
+  };
+  const auto refused = [&](const std::string& layout, const char* why) {
+    assert_int_equal(answer(layout), CAROM_E_UNSUPPORTED);
+    if (!std::strstr(e.message, why)) print_error("%s lacks %s\n", e.message, why);
+    assert_true(std::strstr(e.message, why) && std::strstr(e.message, "libcarom"));
+    assert_non_null(std::strstr(e.remedy, "of one version"));
+  };
+  assert_int_equal(answer(own), CAROM_OK);
+  assert_int_equal(answer(version), CAROM_OK);
+  const Row error = parse(own.c_str()).at("carom_error");
+  const std::string whole = "\ncarom_error 0 ", size = std::to_string(error.size);
+  assert_int_equal(answer(with(whole + size, whole + "8")), CAROM_OK);  // it has grown since
+  refused(with(whole + size, whole + size + "0"), "has carom_error as 0 ");
+  refused(with(whole + size, whole + "x"), "has carom_error as 0 ");
+  refused(with("carom_error.code 4 4 i32", "carom_error.code 4 4 u32"), "has carom_error.code as 4 4 i32 ");
+  refused(with("carom_error.code 4 4 i32", "carom_error.code 0 4 i32"), "its caller as 0 4 i32");
+  refused(with("carom_error.code 4 4 i32", "carom_error.code"), "has carom_error.code as 4 4 i32 ");
+  refused(with("carom_error.code", "carom_error.cod"), "has no carom_error.cod");
+  const int major = CAROM_VERSION_MAJOR, minor = CAROM_VERSION_MINOR;
+  for (const auto& [a, b] : {std::pair(major, minor + 1), {major + 1, 0}, {major + 1, minor}, {99, 0}})
+    refused("carom " + std::to_string(a) + "." + std::to_string(b) + ".0" + own.substr(version.size()),
+            "is of version ");
+  refused(version + "9", "is of version ");
+  for (const char* other :
+       {"", "carom", "carom ", "carom 0.9", "carom 0.9.", "carom 0.9.0.1", "carom 0.9.x", "carom -1.9.0", "ELF"})
+    assert_int_equal(answer(other), CAROM_E_OUT_OF_RANGE);
+}
+
 void no_client_is_broken(void**) {
   const Layout baseline = parse(read(CAROM_SOURCE_DIR "/tests/abi/manifest.txt"));
   const Layout now = parse(carom_abi_manifest());
@@ -184,6 +221,7 @@ int main() {
       cmocka_unit_test(the_first_line_is_the_version),
       cmocka_unit_test(api_json_has_the_layout_of_the_compiler),
       cmocka_unit_test(sizes_are_sizeof),
+      cmocka_unit_test(a_client_of_another_layout_is_refused),
       cmocka_unit_test(no_client_is_broken),
       cmocka_unit_test(a_broken_layout_does_not_pass),
   };

@@ -164,7 +164,7 @@ def build_library(root, build, tree):
     """@return the shared library, and how many files were compiled"""
     different = changed(root, tree)
     commands = [command for command in json.loads(ninja(build, "-t", "compdb"))
-                if re.match(r"src/CMakeFiles/(?:" + "|".join(PARTS) + r")\.dir/", command["output"])]
+                if re.match(r"src/CMakeFiles/(?:" + "|".join(PARTS) + r")(?:_seldom)?\.dir/", command["output"])]
     made_from = dependencies(build)
     objects, to_compile = [], {}
     for command in commands:

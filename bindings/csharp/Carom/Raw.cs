@@ -3199,6 +3199,16 @@ namespace Carom
         [DllImport(File, EntryPoint = "carom_abi_manifest", CallingConvention = CallingConvention.Cdecl)]
         private static extern IntPtr carom_abi_manifest_();
 
+        /// <summary>Is this library what a client was built for? As bindings ask when they have loaded it: of the same major version and
+        /// not older (of the same minor version before 1.0), and with the same structs, some of which may be larger here.
+        /// @param layout  of the client: lines of carom_abi_manifest(), the first with its version, zero-terminated
+        /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (no line of a version); UNSUPPORTED (the message names this library's file, and the
+        ///         first line that differs)</summary>
+        [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int carom_abi_check([MarshalAs(UnmanagedType.LPUTF8Str)] string layout, Error* error);
+
+        public static void carom_abi_check(string layout) => Call.Check(carom_abi_check(layout, Call.Error));
+
         /// <summary>@status OK; NULL_ARGUMENT; STRUCT_SIZE</summary>
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_accuracy_init(Accuracy* accuracy, uint struct_size);
@@ -6032,8 +6042,7 @@ namespace Carom
         [DllImport(File, CallingConvention = CallingConvention.Cdecl)]
         public static extern int carom_world_find_nearest(World world, QueryShapes* shapes, double reach, QueryDesc* desc, WorldHit* dst, ulong stride, Error* error);
 
-        /// <summary>The lines of carom_abi_manifest() that this class was written for.</summary>
-        internal const string Layout = @"
+        internal const string Layout = @"carom 0.9.0
 carom_error 0 576 struct
 carom_error.struct_size 0 4 u32
 carom_error.code 4 4 i32

@@ -219,16 +219,15 @@ namespace Carom
 
         private static void TestAnotherLibraryIsRefused()
         {
-            string ours = Raw.carom_abi_manifest();
-            Library.Check(ours, "x");
-            Library.Check(ours.Replace("carom " + Raw.Version, "carom " + Raw.Version + "1"), "x");  // a later patch
-            foreach (string other in new[] { "0.0.1", "0.99.0", "99.0.0", "?" })
-                Same(Fails(Raw.CAROM_E_UNSUPPORTED, () => Library.Check(ours.Replace("carom " + Raw.Version, "carom " + other), "/lib/x.so"))
-                    .Message.StartsWith("/lib/x.so is of version " + other), true);
+            const string ours = Raw.Layout;
+            Raw.carom_abi_check(ours);
+            foreach (string other in new[] { "0.0.1", "0.99.0", "99.0.0" })
+                Same(Fails(Raw.CAROM_E_UNSUPPORTED, () => Raw.carom_abi_check(ours.Replace("carom " + Raw.Version, "carom " + other)))
+                    .Message.Contains($" is of version {Raw.Version}, its caller of {other}"), true);
             string row = ours.Split('\n').First(line => line.StartsWith("carom_contact.separation "));
-            Same(Fails(Raw.CAROM_E_UNSUPPORTED, () => Library.Check(ours.Replace(row, "carom_contact.separation 4 8 f64"), "x"))
-                .Message.Contains("carom_contact.separation as f64 of 8 bytes at 4"), true);
-            Same(Fails(Raw.CAROM_E_UNSUPPORTED, () => Library.Check(ours.Replace(row + "\n", ""), "x")).Message.Contains("has no carom_contact.separation"), true);
+            Same(Fails(Raw.CAROM_E_UNSUPPORTED, () => Raw.carom_abi_check(ours.Replace(row, "carom_contact.separation 4 8 f64")))
+                .Message.Contains(row.Replace("separation ", "separation as ")), true);
+            Same(Fails(Raw.CAROM_E_UNSUPPORTED, () => Raw.carom_abi_check(ours + "carom_contact.mood 0 8 f64\n")).Message.Contains("has no carom_contact.mood"), true);
         }
 
         /// <summary>65,535 engines and worlds may be alive in a process: more than that are made here, and given back.</summary>

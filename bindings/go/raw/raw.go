@@ -42,7 +42,11 @@ package raw
 #include <carom/carom.h>
 */
 import "C"
-import "unsafe"
+
+import (
+	"fmt"
+	"unsafe"
+)
 
 const VERSION = "0.9.0"
 
@@ -4303,6 +4307,15 @@ func AbiManifest() string {
 	return C.GoString(C.carom_abi_manifest())
 }
 
+// Is this library what a client was built for? As bindings ask when they have loaded it: of the same major version and
+// not older (of the same minor version before 1.0), and with the same structs, some of which may be larger here.
+// @param layout  of the client: lines of carom_abi_manifest(), the first with its version, zero-terminated
+// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (no line of a version); UNSUPPORTED (the message names this library's file, and the
+// first line that differs)
+func AbiCheck(layout *byte, error_ *Error) int32 {
+	return int32(C.carom_abi_check((*C.char)(unsafe.Pointer(layout)), (*C.carom_error)(unsafe.Pointer(error_))))
+}
+
 // @status OK; NULL_ARGUMENT; STRUCT_SIZE
 func AccuracyInit(accuracy *Accuracy, struct_size uint32) int32 {
 	return int32(C.carom_accuracy_init((*C.carom_accuracy)(unsafe.Pointer(accuracy)), C.uint32_t(struct_size)))
@@ -6245,17 +6258,20 @@ func WorldFindNearest(world *World, shapes *QueryShapes, reach float64, desc *Qu
 	return int32(C.carom_world_find_nearest((*C.carom_world)(unsafe.Pointer(world)), (*C.carom_query_shapes)(unsafe.Pointer(shapes)), C.double(reach), (*C.carom_query_desc)(unsafe.Pointer(desc)), (*C.carom_world_hit)(unsafe.Pointer(dst)), C.uint64_t(stride), (*C.carom_error)(unsafe.Pointer(error_))))
 }
 
-// Row is a line of carom_abi_manifest().
-type Row struct {
-	Name string
-
-	Offset, Size uintptr
-
-	Kind string
+// Layout is what this package takes each struct and field for, as carom_abi_check() reads it.
+func Layout() string {
+	all := "carom " + VERSION + "\n"
+	for _, row := range layout {
+		all += fmt.Sprintln(row.name, row.offset, row.size, row.kind)
+	}
+	return all
 }
 
-// Layout is what this package takes each struct and field for.
-var Layout = []Row{
+var layout = []struct {
+	name         string
+	offset, size uintptr
+	kind         string
+}{
 	{"carom_error", 0, unsafe.Sizeof(Error{}), "struct"},
 	{"carom_error.struct_size", unsafe.Offsetof(Error{}.StructSize), unsafe.Sizeof(Error{}.StructSize), "u32"},
 	{"carom_error.code", unsafe.Offsetof(Error{}.Code), unsafe.Sizeof(Error{}.Code), "i32"},

@@ -3,52 +3,32 @@ package carom;
 import static java.lang.foreign.ValueLayout.*;
 
 import java.lang.foreign.*;
-import java.lang.invoke.MethodHandle;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.MethodType;
+import java.lang.invoke.*;
 
 /** Owns plugins and shapes, makes worlds. Close it after its worlds. Any thread may use it. */
-public final class Engine extends EngineCalls implements AutoCloseable {
-    /** A call of Raw that takes an engine or a world, then what it takes besides, then the error. */
-    @FunctionalInterface
-    public interface Call {
-        int of(MemorySegment pointer, MemorySegment error);
-    }
-
+public final class Engine extends EngineCalls {
     private final Arena arena = Arena.ofAuto(); // what C has pointers to; a world has the engine, so they outlive both
-    private MemorySegment pointer;
 
     public Engine() { this(1); }
 
     /** @param threads that share the work of a step; the outcome is the same to the bit */
     public Engine(int threads) {
-        Library.check();
-        var scratch = Library.Scratch.get();
-        scratch.check(Raw.carom_engine_create(MemorySegment.NULL, scratch.out, scratch.error.segment));
-        pointer = scratch.out.get(ADDRESS, 0);
-        if (threads > 1) {
-            try {
-                var jobs = new Raw.JobsDesc(arena).threads(threads);
-                call((p, e) -> Raw.carom_engine_set_jobs(p, jobs.segment, e));
-            } catch (RuntimeException refused) {
-                close();
-                throw refused;
-            }
+        super(create());
+        if (threads <= 1) return;
+        try {
+            var jobs = new Raw.JobsDesc(arena).threads(threads);
+            call((p, e) -> Raw.carom_engine_set_jobs(p, jobs.segment, e));
+        } catch (RuntimeException refused) {
+            close();
+            throw refused;
         }
     }
 
-    /** Give back all memory; closing twice does nothing. Fails while worlds are open. */
-    @Override
-    public void close() {
-        if (pointer.equals(MemorySegment.NULL)) return;
-        call(Raw::carom_engine_destroy);
-        pointer = MemorySegment.NULL;
-    }
-
-    @Override
-    public void call(Call call) {
+    private static MemorySegment create() {
+        Library.check();
         var scratch = Library.Scratch.get();
-        scratch.check(call.of(pointer, scratch.error.segment));
+        scratch.check(Raw.carom_engine_create(MemorySegment.NULL, scratch.out, scratch.error.segment));
+        return scratch.out.get(ADDRESS, 0);
     }
 
     /** An empty world, with gravity along -y. */

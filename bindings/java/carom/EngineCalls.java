@@ -6,9 +6,33 @@ import static java.lang.foreign.ValueLayout.*;
 import java.lang.foreign.*;
 
 /** Calls on an engine that need no pointer of the caller's. A handle is a long. */
-public abstract sealed class EngineCalls permits Engine {
-    /** Any call of Raw on this engine. */
-    public abstract void call(Engine.Call call);
+public abstract sealed class EngineCalls implements AutoCloseable permits Engine {
+    /** A call of Raw that takes an engine or a world, then what it takes besides, then the error. */
+    @FunctionalInterface
+    public interface Call {
+        int of(MemorySegment pointer, MemorySegment error);
+    }
+
+    private MemorySegment pointer;
+
+    EngineCalls(MemorySegment pointer) { this.pointer = pointer; }
+
+    /** What calls of Raw take; NULL once it is closed, which they refuse. */
+    public MemorySegment pointer() { return pointer; }
+
+    /** Any call of Raw on this engine: engine.call((p, e) -> Raw.carom_engine_set_jobs(p, jobs, e)). */
+    public void call(EngineCalls.Call call) {
+        var scratch = Library.Scratch.get();
+        scratch.check(call.of(pointer, scratch.error.segment));
+    }
+
+    /** Give back all memory; closing twice does nothing. Fails while worlds are open. */
+    @Override
+    public void close() {
+        if (pointer.equals(MemorySegment.NULL)) return;
+        call(Raw::carom_engine_destroy);
+        pointer = MemorySegment.NULL;
+    }
 
     /** Cast the ray origin + t direction, 0 &lt;= t &lt;= max, against a shape.
      *  param: position, orientation  of the shape: [3] m, [4] x, y, z, w
@@ -18,10 +42,10 @@ public abstract sealed class EngineCalls permits Engine {
      *  status: OK; NULL_ARGUMENT; STRUCT_SIZE; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; UNSUPPORTED */
     public Raw.Cast rayCast(long shape, Vec3 position, Quat orientation, Vec3 origin, Vec3 direction, double max, Raw.CastDesc desc) {
         try (Arena local = Arena.ofConfined()) {
-            var position_in = Library.in(local, position);
-            var orientation_in = Library.in(local, orientation);
-            var origin_in = Library.in(local, origin);
-            var direction_in = Library.in(local, direction);
+            var position_in = Raw.in(local, position);
+            var orientation_in = Raw.in(local, orientation);
+            var origin_in = Raw.in(local, origin);
+            var direction_in = Raw.in(local, direction);
             var result_out = new Raw.Cast(Arena.ofAuto());
             call((p, e) -> Raw.carom_ray_cast(p, shape, position_in, orientation_in, origin_in, direction_in, max, desc == null ? MemorySegment.NULL : desc.segment, result_out.segment, e));
             return result_out;
@@ -36,11 +60,11 @@ public abstract sealed class EngineCalls permits Engine {
      *          half-spaces) */
     public Raw.Cast shapeCast(long shapeA, Vec3 positionA, Quat orientationA, Vec3 motion, long shapeB, Vec3 positionB, Quat orientationB, Raw.CastDesc desc) {
         try (Arena local = Arena.ofConfined()) {
-            var positionA_in = Library.in(local, positionA);
-            var orientationA_in = Library.in(local, orientationA);
-            var motion_in = Library.in(local, motion);
-            var positionB_in = Library.in(local, positionB);
-            var orientationB_in = Library.in(local, orientationB);
+            var positionA_in = Raw.in(local, positionA);
+            var orientationA_in = Raw.in(local, orientationA);
+            var motion_in = Raw.in(local, motion);
+            var positionB_in = Raw.in(local, positionB);
+            var orientationB_in = Raw.in(local, orientationB);
             var result_out = new Raw.Cast(Arena.ofAuto());
             call((p, e) -> Raw.carom_shape_cast(p, shapeA, positionA_in, orientationA_in, motion_in, shapeB, positionB_in, orientationB_in, desc == null ? MemorySegment.NULL : desc.segment, result_out.segment, e));
             return result_out;
@@ -66,10 +90,10 @@ public abstract sealed class EngineCalls permits Engine {
      *          half-spaces) */
     public Raw.Overlap shapeOverlap(long shapeA, Vec3 positionA, Quat orientationA, long shapeB, Vec3 positionB, Quat orientationB, Raw.CastDesc desc) {
         try (Arena local = Arena.ofConfined()) {
-            var positionA_in = Library.in(local, positionA);
-            var orientationA_in = Library.in(local, orientationA);
-            var positionB_in = Library.in(local, positionB);
-            var orientationB_in = Library.in(local, orientationB);
+            var positionA_in = Raw.in(local, positionA);
+            var orientationA_in = Raw.in(local, orientationA);
+            var positionB_in = Raw.in(local, positionB);
+            var orientationB_in = Raw.in(local, orientationB);
             var result_out = new Raw.Overlap(Arena.ofAuto());
             call((p, e) -> Raw.carom_shape_overlap(p, shapeA, positionA_in, orientationA_in, shapeB, positionB_in, orientationB_in, desc == null ? MemorySegment.NULL : desc.segment, result_out.segment, e));
             return result_out;
@@ -82,7 +106,7 @@ public abstract sealed class EngineCalls permits Engine {
      *  status: OK; NULL_ARGUMENT; PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; ALREADY_EXISTS; OUT_OF_MEMORY */
     public long pluginLoad(String path) {
         try (Arena local = Arena.ofConfined()) {
-            var path_in = Library.in(local, path);
+            var path_in = Raw.in(local, path);
             var plugin_out = local.allocate(8, 8);
             call((p, e) -> Raw.carom_plugin_load(p, path_in, plugin_out, e));
             return plugin_out.get(JAVA_LONG, 0);
@@ -107,7 +131,7 @@ public abstract sealed class EngineCalls permits Engine {
      *  status: OK; NULL_ARGUMENT; NOT_FOUND (load it first) */
     public long pluginFind(String id) {
         try (Arena local = Arena.ofConfined()) {
-            var id_in = Library.in(local, id);
+            var id_in = Raw.in(local, id);
             var plugin_out = local.allocate(8, 8);
             call((p, e) -> Raw.carom_plugin_find(p, id_in, plugin_out, e));
             return plugin_out.get(JAVA_LONG, 0);
@@ -121,10 +145,10 @@ public abstract sealed class EngineCalls permits Engine {
      *          UNSUPPORTED (two half-spaces) */
     public Raw.Distance shapeDistance(long shapeA, Vec3 positionA, Quat orientationA, long shapeB, Vec3 positionB, Quat orientationB, Raw.DistanceDesc desc) {
         try (Arena local = Arena.ofConfined()) {
-            var positionA_in = Library.in(local, positionA);
-            var orientationA_in = Library.in(local, orientationA);
-            var positionB_in = Library.in(local, positionB);
-            var orientationB_in = Library.in(local, orientationB);
+            var positionA_in = Raw.in(local, positionA);
+            var orientationA_in = Raw.in(local, orientationA);
+            var positionB_in = Raw.in(local, positionB);
+            var orientationB_in = Raw.in(local, orientationB);
             var result_out = new Raw.Distance(Arena.ofAuto());
             call((p, e) -> Raw.carom_shape_distance(p, shapeA, positionA_in, orientationA_in, shapeB, positionB_in, orientationB_in, desc == null ? MemorySegment.NULL : desc.segment, result_out.segment, e));
             return result_out;
@@ -145,7 +169,7 @@ public abstract sealed class EngineCalls permits Engine {
      *          PLUGIN_INVALID; DECLARATION_FALSE; OUT_OF_MEMORY */
     public long shapeOf(long plugin, double... params) {
         try (Arena local = Arena.ofConfined()) {
-            var params_in = Library.in(local, params);
+            var params_in = Raw.in(local, params);
             var shape_out = local.allocate(8, 8);
             call((p, e) -> Raw.carom_shape_create(p, plugin, params_in, params.length, shape_out, e));
             return shape_out.get(JAVA_LONG, 0);
@@ -162,8 +186,8 @@ public abstract sealed class EngineCalls permits Engine {
      *          PLUGIN_PATH; PLUGIN_LOAD; PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; LIMIT; OUT_OF_MEMORY */
     public long shape(String name, double... params) {
         try (Arena local = Arena.ofConfined()) {
-            var name_in = Library.in(local, name);
-            var params_in = Library.in(local, params);
+            var name_in = Raw.in(local, name);
+            var params_in = Raw.in(local, params);
             var shape_out = local.allocate(8, 8);
             call((p, e) -> Raw.carom_shape_create_named(p, name_in, params_in, params.length, shape_out, e));
             return shape_out.get(JAVA_LONG, 0);
@@ -175,7 +199,7 @@ public abstract sealed class EngineCalls permits Engine {
      *  status: OK; NULL_ARGUMENT; NOT_FINITE; NOT_UNIT; OUT_OF_MEMORY */
     public long shapeCreateHalfSpace(Vec3 normal, double offset) {
         try (Arena local = Arena.ofConfined()) {
-            var normal_in = Library.in(local, normal);
+            var normal_in = Raw.in(local, normal);
             var shape_out = local.allocate(8, 8);
             call((p, e) -> Raw.carom_shape_create_half_space(p, normal_in, offset, shape_out, e));
             return shape_out.get(JAVA_LONG, 0);
@@ -202,14 +226,14 @@ public abstract sealed class EngineCalls permits Engine {
      *  since: 0.9 */
     public long shapeCreateHullOf(long[] parts, double[] positions, double[] orientations, double[] scales, double radius) {
         try (Arena local = Arena.ofConfined()) {
-            var parts_in = Library.in(local, parts);
-            var positions_in = Library.in(local, positions);
-            var orientations_in = Library.in(local, orientations);
-            var scales_in = Library.in(local, scales);
+            var parts_in = Raw.in(local, parts);
+            var positions_in = Raw.in(local, positions);
+            var orientations_in = Raw.in(local, orientations);
+            var scales_in = Raw.in(local, scales);
             var shape_out = local.allocate(8, 8);
-            Library.fits(positions == null ? parts.length : positions.length / 3, parts.length);
-            Library.fits(orientations == null ? parts.length : orientations.length / 4, parts.length);
-            Library.fits(scales == null ? parts.length : scales.length / 3, parts.length);
+            Raw.fits(positions == null ? parts.length : positions.length / 3, parts.length);
+            Raw.fits(orientations == null ? parts.length : orientations.length / 4, parts.length);
+            Raw.fits(scales == null ? parts.length : scales.length / 3, parts.length);
             call((p, e) -> Raw.carom_shape_create_hull_of(p, parts_in, parts.length, positions_in, orientations_in, scales_in, radius, shape_out, e));
             return shape_out.get(JAVA_LONG, 0);
         }
@@ -234,9 +258,9 @@ public abstract sealed class EngineCalls permits Engine {
      *          scenery); PLUGIN_INVALID (the support function failed; the points before are written) */
     public void shapeSupport(long shape, double[] dirs, double[] points) {
         try (Arena local = Arena.ofConfined()) {
-            var dirs_in = Library.in(local, dirs);
-            var points_in = Library.in(local, points);
-            Library.fits(points.length / 3, dirs.length / 3);
+            var dirs_in = Raw.in(local, dirs);
+            var points_in = Raw.in(local, points);
+            Raw.fits(points.length / 3, dirs.length / 3);
             call((p, e) -> Raw.carom_shape_support(p, shape, dirs_in, dirs.length / 3, points_in, e));
             MemorySegment.copy(points_in, JAVA_DOUBLE, 0, points, 0, points.length);
         }

@@ -1,3 +1,4 @@
+// Written by bindings/gen/generate from include/carom; do not edit.
 package carom;
 
 /** A body's place, m, and its orientation. */

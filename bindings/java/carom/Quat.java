@@ -1,3 +1,4 @@
+// Written by bindings/gen/generate from include/carom; do not edit.
 package carom;
 
 /** A rotation, of unit length. */

@@ -5,6 +5,7 @@ import static java.lang.foreign.ValueLayout.*;
 
 import java.lang.foreign.*;
 import java.lang.invoke.MethodHandle;
+import java.util.function.Consumer;
 
 /** All of include/carom: functions and constants under their own names, structs as classes. A handle is a long. */
 public final class Raw {
@@ -3537,6 +3538,18 @@ public final class Raw {
         try { return ((MemorySegment) carom_abi_manifest_.CALL.invokeExact()).reinterpret(Long.MAX_VALUE).getString(0); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
+    private static final class carom_abi_check_ {
+        static final MethodHandle CALL = Library.call("carom_abi_check", FunctionDescriptor.of(JAVA_INT, ADDRESS, ADDRESS));
+    }
+    /** Is this library what a client was built for? As bindings ask when they have loaded it: of the same major version and
+     *  not older (of the same minor version before 1.0), and with the same structs, some of which may be larger here.
+     *  param: layout  of the client: lines of carom_abi_manifest(), the first with its version, zero-terminated
+     *  status: OK; NULL_ARGUMENT; OUT_OF_RANGE (no line of a version); UNSUPPORTED (the message names this library's file, and the
+     *          first line that differs) */
+    public static int carom_abi_check(MemorySegment layout, MemorySegment error) {
+        try { return (int) carom_abi_check_.CALL.invokeExact(layout, error); } catch (Throwable problem) { throw Library.thrown(problem); }
+    }
+
     private static final class carom_accuracy_init_ {
         static final MethodHandle CALL = Library.call("carom_accuracy_init", FunctionDescriptor.of(JAVA_INT, ADDRESS, JAVA_INT));
     }
@@ -6253,8 +6266,40 @@ public final class Raw {
         try { return (int) carom_world_find_nearest_.CALL.invokeExact(world, shapes, reach, desc, dst, stride, error); } catch (Throwable problem) { throw Library.thrown(problem); }
     }
 
-    /** The lines of carom_abi_manifest() that this class was written for. */
+    // What C is given of Java's: NULL for null, and never an empty block, since a shape may have no parameters.
+    static MemorySegment in(Arena arena, double... it) { return it == null ? MemorySegment.NULL : it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_DOUBLE, it); }
+    static MemorySegment in(Arena arena, long[] it) { return it == null ? MemorySegment.NULL : it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_LONG, it); }
+    static MemorySegment in(Arena arena, int[] it) { return it == null ? MemorySegment.NULL : it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_INT, it); }
+    static MemorySegment in(Arena arena, byte[] it) { return it.length == 0 ? arena.allocate(8, 8) : arena.allocateFrom(JAVA_BYTE, it); }
+    static MemorySegment in(Arena arena, Vec3 v) { return v == null ? MemorySegment.NULL : in(arena, v.x(), v.y(), v.z()); }
+    static MemorySegment in(Arena arena, Quat q) { return q == null ? MemorySegment.NULL : in(arena, q.x(), q.y(), q.z(), q.w()); }
+    static MemorySegment in(Arena arena, String text) { return arena.allocateFrom(text); }
+
+    static void fits(int n, int wanted) {
+        if (n != wanted) throw new CaromException(CAROM_E_OUT_OF_RANGE, n + " where " + wanted + " are wanted", "pass arrays of one length");
+    }
+
+    interface Ask {
+        int of(MemorySegment pointer, MemorySegment dst, long capacity, MemorySegment count, MemorySegment error);
+    }
+
+    /** All of a list that says how many there are: asked for none first, then for all. */
+    static MemorySegment list(Consumer<EngineCalls.Call> call, Arena arena, long size, Ask ask) {
+        MemorySegment count = Arena.ofAuto().allocate(8, 8);
+        for (long room = 0;; room = count.get(JAVA_LONG, 0)) {
+            MemorySegment dst = room == 0 ? MemorySegment.NULL : arena.allocate(size * room, 8);
+            long fits = room;
+            call.accept((p, e) -> {
+                int result = ask.of(p, dst, fits, count, e);
+                return result == CAROM_E_BUFFER_TOO_SMALL && count.get(JAVA_LONG, 0) > fits ? CAROM_OK : result; // so do some say how many
+            });
+            if (count.get(JAVA_LONG, 0) <= room) return dst.asSlice(0, size * count.get(JAVA_LONG, 0));
+        }
+    }
+
+    /** What this class was written for, as carom_abi_check() reads it. */
     static final String LAYOUT = """
+carom 0.9.0
 carom_error 0 576 struct
 carom_error.struct_size 0 4 u32
 carom_error.code 4 4 i32

@@ -1,3 +1,4 @@
+// Written by bindings/gen/generate from include/carom; do not edit.
 package carom;
 
 public record Vec3(double x, double y, double z) {

@@ -6,9 +6,27 @@ import static java.lang.foreign.ValueLayout.*;
 import java.lang.foreign.*;
 
 /** Calls on a world that need no pointer of the caller's. A handle is a long. */
-public abstract sealed class WorldCalls permits World {
-    /** Any call of Raw on this world. */
-    public abstract void call(Engine.Call call);
+public abstract sealed class WorldCalls implements AutoCloseable permits World {
+    private MemorySegment pointer;
+
+    WorldCalls(MemorySegment pointer) { this.pointer = pointer; }
+
+    /** What calls of Raw take; NULL once it is closed, which they refuse. */
+    public MemorySegment pointer() { return pointer; }
+
+    /** Any call of Raw on this world: world.call((p, e) -> Raw.carom_world_cast_rays(p, rays, want, desc, hits, e)). */
+    public void call(EngineCalls.Call call) {
+        var scratch = Library.Scratch.get();
+        scratch.check(call.of(pointer, scratch.error.segment));
+    }
+
+    /** Give back all memory; closing twice does nothing. */
+    @Override
+    public void close() {
+        if (pointer.equals(MemorySegment.NULL)) return;
+        call(Raw::carom_world_destroy);
+        pointer = MemorySegment.NULL;
+    }
 
     /** Set an error tolerance from the next step on.
      *  param: accuracy NULL: none, as a world is created
@@ -39,7 +57,7 @@ public abstract sealed class WorldCalls permits World {
      *  param: count    out: how many there are (may exceed capacity; capacity are written)
      *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public Raw.Island[] islands() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.Island.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_islands(p, dst, Raw.Island.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.Island.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_islands(p, dst, Raw.Island.SIZE, capacity, count, e));
         var each = new Raw.Island[(int) (all.byteSize() / Raw.Island.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.Island(all.asSlice((long) i * Raw.Island.SIZE, Raw.Island.SIZE));
         return each;
@@ -102,7 +120,7 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE; BUSY; OUT_OF_MEMORY   since: 0.9 */
     public void materialSetPair(long materialA, long materialB, double[] surface) {
         try (Arena local = Arena.ofConfined()) {
-            var surface_in = Library.in(local, surface);
+            var surface_in = Raw.in(local, surface);
             call((p, e) -> Raw.carom_material_set_pair(p, materialA, materialB, surface_in, e));
         }
     }
@@ -141,8 +159,8 @@ public abstract sealed class WorldCalls permits World {
      *  NOT_UNIT; BUSY; REENTRANT */
     public void setPose(long body, Vec3 position, Quat orientation) {
         try (Arena local = Arena.ofConfined()) {
-            var position_in = Library.in(local, position);
-            var orientation_in = Library.in(local, orientation);
+            var position_in = Raw.in(local, position);
+            var orientation_in = Raw.in(local, orientation);
             call((p, e) -> Raw.carom_body_set_pose(p, body, position_in, orientation_in, e));
         }
     }
@@ -151,8 +169,8 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (a static body must have 0); BUSY; REENTRANT */
     public void setVelocity(long body, Vec3 linear, Vec3 angular) {
         try (Arena local = Arena.ofConfined()) {
-            var linear_in = Library.in(local, linear);
-            var angular_in = Library.in(local, angular);
+            var linear_in = Raw.in(local, linear);
+            var angular_in = Raw.in(local, angular);
             call((p, e) -> Raw.carom_body_set_velocity(p, body, linear_in, angular_in, e));
         }
     }
@@ -192,8 +210,8 @@ public abstract sealed class WorldCalls permits World {
      *          and a collider is flat); BUSY; REENTRANT; OUT_OF_MEMORY */
     public void setMass(long body, double mass, Vec3 center, double[] inertia) {
         try (Arena local = Arena.ofConfined()) {
-            var center_in = Library.in(local, center);
-            var inertia_in = Library.in(local, inertia);
+            var center_in = Raw.in(local, center);
+            var inertia_in = Raw.in(local, inertia);
             call((p, e) -> Raw.carom_body_set_mass(p, body, mass, center_in, inertia_in, e));
         }
     }
@@ -270,7 +288,7 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public long[] colliders(long body) {
         try (Arena local = Arena.ofConfined()) {
-            return Library.list(this::call, local, 8, (p, dst, capacity, count, e) -> Raw.carom_body_get_colliders(p, body, dst, capacity, count, e)).toArray(JAVA_LONG);
+            return Raw.list(this::call, local, 8, (p, dst, capacity, count, e) -> Raw.carom_body_get_colliders(p, body, dst, capacity, count, e)).toArray(JAVA_LONG);
         }
     }
 
@@ -279,8 +297,8 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
     public void addForce(long body, Vec3 force, Vec3 torque) {
         try (Arena local = Arena.ofConfined()) {
-            var force_in = Library.in(local, force);
-            var torque_in = Library.in(local, torque);
+            var force_in = Raw.in(local, force);
+            var torque_in = Raw.in(local, torque);
             call((p, e) -> Raw.carom_body_add_force(p, body, force_in, torque_in, e));
         }
     }
@@ -289,8 +307,8 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the velocity would overflow); BUSY; REENTRANT */
     public void addImpulse(long body, Vec3 impulse, Vec3 point) {
         try (Arena local = Arena.ofConfined()) {
-            var impulse_in = Library.in(local, impulse);
-            var point_in = Library.in(local, point);
+            var impulse_in = Raw.in(local, impulse);
+            var point_in = Raw.in(local, point);
             call((p, e) -> Raw.carom_body_add_impulse(p, body, impulse_in, point_in, e));
         }
     }
@@ -342,7 +360,7 @@ public abstract sealed class WorldCalls permits World {
      *          body that is not dynamic); UNSUPPORTED (locks under solver severity); BUSY; REENTRANT; OUT_OF_MEMORY */
     public void setAttribute(long body, int attribute, double[] value) {
         try (Arena local = Arena.ofConfined()) {
-            var value_in = Library.in(local, value);
+            var value_in = Raw.in(local, value);
             call((p, e) -> Raw.carom_body_set_attribute(p, body, attribute, value_in, e));
         }
     }
@@ -431,9 +449,9 @@ public abstract sealed class WorldCalls permits World {
      *          PLUGIN_ABI; PLUGIN_INVALID; DECLARATION_FALSE; BUSY; REENTRANT; LIMIT; OUT_OF_MEMORY */
     public long bodyNamed(int type, String name, double[] params, Vec3 position) {
         try (Arena local = Arena.ofConfined()) {
-            var name_in = Library.in(local, name);
-            var params_in = Library.in(local, params);
-            var position_in = Library.in(local, position);
+            var name_in = Raw.in(local, name);
+            var params_in = Raw.in(local, params);
+            var position_in = Raw.in(local, position);
             var body_out = local.allocate(8, 8);
             call((p, e) -> Raw.carom_body_create_named(p, type, name_in, params_in, params.length, position_in, body_out, e));
             return body_out.get(JAVA_LONG, 0);
@@ -475,8 +493,8 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; BUSY; REENTRANT; OUT_OF_MEMORY */
     public void colliderSetPose(long collider, Vec3 position, Quat orientation) {
         try (Arena local = Arena.ofConfined()) {
-            var position_in = Library.in(local, position);
-            var orientation_in = Library.in(local, orientation);
+            var position_in = Raw.in(local, position);
+            var orientation_in = Raw.in(local, orientation);
             call((p, e) -> Raw.carom_collider_set_pose(p, collider, position_in, orientation_in, e));
         }
     }
@@ -494,8 +512,8 @@ public abstract sealed class WorldCalls permits World {
      *          OUT_OF_MEMORY */
     public void colliderSetSurfaceVelocity(long collider, Vec3 linear, Vec3 angular) {
         try (Arena local = Arena.ofConfined()) {
-            var linear_in = Library.in(local, linear);
-            var angular_in = Library.in(local, angular);
+            var linear_in = Raw.in(local, linear);
+            var angular_in = Raw.in(local, angular);
             call((p, e) -> Raw.carom_collider_set_surface_velocity(p, collider, linear_in, angular_in, e));
         }
     }
@@ -517,7 +535,37 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; BUSY */
     public long[] bodies() {
         try (Arena local = Arena.ofConfined()) {
-            return Library.list(this::call, local, 8, (p, dst, capacity, count, e) -> Raw.carom_world_get_bodies(p, dst, capacity, count, e)).toArray(JAVA_LONG);
+            return Raw.list(this::call, local, 8, (p, dst, capacity, count, e) -> Raw.carom_world_get_bodies(p, dst, capacity, count, e)).toArray(JAVA_LONG);
+        }
+    }
+
+    /** Read one field of n bodies.
+     *  param: handles [n], or NULL for all bodies in the order of carom_world_get_bodies() (n must be their number)
+     *  param: dst     n records of the field's scalars, `stride` bytes apart
+     *  param: stride  bytes from one record to the next; 0: tightly packed
+     *  param: field   CAROM_FIELD_*
+     *  status: OK; NULL_ARGUMENT; UNKNOWN_ENUM; *_HANDLE (nothing is written); OUT_OF_RANGE (n); BUFFER_TOO_SMALL (stride);
+     *  BUSY */
+    public void read(int field, long[] bodies, double[] dst) {
+        long n = dst.length / width(field, bodies, dst.length);
+        MemorySegment memory = Library.Scratch.get().buffer(8L * dst.length);
+        try (Arena local = Arena.ofConfined()) {
+            MemorySegment handles = Raw.in(local, bodies);
+            call((p, e) -> Raw.carom_world_read(p, field, Raw.CAROM_SCALAR_F64, handles, n, memory, 0, e));
+        }
+        MemorySegment.copy(memory, JAVA_DOUBLE, 0, dst, 0, dst.length);
+    }
+
+    /** Write one field of n bodies; all values are validated before the first is written. Arguments as carom_world_read().
+     *  param: src n records of the field's scalars, `stride` bytes apart
+     *  status: as carom_world_read(); UNSUPPORTED (read-only field); NOT_FINITE; NOT_UNIT; OUT_OF_RANGE; REENTRANT */
+    public void write(int field, long[] bodies, double[] src) {
+        long n = src.length / width(field, bodies, src.length);
+        MemorySegment memory = Library.Scratch.get().buffer(8L * src.length);
+        MemorySegment.copy(src, 0, memory, JAVA_DOUBLE, 0, src.length);
+        try (Arena local = Arena.ofConfined()) {
+            MemorySegment handles = Raw.in(local, bodies);
+            call((p, e) -> Raw.carom_world_write(p, field, Raw.CAROM_SCALAR_F64, handles, n, memory, 0, e));
         }
     }
 
@@ -542,7 +590,7 @@ public abstract sealed class WorldCalls permits World {
      *  thread: reader */
     public void characterMove(Raw.CharacterDesc desc, Raw.Character character, Vec3 walk, double jump, double dt) {
         try (Arena local = Arena.ofConfined()) {
-            var walk_in = Library.in(local, walk);
+            var walk_in = Raw.in(local, walk);
             call((p, e) -> Raw.carom_character_move(p, desc == null ? MemorySegment.NULL : desc.segment, character.segment, walk_in, jump, dt, e));
         }
     }
@@ -579,7 +627,7 @@ public abstract sealed class WorldCalls permits World {
      *          OUT_OF_RANGE (scale); BUFFER_TOO_SMALL (stride); BUSY; REENTRANT; OUT_OF_MEMORY
      *  thread: reader */
     public Raw.DrawLine[] draw(Raw.DrawDesc desc) {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.DrawLine.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_draw(p, desc == null ? MemorySegment.NULL : desc.segment, dst, Raw.DrawLine.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.DrawLine.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_draw(p, desc == null ? MemorySegment.NULL : desc.segment, dst, Raw.DrawLine.SIZE, capacity, count, e));
         var each = new Raw.DrawLine[(int) (all.byteSize() / Raw.DrawLine.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.DrawLine(all.asSlice((long) i * Raw.DrawLine.SIZE, Raw.DrawLine.SIZE));
         return each;
@@ -600,7 +648,7 @@ public abstract sealed class WorldCalls permits World {
      *  param: count    out: how many there are (may exceed capacity; capacity are written)
      *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public Raw.ContactEvent[] contactEvents() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.ContactEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_contact_events(p, dst, Raw.ContactEvent.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.ContactEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_contact_events(p, dst, Raw.ContactEvent.SIZE, capacity, count, e));
         var each = new Raw.ContactEvent[(int) (all.byteSize() / Raw.ContactEvent.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.ContactEvent(all.asSlice((long) i * Raw.ContactEvent.SIZE, Raw.ContactEvent.SIZE));
         return each;
@@ -608,7 +656,7 @@ public abstract sealed class WorldCalls permits World {
 
     /** Arguments as carom_world_get_contact_events(). */
     public Raw.SensorEvent[] sensorEvents() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.SensorEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_sensor_events(p, dst, Raw.SensorEvent.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.SensorEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_sensor_events(p, dst, Raw.SensorEvent.SIZE, capacity, count, e));
         var each = new Raw.SensorEvent[(int) (all.byteSize() / Raw.SensorEvent.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.SensorEvent(all.asSlice((long) i * Raw.SensorEvent.SIZE, Raw.SensorEvent.SIZE));
         return each;
@@ -616,7 +664,7 @@ public abstract sealed class WorldCalls permits World {
 
     /** By the slots of the bodies; arguments as carom_world_get_contact_events(). */
     public Raw.SleepEvent[] sleepEvents() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.SleepEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_sleep_events(p, dst, Raw.SleepEvent.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.SleepEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_sleep_events(p, dst, Raw.SleepEvent.SIZE, capacity, count, e));
         var each = new Raw.SleepEvent[(int) (all.byteSize() / Raw.SleepEvent.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.SleepEvent(all.asSlice((long) i * Raw.SleepEvent.SIZE, Raw.SleepEvent.SIZE));
         return each;
@@ -624,7 +672,7 @@ public abstract sealed class WorldCalls permits World {
 
     /** By the slots of the joints; arguments as carom_world_get_contact_events(). */
     public Raw.JointEvent[] jointEvents() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.JointEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_joint_events(p, dst, Raw.JointEvent.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.JointEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_joint_events(p, dst, Raw.JointEvent.SIZE, capacity, count, e));
         var each = new Raw.JointEvent[(int) (all.byteSize() / Raw.JointEvent.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.JointEvent(all.asSlice((long) i * Raw.JointEvent.SIZE, Raw.JointEvent.SIZE));
         return each;
@@ -632,7 +680,7 @@ public abstract sealed class WorldCalls permits World {
 
     /** As they happened; arguments as carom_world_get_contact_events(). */
     public Raw.FaultEvent[] faultEvents() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.FaultEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_fault_events(p, dst, Raw.FaultEvent.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.FaultEvent.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_fault_events(p, dst, Raw.FaultEvent.SIZE, capacity, count, e));
         var each = new Raw.FaultEvent[(int) (all.byteSize() / Raw.FaultEvent.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.FaultEvent(all.asSlice((long) i * Raw.FaultEvent.SIZE, Raw.FaultEvent.SIZE));
         return each;
@@ -696,8 +744,8 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; NOT_FINITE; OUT_OF_RANGE (the sum would overflow); BUSY; REENTRANT */
     public void addForceAt(long body, Vec3 force, Vec3 point) {
         try (Arena local = Arena.ofConfined()) {
-            var force_in = Library.in(local, force);
-            var point_in = Library.in(local, point);
+            var force_in = Raw.in(local, force);
+            var point_in = Raw.in(local, point);
             call((p, e) -> Raw.carom_body_add_force_at(p, body, force_in, point_in, e));
         }
     }
@@ -729,7 +777,7 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public void setWind(Vec3 velocity) {
         try (Arena local = Arena.ofConfined()) {
-            var velocity_in = Library.in(local, velocity);
+            var velocity_in = Raw.in(local, velocity);
             call((p, e) -> Raw.carom_world_set_wind(p, velocity_in, e));
         }
     }
@@ -1029,7 +1077,7 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; BUSY */
     public long[] joints() {
         try (Arena local = Arena.ofConfined()) {
-            return Library.list(this::call, local, 8, (p, dst, capacity, count, e) -> Raw.carom_world_get_joints(p, dst, capacity, count, e)).toArray(JAVA_LONG);
+            return Raw.list(this::call, local, 8, (p, dst, capacity, count, e) -> Raw.carom_world_get_joints(p, dst, capacity, count, e)).toArray(JAVA_LONG);
         }
     }
 
@@ -1046,7 +1094,7 @@ public abstract sealed class WorldCalls permits World {
      *  param: count    out: how many there are (may exceed capacity; capacity are written)
      *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public Raw.LedgerEntry[] ledger() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.LedgerEntry.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_ledger(p, dst, Raw.LedgerEntry.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.LedgerEntry.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_ledger(p, dst, Raw.LedgerEntry.SIZE, capacity, count, e));
         var each = new Raw.LedgerEntry[(int) (all.byteSize() / Raw.LedgerEntry.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.LedgerEntry(all.asSlice((long) i * Raw.LedgerEntry.SIZE, Raw.LedgerEntry.SIZE));
         return each;
@@ -1104,7 +1152,7 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (an index, their order, n); BUSY; REENTRANT */
     public void particlesRemove(long set, int[] indices) {
         try (Arena local = Arena.ofConfined()) {
-            var indices_in = Library.in(local, indices);
+            var indices_in = Raw.in(local, indices);
             call((p, e) -> Raw.carom_particles_remove(p, set, indices_in, indices.length, e));
         }
     }
@@ -1117,7 +1165,7 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; BUSY */
     public int[] particlesQuarantined(long set) {
         try (Arena local = Arena.ofConfined()) {
-            return Library.list(this::call, local, 4, (p, dst, capacity, count, e) -> Raw.carom_particles_get_quarantined(p, set, dst, capacity, count, e)).toArray(JAVA_INT);
+            return Raw.list(this::call, local, 4, (p, dst, capacity, count, e) -> Raw.carom_particles_get_quarantined(p, set, dst, capacity, count, e)).toArray(JAVA_INT);
         }
     }
 
@@ -1126,7 +1174,7 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; BUSY */
     public long[] particleSets() {
         try (Arena local = Arena.ofConfined()) {
-            return Library.list(this::call, local, 8, (p, dst, capacity, count, e) -> Raw.carom_world_get_particles(p, dst, capacity, count, e)).toArray(JAVA_LONG);
+            return Raw.list(this::call, local, 8, (p, dst, capacity, count, e) -> Raw.carom_world_get_particles(p, dst, capacity, count, e)).toArray(JAVA_LONG);
         }
     }
 
@@ -1178,7 +1226,7 @@ public abstract sealed class WorldCalls permits World {
      *  param: count    out: how many there are (may exceed capacity; capacity are written)
      *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public Raw.PlanLine[] plan() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.PlanLine.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_plan(p, dst, Raw.PlanLine.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.PlanLine.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_plan(p, dst, Raw.PlanLine.SIZE, capacity, count, e));
         var each = new Raw.PlanLine[(int) (all.byteSize() / Raw.PlanLine.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.PlanLine(all.asSlice((long) i * Raw.PlanLine.SIZE, Raw.PlanLine.SIZE));
         return each;
@@ -1198,7 +1246,7 @@ public abstract sealed class WorldCalls permits World {
      *          OUT_OF_MEMORY   thread: reader */
     public Raw.Difference compare(byte[] bytes) {
         try (Arena local = Arena.ofConfined()) {
-            var bytes_in = Library.in(local, bytes);
+            var bytes_in = Raw.in(local, bytes);
             var difference_out = new Raw.Difference(Arena.ofAuto());
             call((p, e) -> Raw.carom_world_compare(p, bytes_in, bytes.length, difference_out.segment, e));
             return difference_out;
@@ -1250,7 +1298,7 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; UNSUPPORTED (flags); BUFFER_TOO_SMALL; BUSY; REENTRANT; OUT_OF_MEMORY   thread: reader */
     public byte[] save(int flags) {
         try (Arena local = Arena.ofConfined()) {
-            return Library.list(this::call, local, 1, (p, dst, capacity, count, e) -> Raw.carom_world_save(p, flags, dst, capacity, count, e)).toArray(JAVA_BYTE);
+            return Raw.list(this::call, local, 1, (p, dst, capacity, count, e) -> Raw.carom_world_save(p, flags, dst, capacity, count, e)).toArray(JAVA_BYTE);
         }
     }
 
@@ -1268,7 +1316,7 @@ public abstract sealed class WorldCalls permits World {
      *          says id and version); LIMIT; BUSY; REENTRANT; OUT_OF_MEMORY */
     public void restore(byte[] bytes) {
         try (Arena local = Arena.ofConfined()) {
-            var bytes_in = Library.in(local, bytes);
+            var bytes_in = Raw.in(local, bytes);
             call((p, e) -> Raw.carom_world_restore(p, bytes_in, bytes.length, e));
         }
     }
@@ -1281,9 +1329,9 @@ public abstract sealed class WorldCalls permits World {
      *          worlds); BUSY; REENTRANT   thread: reader */
     public void translateHandles(long[] handles, long[] translated) {
         try (Arena local = Arena.ofConfined()) {
-            var handles_in = Library.in(local, handles);
-            var translated_in = Library.in(local, translated);
-            Library.fits(translated.length, handles.length);
+            var handles_in = Raw.in(local, handles);
+            var translated_in = Raw.in(local, translated);
+            Raw.fits(translated.length, handles.length);
             call((p, e) -> Raw.carom_world_translate_handles(p, handles_in, handles.length, translated_in, e));
             MemorySegment.copy(translated_in, JAVA_LONG, 0, translated, 0, translated.length);
         }
@@ -1297,7 +1345,7 @@ public abstract sealed class WorldCalls permits World {
      *  status: OK; NULL_ARGUMENT; *_HANDLE; OUT_OF_RANGE (the body is not moved by forces); UNSUPPORTED (no tree);
      *          BUFFER_TOO_SMALL (stride); BUSY; OUT_OF_MEMORY */
     public Raw.TreeCoordinate[] treeCoordinates(long body) {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.TreeCoordinate.SIZE, (p, dst, capacity, count, e) -> Raw.carom_tree_get_coordinates(p, body, dst, Raw.TreeCoordinate.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.TreeCoordinate.SIZE, (p, dst, capacity, count, e) -> Raw.carom_tree_get_coordinates(p, body, dst, Raw.TreeCoordinate.SIZE, capacity, count, e));
         var each = new Raw.TreeCoordinate[(int) (all.byteSize() / Raw.TreeCoordinate.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.TreeCoordinate(all.asSlice((long) i * Raw.TreeCoordinate.SIZE, Raw.TreeCoordinate.SIZE));
         return each;
@@ -1310,7 +1358,7 @@ public abstract sealed class WorldCalls permits World {
      *          OUT_OF_MEMORY */
     public void treeSpeeds(long body, double[] speeds) {
         try (Arena local = Arena.ofConfined()) {
-            var speeds_in = Library.in(local, speeds);
+            var speeds_in = Raw.in(local, speeds);
             call((p, e) -> Raw.carom_tree_get_speeds(p, body, speeds_in, speeds.length, e));
             MemorySegment.copy(speeds_in, JAVA_DOUBLE, 0, speeds, 0, speeds.length);
         }
@@ -1328,11 +1376,11 @@ public abstract sealed class WorldCalls permits World {
      *          OUT_OF_RANGE (n; the body is not moved by forces); UNSUPPORTED (no tree); BUSY; OUT_OF_MEMORY */
     public void treeForces(long body, double[] speeds, double[] accelerations, double[] forces) {
         try (Arena local = Arena.ofConfined()) {
-            var speeds_in = Library.in(local, speeds);
-            var accelerations_in = Library.in(local, accelerations);
-            var forces_in = Library.in(local, forces);
-            Library.fits(speeds == null ? forces.length : speeds.length, forces.length);
-            Library.fits(accelerations == null ? forces.length : accelerations.length, forces.length);
+            var speeds_in = Raw.in(local, speeds);
+            var accelerations_in = Raw.in(local, accelerations);
+            var forces_in = Raw.in(local, forces);
+            Raw.fits(speeds == null ? forces.length : speeds.length, forces.length);
+            Raw.fits(accelerations == null ? forces.length : accelerations.length, forces.length);
             call((p, e) -> Raw.carom_tree_get_forces(p, body, speeds_in, accelerations_in, forces_in, forces.length, e));
             MemorySegment.copy(forces_in, JAVA_DOUBLE, 0, forces, 0, forces.length);
         }
@@ -1372,7 +1420,7 @@ public abstract sealed class WorldCalls permits World {
     /** param: gravity [3] m/s^2, |each| &lt;= 1e6   status: OK; NULL_ARGUMENT; NOT_FINITE; OUT_OF_RANGE; BUSY; REENTRANT */
     public void setGravity(Vec3 gravity) {
         try (Arena local = Arena.ofConfined()) {
-            var gravity_in = Library.in(local, gravity);
+            var gravity_in = Raw.in(local, gravity);
             call((p, e) -> Raw.carom_world_set_gravity(p, gravity_in, e));
         }
     }
@@ -1399,7 +1447,7 @@ public abstract sealed class WorldCalls permits World {
      *  param: count    out: how many there are (may exceed capacity; capacity are written)
      *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public Raw.Contact[] contacts() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.Contact.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_contacts(p, dst, Raw.Contact.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.Contact.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_contacts(p, dst, Raw.Contact.SIZE, capacity, count, e));
         var each = new Raw.Contact[(int) (all.byteSize() / Raw.Contact.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.Contact(all.asSlice((long) i * Raw.Contact.SIZE, Raw.Contact.SIZE));
         return each;
@@ -1412,7 +1460,7 @@ public abstract sealed class WorldCalls permits World {
      *  param: count    out: how many there are (may exceed capacity; capacity are written)
      *  status: OK; NULL_ARGUMENT; BUFFER_TOO_SMALL; OUT_OF_RANGE (stride); BUSY */
     public Raw.Group[] groups() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.Group.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_groups(p, dst, Raw.Group.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.Group.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_groups(p, dst, Raw.Group.SIZE, capacity, count, e));
         var each = new Raw.Group[(int) (all.byteSize() / Raw.Group.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.Group(all.asSlice((long) i * Raw.Group.SIZE, Raw.Group.SIZE));
         return each;
@@ -1420,7 +1468,7 @@ public abstract sealed class WorldCalls permits World {
 
     /** Copy out the faults of the last step; arguments as carom_world_get_contacts(). */
     public Raw.Fault[] faults() {
-        var all = Library.list(this::call, Arena.ofAuto(), Raw.Fault.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_faults(p, dst, Raw.Fault.SIZE, capacity, count, e));
+        var all = Raw.list(this::call, Arena.ofAuto(), Raw.Fault.SIZE, (p, dst, capacity, count, e) -> Raw.carom_world_get_faults(p, dst, Raw.Fault.SIZE, capacity, count, e));
         var each = new Raw.Fault[(int) (all.byteSize() / Raw.Fault.SIZE)];
         for (int i = 0; i < each.length; i++) each[i] = new Raw.Fault(all.asSlice((long) i * Raw.Fault.SIZE, Raw.Fault.SIZE));
         return each;
@@ -1445,11 +1493,25 @@ public abstract sealed class WorldCalls permits World {
      *          BUFFER_TOO_SMALL (size); BUSY; OUT_OF_MEMORY   thread: reader */
     public Raw.WorldHit castRay(Vec3 origin, Vec3 direction, double max, Raw.QueryDesc desc) {
         try (Arena local = Arena.ofConfined()) {
-            var origin_in = Library.in(local, origin);
-            var direction_in = Library.in(local, direction);
+            var origin_in = Raw.in(local, origin);
+            var direction_in = Raw.in(local, direction);
             var hit_out = new Raw.WorldHit(Arena.ofAuto());
             call((p, e) -> Raw.carom_world_cast_ray(p, origin_in, direction_in, max, desc == null ? MemorySegment.NULL : desc.segment, hit_out.segment, Raw.WorldHit.SIZE, e));
             return hit_out;
         }
+    }
+
+    private static final int[] WIDTH = {3, 4, 7, 3, 3, 6, 6, 3, 1}; // numbers a body, by field
+
+    static int width(int field, long[] bodies, int numbers) {
+        if (field < 0 || field >= WIDTH.length) throw unfit("there is no field " + field);
+        int width = WIDTH[field];
+        if (numbers % width != 0 || bodies != null && numbers / width != bodies.length)
+            throw unfit(numbers + " numbers, " + width + " a body" + (bodies == null ? "" : ", for " + bodies.length + " bodies"));
+        return width;
+    }
+
+    static CaromException unfit(String what) {
+        return new CaromException(Raw.CAROM_E_OUT_OF_RANGE, what, "pass as many numbers as the field has for as many bodies");
     }
 }

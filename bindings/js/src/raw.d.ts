@@ -24,6 +24,12 @@ export interface Raw {
    *  Newer libraries have more lines, and a struct may be larger; a field stays as it is.
    *  Static storage. */
   carom_abi_manifest(): number;
+  /** Is this library what a client was built for? As bindings ask when they have loaded it: of the same major version and
+   *  not older (of the same minor version before 1.0), and with the same structs, some of which may be larger here.
+   *  @param layout  of the client: lines of carom_abi_manifest(), the first with its version, zero-terminated
+   *  @status OK; NULL_ARGUMENT; OUT_OF_RANGE (no line of a version); UNSUPPORTED (the message names this library's file, and the
+   *          first line that differs) */
+  carom_abi_check(layout: number, error: number): number;
   /** @status OK; NULL_ARGUMENT; STRUCT_SIZE */
   carom_accuracy_init(accuracy: number, struct_size: number): number;
   /** Set an error tolerance from the next step on.

@@ -14,7 +14,7 @@ target_compile_options(carom_flags INTERFACE -fwasm-exceptions ${CAROM_WASM_OPTI
   "SHELL:-mllvm -inline-threshold=225" "SHELL:-mllvm -unroll-threshold=150"
   "SHELL:-mllvm -unroll-runtime=false" "SHELL:-mllvm -unroll-allow-partial=false"
   $<$<BOOL:${CAROM_WASM_SIMD}>:-msimd128> -fno-slp-vectorize -fno-vectorize
-  "$<$<IN_LIST:$<TARGET_PROPERTY:NAME>,carom_abi$<SEMICOLON>carom_batch$<SEMICOLON>carom_kit>:SHELL:${CAROM_WASM_SELDOM}>")
+  "$<$<OR:$<IN_LIST:$<TARGET_PROPERTY:NAME>,carom_abi$<SEMICOLON>carom_batch$<SEMICOLON>carom_kit>,$<BOOL:$<TARGET_PROPERTY:CAROM_SELDOM>>>:SHELL:${CAROM_WASM_SELDOM}>")
 target_link_options(carom_flags INTERFACE -fwasm-exceptions)
 target_compile_definitions(carom_flags INTERFACE CAROM_FEW_COPIES)  # core/wide.h: kernels share their parts
 # Preset wasm-threads: memory that workers share, and atomic instructions. CMakeLists.txt links the

@@ -700,6 +700,7 @@ FUNCTIONS = {
     "carom_result_name": ("0.9", c_char_p, (c_int32,)),
     "carom_result_remedy": ("0.9", c_char_p, (c_int32,)),
     "carom_abi_manifest": ("0.9", c_char_p, ()),
+    "carom_abi_check": ("0.9", c_int32, (c_char_p, POINTER(carom_error),)),
     "carom_accuracy_init": ("0.9", c_int32, (POINTER(carom_accuracy), c_uint32,)),
     "carom_world_set_accuracy": ("0.9", c_int32, (c_void_p, POINTER(carom_accuracy), POINTER(carom_error),)),
     "carom_world_get_accuracy": ("0.9", c_int32, (c_void_p, POINTER(carom_accuracy), POINTER(c_uint32), POINTER(carom_error),)),

@@ -28,10 +28,10 @@ CoordinateRow row_at(const JointEnds& ends, bool slides) {
   return {coordinates_of(ends)[static_cast<std::size_t>(Coordinate::twist)], Vec3::zero(), axis, axis};
 }
 
-struct Motion {
+struct EndMotion {
   Vec3 v, omega;  // m/s, rad/s, world
 };
-Motion motion_of(const BodyVelocity& v) {
+EndMotion motion_of(const BodyVelocity& v) {
   return {Vec3(v.v[0], v.v[1], v.v[2]), Vec3(v.omega[0], v.omega[1], v.omega[2])};
 }
 
@@ -40,15 +40,15 @@ class Bodies {
  public:
   Bodies(const World& world, const CoupledRow& row) : velocity_(world.wide->velocity.data()), row_(row) {}
 
-  Motion at(int k) const {
-    return k < 0 ? Motion{Vec3::zero(), Vec3::zero()}
+  EndMotion at(int k) const {
+    return k < 0 ? EndMotion{Vec3::zero(), Vec3::zero()}
                  : motion_of(velocity_[row_.bodies[static_cast<std::size_t>(k)].solver]);
   }
   Real rate() const {
     Real u = 0;
     for (int k = 0; k < row_.count; ++k) {
       const CoupledBody& b = row_.bodies[static_cast<std::size_t>(k)];
-      const Motion m = at(k);
+      const EndMotion m = at(k);
       u += b.d.dot(m.v) + b.w.dot(m.omega);
     }
     return u;
@@ -113,7 +113,7 @@ void add_row(CoupledRow& row, const Side& side, const CoordinateRow& of, Real sh
 }
 
 Real rate_of(const Bodies& bodies, const Side& side, const CoordinateRow& of) {
-  const Motion a = bodies.at(side.a), b = bodies.at(side.b);
+  const EndMotion a = bodies.at(side.a), b = bodies.at(side.b);
   return of.d.dot(b.v - a.v) + of.w_b.dot(b.omega) - of.w_a.dot(a.omega);
 }
 
@@ -213,7 +213,7 @@ void place(const World& world, WideJoints& w, CoupledRow& row) {
 Real curve_of(const World& world, const Bodies& bodies, const Side& side, Real h) {
   if (!is_slide(world, side.joint)) return 0;
   const JointEnds ends = ends_of(world, world.joints.joint[side.joint].def);
-  const Motion a = bodies.at(side.a), b = bodies.at(side.b);
+  const EndMotion a = bodies.at(side.a), b = bodies.at(side.b);
   const Vec3 turns_a = a.omega.cross(ends.arm_a), turns_b = b.omega.cross(ends.arm_b);
   const Vec3 d = ends.a.q * Vec3::unit_x(), d1 = a.omega.cross(d), d2 = a.omega.cross(d1);
   const Vec3 parting = (b.v + turns_b) - (a.v + turns_a), inward = b.omega.cross(turns_b) - a.omega.cross(turns_a);
@@ -234,7 +234,7 @@ void sweep(const World& world, WideJoints& w, CoupledRow& row) {
   };
   int n = 0;
   each_lock(w, row, [&](const Side& side, const SideLanes& lanes, const JointRowLanes& r) {
-    const Motion a = bodies.at(side.a), b = bodies.at(side.b);
+    const EndMotion a = bodies.at(side.a), b = bodies.at(side.b);
     const std::uint32_t k = lanes.lane;
     const Real u = get(r.d, k).dot(b.v - a.v) + get(r.w_b, k).dot(b.omega) - get(r.w_a, k).dot(a.omega);
     x[static_cast<std::size_t>(n++)] = asked(u, r.curve[k], r.error[k]);

@@ -858,6 +858,11 @@ inline const Row kRows[] = {
     {"carom_stage_name", [](Context& c) { return call("carom_stage_name", carom_stage_name, {fixed_number(c.source.below(64))}); }},
     {"carom_effect_name", [](Context& c) { return call("carom_effect_name", carom_effect_name, {fixed_number(c.source.below(64))}); }},
     {"carom_abi_manifest", [](Context&) { return call("carom_abi_manifest", carom_abi_manifest, {}); }},
+    {"carom_abi_check", [](Context& c) {
+       Argument layout = string(c, carom_abi_manifest());
+       for (const char* wrong : {"", "carom", "carom 0.9", "ELF"}) layout.wrong.push_back({wrong, of(wrong), kRange});
+       return call("carom_abi_check", carom_abi_check, {layout, error(c)});
+     }},
     // engine
     INIT(carom_engine_desc_init, carom_engine_desc),
     INIT(carom_jobs_desc_init, carom_jobs_desc),

@@ -3440,6 +3440,12 @@ extern "C" {
     /// Newer libraries have more lines, and a struct may be larger; a field stays as it is.
     /// Static storage.
     pub fn carom_abi_manifest() -> *const c_char;
+    /// Is this library what a client was built for? As bindings ask when they have loaded it: of the same major version and
+    /// not older (of the same minor version before 1.0), and with the same structs, some of which may be larger here.
+    /// @param layout  of the client: lines of carom_abi_manifest(), the first with its version, zero-terminated
+    /// @status OK; NULL_ARGUMENT; OUT_OF_RANGE (no line of a version); UNSUPPORTED (the message names this library's file, and the
+    ///         first line that differs)
+    pub fn carom_abi_check(layout: *const c_char, error: *mut carom_error) -> i32;
     /// @status OK; NULL_ARGUMENT; STRUCT_SIZE
     pub fn carom_accuracy_init(accuracy: *mut carom_accuracy, struct_size: u32) -> i32;
     /// Set an error tolerance from the next step on.

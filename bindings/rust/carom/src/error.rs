@@ -1,7 +1,6 @@
 //! Failures, and whether the library that was loaded fits this crate.
-use crate::raw;
-use std::collections::HashMap;
-use std::ffi::{c_char, c_void, CStr, CString};
+use crate::{calls::text, raw};
+use std::ffi::{c_char, CStr};
 use std::sync::OnceLock;
 
 /// What was wrong, and what to do. Nothing has changed.
@@ -26,25 +25,6 @@ impl std::fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
-
-impl Error {
-    pub(crate) fn new(code: i32, message: String, remedy: &str) -> Self {
-        Error { code, argument: 0, message, remedy: remedy.into(), witness: None }
-    }
-}
-
-/// What C takes as a text.
-pub(crate) fn text(text: &str) -> Result<CString> {
-    let refused = |_| Error::new(raw::CAROM_E_OUT_OF_RANGE, format!("{text:?} has a zero byte"), "leave it out");
-    CString::new(text).map_err(refused)
-}
-
-/// Whether slices that go together are of one length.
-pub(crate) fn fits(n: usize, wanted: u64) -> Result<()> {
-    let refused =
-        || Error::new(raw::CAROM_E_OUT_OF_RANGE, format!("{n} where {wanted} are wanted"), "pass slices of one length");
-    (n as u64 == wanted).then_some(()).ok_or_else(refused)
-}
 
 /// Make a call, whose last argument is a `carom_error*`.
 #[inline]
@@ -72,55 +52,18 @@ fn failure(code: i32, details: *const raw::carom_error) -> Error {
     }
 }
 
-/// Is the library that was loaded one that this crate can call? Compared once: version, and the layout of every struct.
+/// Is the library that was loaded one that this crate can call? Asked once: version, and the layout of every struct.
 pub(crate) fn check_library() -> Result<()> {
     static CHECKED: OnceLock<Result<()>> = OnceLock::new();
-    let of_library = || {
-        let manifest = unsafe { CStr::from_ptr(raw::carom_abi_manifest()) };
-        check_manifest(&manifest.to_string_lossy(), &file_of(manifest.as_ptr().cast()))
-    };
-    CHECKED.get_or_init(of_library).clone()
+    CHECKED.get_or_init(|| check_layout(&layout())).clone()
 }
 
-#[cfg(not(unix))]
-fn file_of(_: *const c_void) -> String {
-    "libcarom".into()
+pub(crate) fn layout() -> String {
+    let row = |(name, offset, size, kind): &_| format!("{name} {offset} {size} {kind}\n");
+    format!("carom {}\n", raw::VERSION) + &raw::LAYOUT.iter().map(row).collect::<String>()
 }
 
-/// The file that an address belongs to.
-#[cfg(unix)]
-fn file_of(address: *const c_void) -> String {
-    #[repr(C)]
-    struct Info(*const c_char, *const c_void, *const c_char, *const c_void);
-    extern "C" {
-        fn dladdr(address: *const c_void, info: *mut Info) -> i32;
-    }
-    let mut info = Info(std::ptr::null(), std::ptr::null(), std::ptr::null(), std::ptr::null());
-    match unsafe { dladdr(address, &mut info) } {
-        0 => "libcarom".into(),
-        _ => unsafe { CStr::from_ptr(info.0) }.to_string_lossy().into_owned(),
-    }
-}
-
-pub(crate) fn check_manifest(manifest: &str, file: &str) -> Result<()> {
-    let remedy = "install a libcarom and a crate of one version, or build the crate against that library anew";
-    let refuse = |what: String| Err(Error::new(raw::CAROM_E_UNSUPPORTED, format!("{file} {what}"), remedy));
-    let (first, rows) = manifest.split_once('\n').unwrap_or_default();
-    let version = first.strip_prefix("carom ").unwrap_or("?");
-    let numbers = |text: &str| text.split('.').map(|n| n.parse().ok()).collect::<Option<Vec<u32>>>();
-    let (there, here) = (numbers(version).unwrap_or_default(), numbers(raw::VERSION).unwrap_or_default());
-    // Before 1.0 a minor version may break clients.
-    if there < here || there[0] != here[0] || here[0] == 0 && there[1] != here[1] {
-        return refuse(format!("is of version {version}, this crate of {}", raw::VERSION));
-    }
-    let rows: HashMap<_, _> = rows.lines().filter_map(|line| line.split_once(' ')).collect();
-    for &(name, offset, size, kind) in raw::LAYOUT {
-        let ours = format!("{offset} {size} {kind}");
-        let Some(&theirs) = rows.get(name) else { return refuse(format!("has no {name}")) };
-        let more = theirs.split(' ').nth(1).and_then(|n| n.parse().ok()) > Some(size); // what a newer one has more is not ours
-        if theirs != ours && !(more && kind == "struct" && theirs.ends_with(" struct")) {
-            return refuse(format!("has {name} as {theirs} (offset, bytes, kind), this crate as {ours}"));
-        }
-    }
-    Ok(())
+pub(crate) fn check_layout(layout: &str) -> Result<()> {
+    let layout = text(layout)?;
+    check(|e| unsafe { raw::carom_abi_check(layout.as_ptr(), e) })
 }

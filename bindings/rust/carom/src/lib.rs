@@ -10,6 +10,7 @@ mod support;
 #[cfg(test)]
 mod tests;
 
+pub use calls::Scalar;
 pub use carom_sys as raw;
 pub use error::{Error, Result};
 pub use raw::{
@@ -20,7 +21,7 @@ pub use raw::{
 };
 pub use support::Param;
 
-use error::{check, check_library, fits, text};
+use error::{check, check_library};
 use std::ptr::{null, null_mut};
 use std::sync::{Arc, Mutex};
 
@@ -93,19 +94,6 @@ impl Drop for World {
     }
 }
 
-/// Numbers of arrays: f32 or f64.
-/// # Safety
-/// `SCALAR` says what the type is.
-pub unsafe trait Scalar: Copy {
-    const SCALAR: u32;
-}
-unsafe impl Scalar for f32 {
-    const SCALAR: u32 = raw::CAROM_SCALAR_F32;
-}
-unsafe impl Scalar for f64 {
-    const SCALAR: u32 = raw::CAROM_SCALAR_F64;
-}
-
 impl World {
     /// Any call of the C interface on this world: `world.call(|p, e| unsafe { raw::carom_world_cast_rays(p, &rays, want, null(), &hits, e) })`.
     #[inline]
@@ -138,9 +126,7 @@ impl World {
     }
 
     pub fn position(&self, body: Body) -> Result<[f64; 3]> {
-        let mut position = [0.0; 3];
-        self.call(|p, e| unsafe { raw::carom_body_get_pose(p, body, position.as_mut_ptr(), null_mut(), e) })?;
-        Ok(position)
+        Ok(self.pose(body)?.0)
     }
 
     /// Of all bodies, in the order of [`World::bodies`].
@@ -158,23 +144,5 @@ impl World {
         let mut pointer = null_mut();
         self.call(|p, e| unsafe { raw::carom_world_fork(p, &mut pointer, e) })?;
         Ok(World { pointer, engine: self.engine.clone() })
-    }
-
-    /// All of a list that says how many there are: asked for none first, then for all.
-    fn list<T>(
-        &self,
-        ask: impl Fn(*mut raw::carom_world, *mut T, u64, *mut u64, *mut raw::carom_error) -> i32,
-    ) -> Result<Vec<T>> {
-        let (mut all, mut count) = (Vec::new(), 0);
-        loop {
-            let room = all.capacity() as u64;
-            match self.call(|p, e| ask(p, all.as_mut_ptr(), room, &mut count, e)) {
-                Err(error) if error.code != raw::CAROM_E_BUFFER_TOO_SMALL || count <= room => return Err(error),
-                _ if count > room => all.reserve(count as usize), // some say so by that error
-                _ => break,
-            }
-        }
-        unsafe { all.set_len(count as usize) }; // as many were written: it was at most the capacity
-        Ok(all)
     }
 }

@@ -1,5 +1,5 @@
 //! A closure as the support function of a plugin.
-use crate::{error::text, raw, Engine, Plugin, Result};
+use crate::{calls::text, raw, Engine, Plugin, Result};
 use std::ffi::{c_void, CString};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
