@@ -12,7 +12,8 @@ void quarantine(Quarantining to, std::uint32_t body) {
   HostForces& host = to;
   Quarantine& held = to;
   Revisions& scene = to;
-  motion.v[body] = motion.omega[body] = host.force[body] = host.torque[body] = Vec3::zero();
+  motion.v[body] = motion.omega[body] = motion.momentum[body] = Vec3::zero();
+  host.force[body] = host.torque[body] = Vec3::zero();
   if (held.is_lost(body)) return;
   held.held_out[body] |= Quarantine::kNotFinite;
   ++held.quarantined_count;

@@ -47,8 +47,16 @@ static void run_a_heap(std::size_t seed, CutShort& of) {
     // What the report says bounds each of the law's parts: k |p - P(p - y / k)| is at least what y lacks of the dual
     // cone, and what y and p lack of being at right angles, up to sqrt(1 + mu^2) for the slope of the cone.
     const Real slack = 2 * std::max<Real>(kTolerance, t.world.report.solver_residual);
-    for (const ConeContact& c : t.world.direct->contacts) {
-      if (c.friction == 0) continue;  // what parted overlaps, not what changed velocities
+    const auto stands = [&](std::size_t i) {  // unchanged: that group's contacts are not looked at, nor written
+      const DirectGroups& d = *t.world.direct;
+      std::size_t g = 0;
+      while (d.begin[g + 1].contact <= i) ++g;
+      return d.rest[g].is_unchanged;
+    };
+    for (std::size_t i = 0; i < t.world.direct->contacts.size(); ++i) {
+      const ConeContact& c = t.world.direct->contacts[i];
+      if (c.friction == 0 || stands(i))
+        continue;  // without friction: what parted overlaps, not what changed velocities
       const Real u_n = c.u.dot(c.n) - c.want, p_n = c.p.dot(c.n);
       const Vec3 u_t = c.u - c.u.dot(c.n) * c.n, p_t = c.p - p_n * c.n;
       assert_true(u_n > -slack && p_n >= 0);

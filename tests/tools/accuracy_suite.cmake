@@ -12,7 +12,7 @@ if(NOT CAROM_SANITIZE)
   add_test(NAME tools/preset_fronts COMMAND ${CAROM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/bench/preset_fronts --run $<TARGET_FILE:carom_cli> ${by_night})
   set_tests_properties(tools/preset_fronts PROPERTIES LABELS tools TIMEOUT 300 COST 50)
   # What was found to fall at other sizes, loads and steps than the suite's, and sizes that the mends were not made on.
-  set(standing "bridge planks=50 ratio=200 1/60" "kapla layers=27 ratio=1 1/80" "kapla layers=50 ratio=1 1/50" "kapla layers=34 ratio=1 1/60")
+  set(standing "bridge planks=50 ratio=200 1/60" "bridge planks=57 ratio=75 1/75" "bridge planks=64 ratio=150 1/50" "bridge planks=55 ratio=500 1/100" "kapla layers=27 ratio=1 1/80" "kapla layers=50 ratio=1 1/50" "kapla layers=34 ratio=1 1/60")
   if(CAROM_LONG_TESTS)
     list(APPEND standing "bridge planks=60 ratio=1000 1/80" "bridge planks=35 ratio=500 1/100")
   endif()

@@ -39,7 +39,8 @@ JointSpeeds speeds_of(const World& world, const Joint& joint) {
   Real swing = n_rate.norm();
   if (sine > kAgree) swing = n.x() * ((n.y() * n_rate.y() + n.z() * n_rate.z()) / sine) - sine * n_rate.x();
   const SwingPlane plane = joint.axes ? swing_plane(world.joints.axes_of(joint)) : SwingPlane::none;
-  const Vec3 turning = rates_of_angles(t, plane, counted_angles(world, joint, ends), w);
+  const bool swings = plane == SwingPlane::none && sine > kAgree;  // else nothing hangs on where it is
+  const Vec3 turning = rates_of_angles(t, plane, swings ? counted_angles(world, joint, ends) : Vec3(Vec3::zero()), w);
   JointSpeeds speeds;
   speeds.coordinate = {turning.x(), swing, place.x(), lengthening(ends.apart, parting)};
   if (def.kind == JointKind::pulley) {

@@ -311,7 +311,8 @@ void start_cooldowns(const World& world, SolverMemory& memory) {
   for (std::size_t g = 0; g < d.groups(); ++g) {
     if (d.rest[g].in_lanes) continue;
     const bool joined = d.is_joined(g);
-    const bool keeps = d.is_few(g) && (joined || d.may_yield(g, world.plan->substeps));
+    const bool few = d.is_few(g), cheap = d.may_yield(g, world.plan->substeps);
+    const bool keeps = joined ? few || cheap : few && cheap;
     const bool gives_up = !keeps && !d.rest[g].waits && !d.rest[g].lies && d.rest[g].is_far_off;
     if (!gives_up && !joined) continue;
     const int rest = gives_up ? kCooldown.value : 0;

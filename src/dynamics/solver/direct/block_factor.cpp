@@ -142,7 +142,7 @@ void take_from_this(const Elimination& e, std::uint32_t j, const BlockFactor& f,
 
 }  // namespace
 
-void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<const TreeNode> tree,
+void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<TreeNode> tree,
            const BlockFactor& f, Vec6* x) {
   const auto child = [&](std::uint32_t j) {
     return !tree.empty() && tree[j - first].is_held() ? &tree[j - first] : nullptr;
@@ -162,13 +162,13 @@ void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, std::s
         return;
       }
       if (node->parent != kInvalid) add_to(x[node->parent], handed_over(*node, momentum));
-      x[j] = freely(*node, momentum, n);
+      x[j] = freely_pushed(*node, momentum, n);
       solve_lower(node->by_all.factor, x[j], n);
       take_from_later(e, j, f, x, n);
     });
   }
   for (std::uint32_t j = last; j-- > first;) {
-    const TreeNode* const node = child(j);
+    TreeNode* const node = child(j);
     if (!node) {
       take_from_this(e, j, f, x, WholeBlock());
       solve_upper(f.diagonal[j], x[j]);
@@ -183,7 +183,8 @@ void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, std::s
         take_from_this(e, j, f, x, n);
         solve_upper(node->by_all.factor, x[j], n);
       }
-      add_free(*node, x[j], along, n);
+      node->q = x[j];
+      add_free(*node, node->q, along, n);
       along.store(x[j].at);
     });
   }

@@ -46,7 +46,7 @@ std::uint64_t factor(const Elimination& e, std::uint32_t first, std::uint32_t la
 
 /// Solve with a factor, in place.
 /// @param x  by place
-void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<const TreeNode> tree,
+void solve(const Elimination& e, std::uint32_t first, std::uint32_t last, std::span<TreeNode> tree,
            const BlockFactor& f, Vec6* x);
 
 }  // namespace carom::dynamics

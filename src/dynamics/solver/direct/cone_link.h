@@ -19,6 +19,13 @@ struct LinkMore {
   Vec3 d[kMost], w[kMost];                           // world
 };
 
+/// A row along a Newton step: what bounds its impulse from below and above is linear in the length.
+struct LinkLine {
+  bool is_straight;      // as of a contact
+  Real at_low, at_high;  // N s or N m s, that hold it at either bound, at its start
+  Real falls;            // by which both fall over the whole step
+};
+
 struct ConeLink {
   std::uint32_t a, b;    // bodies of the problem, or kInvalid
   std::uint32_t beside;  // as of a contact
@@ -37,10 +44,14 @@ struct ConeLink {
 
   // of a solve, of a round: as of a contact
   Real best, p0, u0, du;
+  LinkLine line;
+  Real linear;           // N s or N m s, by whether it is held: p, but for what goes on
+  bool goes_on = false;  // as before the round, otherwise than u says
   bool is_held = false;  // in the factor
-  // Of a limit or drive of a joint of the forest: S^T of its row, @see TreeNode.
+  // Of a limit or drive of a joint of the forest: S^T of its row, @see TreeNode; and whose, in ConeProblem::tree.
   bool is_of_child = false;
   Vec6 of_child;
+  std::uint32_t child;
   const LinkMore* more = nullptr;  // of a coupling of joints
   Real curve;                      // m/s or rad/s, of a lock: how its arm bends over the substep
   bool bends = false;              // that is asked of it
@@ -62,9 +73,12 @@ struct ConeLink {
   /// What a spring gives while bodies have velocities that give `v`, and `surface`.
   Real given(Real v) const { return std::clamp((low - v - surface) / give, -most, most); }
 
+  /// What p becomes at velocity v, in a round of resistance r, where v stays at a bound.
+  Real at(Real bound, Real v, Real r, Real from) const { return (r * from - (v - bound)) / (r + give); }
   /// What p becomes at velocity v, in a round of resistance r.
-  Real pulled(Real v, Real r, Real from) const {
-    const Real g = 1 / (r + give), at_low = (r * from - (v - low)) * g, at_high = (r * from - (v - high)) * g;
+  Real pulled(Real v, Real r, Real from) const { return bounded(at(low, v, r, from), at(high, v, r, from)); }
+  /// What p becomes where the bounds ask for so much.
+  Real bounded(Real at_low, Real at_high) const {
     return std::clamp(std::max(at_low, Real(0)) + std::min(at_high, Real(0)), -most, most);
   }
   /// Whether p follows v there.

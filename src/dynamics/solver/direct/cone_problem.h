@@ -20,6 +20,7 @@ enum class ConeCurvature : std::uint8_t { none, alike, slope };
 
 /// A contact along a Newton step: z, the impulse before it is projected, is z0 + length z1.
 struct ConeLine {
+  bool is_straight;    // what it gives is linear in the length, up to the whole step
   Real n0, n1;         // N s, of z along n
   Real t00, t01, t11;  // (N s)^2, squares and product across n
   Real u_n;            // m/s, of du along n
@@ -58,6 +59,7 @@ struct ConeContact {
 
   // of a round
   Vec3 p0, u0;                                    // as it began
+  Vec3 z;                                         // N s, its impulse before it is projected, at u
   Vec3 du;                                        // m/s, of a Newton step
   ConeCurvature curvature = ConeCurvature::none;  // of the factor
   Mat3 slope;                                     // kg, of its impulse by -u, where it is neither nought nor alike

@@ -43,7 +43,7 @@ void gather_momentum(ConeProblem& problem, const Shift& shift) {
 template <class Shift>
 void spread_velocities(ConeProblem& problem, const Shift& shift) {
   for (std::uint32_t j = static_cast<std::uint32_t>(problem.tree.size()); j-- > 0;) {
-    const TreeNode& node = problem.tree[j];
+    TreeNode& node = problem.tree[j];
     if (node.is_alone()) continue;
     Vec6& v = problem.bodies[problem.body_at(j)].step;
     if (!node.is_held()) {
@@ -54,9 +54,9 @@ void spread_velocities(ConeProblem& problem, const Shift& shift) {
       RowOfTwos along = RowOfTwos::zero();
       if (node.parent != kInvalid)
         along = with_parent(node, row_of(problem.bodies[problem.body_at(node.parent - problem.first)].step));
-      const Vec6 q = go_freely(node.by_mass, v, along, n);
+      node.q = go_freely(node.by_mass, v, along, n);
       if (const Vec6* const t = shift(j)) along.add(row_of(*t));
-      add_free(node, q, along, n);
+      add_free(node, node.q, along, n);
       along.store(v.at);
     });
   }
@@ -68,8 +68,8 @@ constexpr auto kNoShift = [](std::uint32_t) -> const Vec6* { return nullptr; };
 
 void plant(std::span<TreeNode> nodes, std::span<const TreeJoint> joints, Elimination& order, std::uint32_t first) {
   for (TreeNode& node : nodes)
-    node.parent = kInvalid, node.rows = node.drives = 0, node.freedom = kDof, node.has_children = false,
-    node.is_stale = true;
+    node.pushed.set_zero(), node.parent = kInvalid, node.rows = node.drives = 0, node.freedom = kDof,
+                            node.has_children = false, node.is_stale = true;
   const Elimination::Scratch& of = order.scratch();
   for (std::uint32_t j = 0; j < nodes.size(); ++j) {
     const std::uint32_t k = of.joint_at[first + j];
@@ -99,7 +99,7 @@ void act_at_child(ConeLink& c, const TreeNode& node) {
 /// How fast limits and drives go along S.
 void free_drives(ConeProblem& problem, TreeNode& node) {
   for (ConeLink& c : problem.links.subspan(node.first_drive, node.drives)) {
-    c.is_of_child = true;
+    c.is_of_child = true, c.child = static_cast<std::uint32_t>(&node - problem.tree.data());
     if (node.parent != kInvalid) act_at_child(c, node);
     c.of_child = freely(node, row_of_child(c, node.child_is_a), node.freedom);
   }

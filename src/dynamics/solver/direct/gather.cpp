@@ -141,7 +141,7 @@ void DirectGroups::forget() {
 
 bool DirectGroups::may_yield(std::size_t group, int substeps) const {
   const std::uint64_t steps = static_cast<std::uint64_t>(substeps) * kStepsOfYielding;
-  return is_few(group) && 2 * steps * rest[group].work_of_step <= kWorkOfFew;
+  return 2 * steps * rest[group].work_of_step <= kWorkOfFew;
 }
 
 void gather_groups(const World& world, SolverMemory& memory, Real h, std::uint64_t most_factor) {

@@ -1,4 +1,4 @@
-// Newton's method with an exact line search.
+// Newton's method.
 #include "dynamics/solver/direct/round.h"
 #include "dynamics/solver/direct/forest.h"
 
@@ -28,19 +28,25 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   std::uint32_t steps = 0;
   bool is_reached = false;
   Real left = kInfinity, off = tolerance;
-  bool whole = false;  // the last step was
-  for (; steps < most_steps && problem_.may_go_on(); ++steps) {
+  bool whole = false;     // the last step was
+  bool as_before = true;  // the next step goes on so
+  while (steps < most_steps && problem_.may_go_on()) {
     const Real now = find_gradient();
     off = std::min(now, tolerance), is_reached = now <= tolerance;
     if (is_reached) break;
+    as_before = as_before && go_on_as_before(tolerance);
     const NextFactor factor = find_factor(steps == 0 ? tolerance : 0);
     if (factor == NextFactor::none) break;
     if (factor == NextFactor::same && !(now < kFalls * left) && (whole || now <= rounding())) break;
-    left = now;
+    left = as_before ? kInfinity : now;  // that of another function
     ++problem_.taken.steps, problem_.taken.products += work_of_contacts();
     find_step();
     const Real length = search();
-    whole = length == 1;
+    if (length == 0 && as_before) {
+      as_before = false;
+      continue;
+    }
+    whole = length == 1, as_before = false, ++steps;
     if (length == 0) {
       is_stuck_ = true;
       break;
@@ -90,15 +96,14 @@ void Round::trace(Real length) {
     c.traced_p += length * (next - c.traced_p);
   }
   for (ConeLink& c : problem_.links) {
-    const Real next = c.p - (c.is_held ? c.du / (resistance(c) + c.give) : 0);
+    const Real next = c.linear - (c.is_held ? c.du / (resistance(c) + c.give) : 0);
     c.traced_p += length * (next - c.traced_p);
   }
 }
 
 Mat3 Round::slope(const ConeContact& c) const {
-  const Vec3 z = pull(c, c.u);
-  const Mat3 slope =
-      is_known_ ? slope_of_projection_on_cylinder(z, c.n, c.most_friction) : slope_of_projection(z, c.n, c.friction);
+  const Mat3 slope = is_known_ ? slope_of_projection_on_cylinder(c.z, c.n, c.most_friction)
+                               : slope_of_projection(c.z, c.n, c.friction);
   return slope / resistance(c);
 }
 
@@ -106,12 +111,13 @@ Real Round::find_gradient() {
   bool any = has_moved_;
   for (ConeBody& b : bodies_of(problem_)) b.gradient = momentum_of(b, b.change);
   for (ConeContact& c : problem_.contacts) {
-    c.p = project(c, pull(c, c.u));
+    c.z = pull(c, c.u), c.p = project(c, c.z);
     if (c.p != c.p0) any = true, add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
+  for (TreeNode& node : problem_.tree) node.pushed.set_zero();
   for (ConeLink& c : problem_.links) {
-    c.p = c.k > 0 ? c.pulled(c.u, resistance(c), c.p0) : 0;
-    if (c.p != c.p0) any = true, add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
+    c.p = c.linear = c.k > 0 ? c.pulled(c.u, resistance(c), c.p0) : 0, c.goes_on = false;
+    if (c.p != c.p0) any = true, push_row(problem_, c, c.p0 - c.p);
   }
   if (!any) return 0;
   has_moved_ = true;
@@ -120,10 +126,22 @@ Real Round::find_gradient() {
   for (const ConeContact& c : problem_.contacts)
     if (c.p != c.p0) most = std::max(most, relative<&ConeBody::step>(problem_.bodies, c).squared_norm());
   for (const ConeLink& c : problem_.links) {
-    const Real u = relative<&ConeBody::step>(problem_.bodies, c);
+    const Real u = step_of(problem_, c);
     most = std::max(most, u * u);
   }
   return std::sqrt(most);
+}
+
+bool Round::go_on_as_before(Real little) {
+  bool any = false;
+  for (ConeLink& c : problem_.links) {
+    const Real r = resistance(c);
+    const bool held = std::fabs(c.p0) < c.most && (c.low == c.high || std::fabs(c.p0) * c.k > little);
+    if (!(c.k > 0) || !held || c.follows(c.u, r, c.p0)) continue;
+    any = c.goes_on = true, c.linear = c.at(c.p0 < 0 ? c.high : c.low, c.u, r, c.p0);
+    push_row(problem_, c, c.p - c.linear);
+  }
+  return any;
 }
 
 Round::NextFactor Round::find_factor(Real still) {
@@ -147,10 +165,9 @@ std::uint64_t Round::work_of_contacts() const {
 }
 
 ConeCurvature Round::curvature_of(const ConeContact& c, Real still) const {
-  const Vec3 pulled = pull(c, c.u);
-  if (c.p0 == Vec3::zero() && resistance(c) * pulled.norm() <= still) return ConeCurvature::alike;  // at the tip
+  if (c.p0 == Vec3::zero() && resistance(c) * c.z.norm() <= still) return ConeCurvature::alike;  // at the tip
   if (c.p == Vec3::zero()) return ConeCurvature::none;
-  return c.p == pulled ? ConeCurvature::alike : ConeCurvature::slope;
+  return c.p == c.z ? ConeCurvature::alike : ConeCurvature::slope;
 }
 
 bool Round::find_curvatures(Real still) {
@@ -166,7 +183,7 @@ bool Round::find_curvatures(Real still) {
     c.curvature = now;
   }
   for (ConeLink& c : problem_.links) {
-    const bool is_held = c.k > 0 && c.follows(c.u, resistance(c), c.p0);
+    const bool is_held = c.goes_on || (c.k > 0 && c.follows(c.u, resistance(c), c.p0));
     if (is_held != c.is_held) {
       change(c);
       if (!problem_.tree.empty()) c.each_more([&](std::uint32_t body, const Vec3&, const Vec3&) { mark_stale(body); });
@@ -201,125 +218,20 @@ void Round::spread_stale(bool changed) {
 void Round::find_step() {
   solve_for_steps(problem_, -1);
   for (ConeContact& c : problem_.contacts) c.du = relative<&ConeBody::step>(problem_.bodies, c);
-  for (ConeLink& c : problem_.links) c.du = relative<&ConeBody::step>(problem_.bodies, c);
-}
-
-namespace {
-
-/// Where nothing has friction: most of what bears nothing.
-void find_frictionless_line(ConeContact& c, const Vec3& z0, Real r) {
-  c.line.n0 = z0.dot(c.n), c.line.u_n = c.du.dot(c.n), c.line.n1 = -c.line.u_n / r;
-  c.line.start = c.du.dot(c.p0);
-}
-
-/// @param z1  change of z with the step
-ConeLine line_of(const ConeContact& c, const Vec3& z0, const Vec3& z1) {
-  ConeLine line;
-  line.n0 = z0.dot(c.n), line.n1 = z1.dot(c.n), line.u_n = c.du.dot(c.n);
-  const Vec3 t0 = z0 - line.n0 * c.n, t1 = z1 - line.n1 * c.n;
-  line.t00 = t0.squared_norm(), line.t01 = t0.dot(t1), line.t11 = t1.squared_norm();
-  line.ut0 = c.du.dot(t0), line.ut1 = c.du.dot(t1);
-  line.start = c.du.dot(c.p0);
-  return line;
-}
-
-/// J, du . (P_K(z) - p0): as project_on_cone() has it, in numbers.
-Real gain_in_cone(const ConeLine& line, Real mu, Real length) {
-  const Real n = line.n0 + length * line.n1, u_t = line.ut0 + length * line.ut1;
-  const Real t = std::sqrt(std::max(Real(0), line.t00 + length * (2 * line.t01 + length * line.t11)));
-  if (n <= -mu * t) return -line.start;
-  if (t <= mu * n) return line.u_n * n + u_t - line.start;
-  const Real along = (n + mu * t) / (1 + mu * mu);
-  return along * (mu > 0 ? line.u_n + mu / t * u_t : line.u_n) - line.start;
-}
-
-/// As project_on_cylinder() has it.
-Real gain_in_cylinder(const ConeLine& line, Real most, Real length) {
-  const Real n = line.n0 + length * line.n1;
-  if (most == 0) return line.u_n * std::max(n, Real(0)) - line.start;
-  const Real u_t = line.ut0 + length * line.ut1;
-  const Real t = std::sqrt(std::max(Real(0), line.t00 + length * (2 * line.t01 + length * line.t11)));
-  return line.u_n * std::max(n, Real(0)) + (t <= most ? u_t : most / t * u_t) - line.start;
-}
-
-}  // namespace
-
-Real Round::gain_along(const ConeContact& c, Real length) const {
-  return is_known_ ? gain_in_cylinder(c.line, c.most_friction, length) : gain_in_cone(c.line, c.friction, length);
-}
-
-Round::Slope Round::find_slope() {
-  Slope slope = {0, 0, 0};
-  for (const ConeBody& b : bodies_of(problem_)) {
-    const Vec6 m = momentum_of(b, b.step);
-    slope.start += b.change.dot(m);
-    slope.grows += b.step.dot(m);
-  }
-  slope.rounding = std::fabs(slope.start);
-  for (ConeContact& c : problem_.contacts) {
-    const Real r = resistance(c);
-    if (is_known_ && c.most_friction == 0) {
-      find_frictionless_line(c, pull(c, c.u), r);
-      if (std::max(c.line.n0, c.line.n0 + c.line.n1) <= 0 && c.p0 == Vec3::zero()) continue;  // it bears nothing
-    } else {
-      c.line = line_of(c, pull(c, c.u), c.du / -r);
-    }
-    const Real asked = c.want - c.slip;
-    slope.rounding += std::sqrt(c.du.squared_norm() * (c.p.squared_norm() + c.p0.squared_norm() +
-                                                       (c.u.squared_norm() + asked * asked) / (r * r)));
-  }
-  for (const ConeLink& c : problem_.links) {
-    if (!(c.k > 0)) continue;
-    const Real r = resistance(c) + c.give;
-    slope.rounding += std::fabs(c.du) * (std::fabs(c.p) + std::fabs(c.p0) + std::fabs(c.u) / r);
-    if (c.is_lock()) slope.start -= c.du * (c.p - c.p0), slope.grows += c.du * c.du / r;
-  }
-  constexpr Real kOfAll = 0.1;  // of all roundings if each went the same way; with all, a drive's speed was off by some
-  slope.rounding *= kOfAll * kEpsilon;
-  return slope;
-}
-
-Real Round::derivative(const Slope& slope, Real length) const {
-  Real d = slope.start + length * slope.grows;
-  for (const ConeContact& c : problem_.contacts) d -= gain_along(c, length);
-  for (const ConeLink& c : problem_.links)
-    if (c.k > 0 && !c.is_lock()) d -= c.du * (c.pulled(c.u + length * c.du, resistance(c), c.p0) - c.p0);
-  return d;
-}
-
-Real Round::search() {
-  constexpr Real kClose = 0.1;
-  constexpr int kTries = 30;
-  const Slope slope = find_slope();
-  Real low = 0, high = 1, d_low = 0;
-  for (const ConeBody& b : bodies_of(problem_)) d_low += b.gradient.dot(b.step);
-  if (std::fabs(d_low) <= slope.rounding) return 0;
-  Real d_high = derivative(slope, 1);
-  const Real enough = kClose * std::fabs(d_low);
-  for (int i = 0; i < kTries && d_high < -enough; ++i)
-    low = high, d_low = d_high, high *= 2, d_high = derivative(slope, high);
-  if (std::fabs(d_high) <= enough) return high;
-  Real length = high;
-  for (int i = 0; i < kTries; ++i) {
-    // Halves now and then: false position alone may creep.
-    length = i % 3 == 2 || !(d_high > d_low) ? (low + high) / 2 : low - d_low * (high - low) / (d_high - d_low);
-    const Real d = derivative(slope, length);
-    if (std::fabs(d) <= enough) break;
-    (d < 0 ? low : high) = length;
-    (d < 0 ? d_low : d_high) = d;
-  }
-  return length;
+  for (ConeLink& c : problem_.links) c.du = step_of(problem_, c);
 }
 
 void Round::accept() {
   if (!has_moved_) return;  // no row asks for anything
   for (ConeBody& b : bodies_of(problem_)) b.gradient.set_zero();
   for (ConeContact& c : problem_.contacts) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
-  for (ConeLink& c : problem_.links) add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.p0);
+  for (TreeNode& node : problem_.tree) node.pushed.set_zero();
+  for (ConeLink& c : problem_.links) push_row(problem_, c, c.p - c.p0);
   respond(problem_);
+  for (TreeNode& node : problem_.tree) node.pushed.set_zero();
   for (ConeBody& b : bodies_of(problem_)) b.change = b.step, b.v += b.change;
   for (ConeContact& c : problem_.contacts) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
-  for (ConeLink& c : problem_.links) c.u = c.u0 + relative<&ConeBody::change>(problem_.bodies, c);
+  for (ConeLink& c : problem_.links) c.u = c.u0 + step_of(problem_, c);
 }
 
 }  // namespace carom::dynamics

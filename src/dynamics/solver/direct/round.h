@@ -51,6 +51,10 @@ class Round {
   /// Impulses at the present velocities, and what is lacking in the bodies' momentum.
   /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
   Real find_gradient();
+  /// For the first step: rows of joints that held before the round do, though by the velocities that it begins with they don't. These
+  /// are off by a share of what loads do, which over R is far beyond any bound; Newton's method then finds row by row what holds.
+  /// @param little  m/s: what gave no more has nothing to go on with   @return whether any does
+  bool go_on_as_before(Real little);
   enum class NextFactor { none, same, another };  // same as of the last step: the function is quadratic between
   /// The factor for the next step.
   /// @param still  m/s, @see find_curvatures()
@@ -76,14 +80,19 @@ class Round {
   void add_driven(TreeNode& node) const;
   void find_step();
   /// Where along the step the function is least, closely enough: a root of its derivative, which grows.
-  /// @return 0 where the derivative at the start is but rounding
+  /// @return 0 where it does not fall at the start, but for rounding
   Real search();
-  /// Terms of the derivative that each contact has, @see ConeLine, and of all that is linear.
+  /// Of the derivative along the step. What gives alike over its length is summed up once, @see ConeLine, LinkLine.
   struct Slope {
-    Real start, grows;  // J, of bodies and locks: start + length grows
-    Real rounding;      // J, of all
+    Real start, grows;                    // J, of bodies: start + length grows
+    Real straight_start, straight_grows;  // J, likewise of rows that are straight
+    Real rounding;                        // J, of all
   };
   Slope find_slope();
+  void add_line(ConeContact& c, Slope& slope) const;
+  void add_line(ConeLink& c, Slope& slope) const;
+  /// J, the derivative where the step begins.
+  Real falls_at_start() const;
   /// J, along the step.
   Real derivative(const Slope& slope, Real length) const;
   /// Bodies get the momentum of the impulses, to the bit.

@@ -180,11 +180,13 @@ void solve_for_steps(ConeProblem& problem, Real sign) {
   const Elimination& e = *problem.elimination;
   for (std::uint32_t i = problem.first; i < problem.last; ++i) {
     Vec6& x = problem.scratch[e.place[i]];
-    x = sign * problem.bodies[i].gradient;
+    x = problem.bodies[i].gradient;
     hold(problem.bodies[i], x);
   }
   solve(e, problem.first, problem.last, problem.tree, *problem.factor, problem.scratch);
-  for (std::uint32_t i = problem.first; i < problem.last; ++i) problem.bodies[i].step = problem.scratch[e.place[i]];
+  for (std::uint32_t i = problem.first; i < problem.last; ++i)
+    problem.bodies[i].step = sign * problem.scratch[e.place[i]];
+  for (TreeNode& node : problem.tree) node.q = sign * node.q;
 }
 
 void Round::assemble_locked() {

@@ -45,6 +45,8 @@ struct TreeNode {
   Block response;       // 6x6, velocities by momentum on it, with all of the forest, @see responds
   FreedColumn by_mass;  // of it; of what is free the factor alone
   // of a round
+  Vec6 pushed;         // N s or N m s, of limits and drives along S; 0 outside a round
+  Vec6 q;              // m/s or rad/s, along S, of what the last solve gave
   Block driven;        // freedom x freedom: what limits and drives add to S^T M S
   FreedColumn by_all;  // of Newton's matrix
   bool is_bare;        // nothing but its joint couples it to what is eliminated later
@@ -89,10 +91,17 @@ template <class N>
 void add_free(const TreeNode& node, const Vec6& q, RowOfTwos& to, N n) {
   for (int k = 0; k < n; ++k) to.add(q[k], row_of(node.basis, k));
 }
+/// Likewise of momentum on a child, with what pushes it along S.
+template <class N>
+Vec6 freely_pushed(const TreeNode& node, const RowOfTwos& momentum, N n) {
+  Vec6 y = freely(node, momentum, n);
+  for (int k = 0; k < n; ++k) y[k] += node.pushed[k];
+  return y;
+}
 /// Of momentum on a child: y of its unknowns; what they leave is its parent's.
 template <class N>
 Vec6 take_freely(const TreeNode& node, const FreedColumn& column, RowOfTwos& momentum, N n) {
-  Vec6 y = freely(node, momentum, n);
+  Vec6 y = freely_pushed(node, momentum, n);
   solve_lower(column.factor, y, n);
   for (int k = 0; k < n; ++k) momentum.subtract(y[k], row_of(column.coupling, k));
   return y;
