@@ -34,7 +34,7 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
     const Real now = find_gradient();
     off = std::min(now, tolerance), is_reached = now <= tolerance;
     if (is_reached) break;
-    as_before = as_before && go_on_as_before(tolerance);
+    as_before = as_before && go_on_as_before();
     const NextFactor factor = find_factor(steps == 0 ? tolerance : 0);
     if (factor == NextFactor::none) break;
     if (factor == NextFactor::same && !(now < kFalls * left) && (whole || now <= rounding())) break;
@@ -132,13 +132,12 @@ Real Round::find_gradient() {
   return std::sqrt(most);
 }
 
-bool Round::go_on_as_before(Real little) {
+bool Round::go_on_as_before() {
   bool any = false;
   for (ConeLink& c : problem_.links) {
     const Real r = resistance(c);
-    const bool held = std::fabs(c.p0) < c.most && (c.low == c.high || std::fabs(c.p0) * c.k > little);
-    if (!(c.k > 0) || !held || c.follows(c.u, r, c.p0)) continue;
-    any = c.goes_on = true, c.linear = c.at(c.p0 < 0 ? c.high : c.low, c.u, r, c.p0);
+    if (!(c.k > 0) || c.follows(c.u, r, c.p0) || !c.follows(c.u, c.k, c.p0)) continue;
+    any = c.goes_on = true, c.linear = c.at(c.at(c.low, c.u, c.k, c.p0) > 0 ? c.low : c.high, c.u, r, c.p0);
     push_row(problem_, c, c.p - c.linear);
   }
   return any;

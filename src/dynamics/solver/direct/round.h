@@ -51,10 +51,10 @@ class Round {
   /// Impulses at the present velocities, and what is lacking in the bodies' momentum.
   /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
   Real find_gradient();
-  /// For the first step: rows of joints that held before the round do, though by the velocities that it begins with they don't. These
+  /// For the first step: rows of joints that hold by their whole k do, though by R they don't. The velocities that a round begins with
   /// are off by a share of what loads do, which over R is far beyond any bound; Newton's method then finds row by row what holds.
-  /// @param little  m/s: what gave no more has nothing to go on with   @return whether any does
-  bool go_on_as_before(Real little);
+  /// @return whether any does
+  bool go_on_as_before();
   enum class NextFactor { none, same, another };  // same as of the last step: the function is quadratic between
   /// The factor for the next step.
   /// @param still  m/s, @see find_curvatures()
