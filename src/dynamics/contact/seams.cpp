@@ -126,8 +126,9 @@ void leave_out_ghosts(const World& world, PairTable& pairs, const StepTime& time
   found.clear();
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     const PairTable::Place& place = pairs.place(i);
-    if (place.points == 0 && !may_be_asked_again(world, place.pair, time)) continue;
     const std::uint32_t a = ground_of(world, place.pair.a), b = ground_of(world, place.pair.b);
+    if (a == kNoGround && b == kNoGround) continue;
+    if (place.points == 0 && !may_be_asked_again(world, place.pair, time)) continue;
     const auto add = [&](std::uint32_t body, std::uint32_t ground, bool ground_is_a) {
       found.push_back({key_of(body, ground), i, ground_is_a, 0});
     };

@@ -42,8 +42,9 @@ static_assert(sizeof(RowGeometry) == kGeometryNumbers * sizeof(double) &&
 constexpr double kZeros[kPairPoints * kRowNumbers] = {};
 
 /// What four lanes are filled from; and whose they are.
+/// @param gravity  m/s^2
 template <class Number>
-LaneSources sources_of(const World& world, const WideContacts& wide, const std::uint32_t* occupant,
+LaneSources sources_of(const World& world, const WideContacts& wide, const std::uint32_t* occupant, Real gravity,
                        PairLanesOf<Number>& pair) {
   const Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
@@ -78,7 +79,7 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     of.slide[lane] = row.slides + row.slides_by_load;
     of.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
     of.thickness[lane] = least_thickness(world, g);
-    of.pull[lane] = pull_on(scene, row);
+    of.pull[lane] = pull_on(scene, row, gravity);
   }
   return of;
 }
@@ -184,6 +185,7 @@ template <class Number>
 bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, const ContactSweeps<Number>& sweeps) {
   remake(rows.pairs, wide.first_point.size()), remake(rows.points, wide.parts.back().point);
   const LaneRunOf<Number> run = everything(wide, rows, wide.velocity.data());
+  const Real gravity = world.scene.gravity.norm();
   each_four<LaneSources>(
       world, wide,
       [&](std::uint32_t i, const std::uint32_t* occupant) {
@@ -191,7 +193,7 @@ bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, co
         const WideContacts::Manifold& of = wide.manifolds[*occupant];
         pair.first = wide.first_point[i], pair.points = of.points, pair.one_normal = has_one_normal(of);
         pair.driven = pair.locked = 0;
-        return sources_of(world, wide, occupant, pair);
+        return sources_of(world, wide, occupant, gravity, pair);
       },
       [&](std::uint32_t begin, std::uint32_t end, const LaneSources* sources) {
         over_part(run, begin, end, [&](const auto& part) { sweeps.lay_out(part, sources); });
