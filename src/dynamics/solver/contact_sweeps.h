@@ -398,6 +398,25 @@ void relax(const LaneRunOf<Number>& run, double per_substep) {
       });
 }
 
+/// Whether part() has anything to do at four pairs: a point is deeper than what is left to it, or a body was displaced.
+template <class Number>
+CAROM_LANES_INLINE bool is_to_be_parted(const LaneRunOf<Number>& run, const PairLanesOf<Number>& pair,
+                                        LanesOf<Number> left) {
+  for (std::uint32_t k = 0; k < pair.points; ++k) {
+    const auto deep = -run.points[pair.first + k].separation > left;
+    if (deep[0] | deep[1] | deep[2] | deep[3]) return true;
+  }
+  LaneMask displaced = {0, 0, 0, 0};
+  for (int i = 0; i < kLanes; ++i)
+    for (const std::uint32_t body : {pair.a[i], pair.b[i]})
+      for (const int half : {0, 1}) {
+        LaneMask bits;
+        __builtin_memcpy(&bits, reinterpret_cast<const double*>(run.velocity + body) + half * kLanes, sizeof bits);
+        displaced |= bits;
+      }
+  return (displaced[0] | displaced[1] | displaced[2] | displaced[3]) != 0;
+}
+
 template <class Number>
 void part(const LaneRunOf<Number>& run, double of_depth, double tolerated, double tolerated_of_thin) {
   using Lanes = LanesOf<Number>;
@@ -408,6 +427,7 @@ void part(const LaneRunOf<Number>& run, double of_depth, double tolerated, doubl
   for (std::size_t i = 0; i < run.count; ++i) {
     const PairLanesOf<Number>& pair = run.pairs[i];
     const Lanes left = smaller(all<Number>(slop), of_thin * pair.thickness);
+    if (!is_to_be_parted(run, pair, left)) continue;
     Both<Number> both(pair, run);
     for (std::uint32_t k = 0; k < pair.points; ++k) {
       const PointLanesOf<Number>& p = run.points[pair.first + k];
