@@ -1,7 +1,7 @@
 // Arithmetic of four bodies side by side that move and turn, compiled once for each width of registers.
 //
 // Lanes give the bits of the functions that they stand for. They take what bodies nearly always do, and leave the rest to
-// those: far turns, places out of range, inertias whose principal axes are not those of the body.
+// those: far turns, places out of range.
 #pragma once
 
 #include <cstdint>

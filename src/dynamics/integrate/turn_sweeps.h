@@ -32,6 +32,12 @@ CAROM_LANES_INLINE Lanes squared(const LaneQuat& q) {
   return (q.v.x * q.v.x + q.v.y * q.v.y) + (q.v.z * q.v.z + q.w * q.w);
 }
 CAROM_LANES_INLINE bool every(LaneMask m) { return (m[0] & m[1] & m[2] & m[3]) != 0; }
+CAROM_LANES_INLINE LaneVec choose(LaneMask first, const LaneVec& a, const LaneVec& b) {
+  return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
+CAROM_LANES_INLINE LaneQuat choose(LaneMask first, const LaneQuat& a, const LaneQuat& b) {
+  return {first ? a.w : b.w, choose(first, a.v, b.v)};
+}
 CAROM_LANES_INLINE Lanes magnitude(Lanes a) { return a < 0 ? -a : a; }
 
 /// Three or four numbers of each of four bodies, which begin at row[i].
@@ -163,19 +169,18 @@ CAROM_LANES_INLINE void turn_z(Lanes angle, LaneQuat& q, LaneVec& p) {
 
 bool split(const Tops& all_bodies, const std::uint32_t* body, double h) {
   const Principal* top[kLanes];
-  const double *q_at[kLanes], *omega_at[kLanes], *momentum_at[kLanes], *numbers[kLanes];
+  const double *q_at[kLanes], *omega_at[kLanes], *momentum_at[kLanes], *numbers[kLanes], *frame_at[kLanes];
   TopAxes axes;
-  bool aligned = true;
+  LaneMask aligned = {0, 0, 0, 0};
   for (int i = 0; i < kLanes; ++i) {
     const std::size_t at = body[i];
     top[i] = all_bodies.principal + at;
-    aligned &= top[i]->aligned;
+    aligned[i] = -std::int64_t(top[i]->aligned);
     axes.axis[i] = top[i]->axis, axes.sign[i] = top[i]->sign;
     numbers[i] = &top[i]->base;
     q_at[i] = all_bodies.q + 4 * at, omega_at[i] = all_bodies.omega + 3 * at;
     momentum_at[i] = all_bodies.momentum + 3 * at;
   }
-  if (!aligned) return false;
   static_assert(offsetof(Principal, dy) == offsetof(Principal, base) + sizeof(double) &&
                 offsetof(Principal, dz) == offsetof(Principal, base) + 2 * sizeof(double) &&
                 offsetof(Principal, moment) == offsetof(Principal, base) + 3 * sizeof(double));
@@ -183,7 +188,12 @@ bool split(const Tops& all_bodies, const std::uint32_t* body, double h) {
   const Lanes base = n01.first, dy = n01.second, dz = n23.first;
   const LaneVec moment = {n23.second, n45.first, n45.second};
 
-  LaneQuat q = {Lanes{q_at[0][3], q_at[1][3], q_at[2][3], q_at[3][3]}, axes.of(q_at)};
+  LaneQuat q = {Lanes{q_at[0][3], q_at[1][3], q_at[2][3], q_at[3][3]}, axes.of(q_at)}, frame;
+  if (!every(aligned)) {
+    for (int i = 0; i < kLanes; ++i) frame_at[i] = top[i]->frame.at;
+    frame = quaternion_at(frame_at);
+    q = choose(aligned, q, q * frame);
+  }
   LaneVec l = axes.of(momentum_at);
   const LaneVec omega = axes.of(omega_at);
   const auto spin_of = [&](const LaneQuat& at, const LaneVec& p) __attribute__((always_inline)) {
@@ -193,8 +203,7 @@ bool split(const Tops& all_bodies, const std::uint32_t* body, double h) {
   const LaneMask kept = squared(spin_of(q, p) - omega) < all_bodies.agree2 * squared(omega);
   if (!every(kept)) {
     const LaneVec m = conjugate(q) * omega, new_p = {moment.x * m.x, moment.y * m.y, moment.z * m.z}, new_l = q * new_p;
-    p = {kept ? p.x : new_p.x, kept ? p.y : new_p.y, kept ? p.z : new_p.z};
-    l = {kept ? l.x : new_l.x, kept ? l.y : new_l.y, kept ? l.z : new_l.z};
+    p = choose(kept, p, new_p), l = choose(kept, l, new_l);
   }
   // Turns by less than 0.6 rad, in one part.
   const Lanes step = all(h), rate = magnitude(step) * (magnitude(dy) + magnitude(dz));
@@ -212,6 +221,7 @@ bool split(const Tops& all_bodies, const std::uint32_t* body, double h) {
   const Lanes scale = 1 / square_root(squared(q));
   q = {q.w * scale, scale * q.v};
   const LaneVec spin = spin_of(q, conjugate(q) * l);
+  if (!every(aligned)) q = choose(aligned, q, q * conjugate(frame));
   axes.put(q.v, all_bodies.predicted_q, body, 4);
   for (int i = 0; i < kLanes; ++i) all_bodies.predicted_q[4 * std::size_t(body[i]) + 3] = q.w[i];
   axes.put(spin, all_bodies.predicted_omega, body, 3), axes.put(spin, all_bodies.to_omega, body, 3);
