@@ -121,12 +121,13 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
 /// Whose turns ground that turns takes what it bears round by.
 template <class Number>
 void fill_turning_pairs(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
+  const WideContacts::Manifold* m = wide.manifolds.data();  // in the order of the rows, as these pairs are
   for (const TurningPair& of : world.contacts->turning_pairs) {
     if (!world.contacts->solved_in_lanes(of.row)) continue;
-    const WideContacts::Manifold& m = wide.manifold_of(of.row);
-    DriveLanesOf<Number>& drive = drive_of(rows, rows.pairs[m.pair]);
+    while (m->row != of.row) ++m;
+    DriveLanesOf<Number>& drive = drive_of(rows, rows.pairs[m->pair]);
     const OwnShares share(world.scene, world.contacts->rows[of.row]);
-    const auto lane = static_cast<int>(m.lane);
+    const auto lane = static_cast<int>(m->lane);
     set(drive.share_a, lane, share.a), set(drive.share_b, lane, share.b);
   }
 }
