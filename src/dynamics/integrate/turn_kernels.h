@@ -29,14 +29,29 @@ struct Tops {
   double agree2;  // share of omega, squared: momentum and omega that differ by less belong together
 };
 
-/// The same functions for one width; same bits from each. Both return false where lanes are not for one of the four:
-/// nothing is written then.
+/// Poses by slot, and those of as many bodies as are asked for, one after the other.
+struct Shifts {
+  const double *x, *q;
+  const double *start_x, *start_q;  // of the four
+  double* to;                       // [4][8]: x - start_x, the vector of q start_q^-1, its scalar, 0
+};
+
+/// Places and spins, by slot.
+struct Leads {
+  const double *x, *omega;
+  double* to;  // [4][10] of the four: x, the vector of exp(h omega), its scalar, omega
+};
+
+/// The same functions for one width; same bits from each. Those that return false where lanes are not for one of the four
+/// write nothing then.
 struct TurnKernels {
   const char* name;
   /// x + h v, and exp(h omega) q.   @param body  [4] slots   @param h  s
   bool (*move)(const Motions& all, const std::uint32_t* body, double h);
   /// A step of splitting, of second order.
   bool (*split)(const Tops& all, const std::uint32_t* body, double h);
+  void (*shift)(const Shifts& of, const std::uint32_t* body);
+  bool (*lead)(const Leads& of, const std::uint32_t* body, double h);
 };
 
 /// The widest that this machine has.

@@ -228,7 +228,37 @@ bool split(const Tops& all_bodies, const std::uint32_t* body, double h) {
   return true;
 }
 
-constexpr TurnKernels turn_kernels_named(const char* name) { return {name, move, split}; }
+void shift(const Shifts& of, const std::uint32_t* body) {
+  const double *x[kLanes], *q[kLanes], *start_x[kLanes], *start_q[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    x[i] = of.x + 3 * std::size_t(body[i]), q[i] = of.q + 4 * std::size_t(body[i]);
+    start_x[i] = of.start_x + 3 * i, start_q[i] = of.start_q + 4 * i;
+  }
+  const LaneVec moved = vector_at(x) - vector_at(start_x);
+  const LaneQuat turned = quaternion_at(q) * conjugate(quaternion_at(start_q));
+  const LaneRows xy(moved.x, moved.y), z_u(moved.z, turned.v.x), u(turned.v.y, turned.v.z), w(turned.w, all(0));
+  for (int i = 0; i < kLanes; ++i) {
+    double* const to = of.to + 8 * i;
+    xy.put(i, to), z_u.put(i, to + 2), u.put(i, to + 4), w.put(i, to + 6);
+  }
+}
+
+bool lead(const Leads& of, const std::uint32_t* body, double h) {
+  const double *x_at[kLanes], *omega_at[kLanes];
+  for (int i = 0; i < kLanes; ++i)
+    x_at[i] = of.x + 3 * std::size_t(body[i]), omega_at[i] = of.omega + 3 * std::size_t(body[i]);
+  const LaneVec x = vector_at(x_at), omega = vector_at(omega_at);
+  LaneQuat turn;
+  if (!exponential(all(h) * omega, turn)) return false;
+  const LaneRows xy(x.x, x.y), z_u(x.z, turn.v.x), u(turn.v.y, turn.v.z), w(turn.w, omega.x), last(omega.y, omega.z);
+  for (int i = 0; i < kLanes; ++i) {
+    double* const to = of.to + 10 * i;
+    xy.put(i, to), z_u.put(i, to + 2), u.put(i, to + 4), w.put(i, to + 6), last.put(i, to + 8);
+  }
+  return true;
+}
+
+constexpr TurnKernels turn_kernels_named(const char* name) { return {name, move, split, shift, lead}; }
 
 }  // namespace
 }  // namespace carom::dynamics

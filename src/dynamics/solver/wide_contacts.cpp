@@ -8,6 +8,7 @@
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/contact/turning_ground.h"
+#include "dynamics/integrate/turn_kernels.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/fill_lanes.h"
@@ -209,6 +210,19 @@ bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, co
   return bearable;
 }
 
+/// Solver bodies but the first, which is none: four(first of them), where there are as many and it takes them, else
+/// one(each).
+template <class Four, class One>
+void each_four_bodies(const World& world, const WideContacts& wide, const Four& four, const One& one) {
+  if (wide.slot.empty()) return;
+  in_parts(world.jobs, wide.slot.size() - 1, kBodiesAPart, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; i += kLanes) {
+      if (i + kLanes <= end && four(1 + i)) continue;
+      for (std::uint32_t k = i; k < std::min<std::uint32_t>(i + kLanes, end); ++k) one(1 + k);
+    }
+  });
+}
+
 /// Belts on ground that turns, one by one: what their drive is, and the friction that goes along.
 void lead_belts(const World& world, WideContacts& wide, Real h) {
   with_lanes(wide, [&](auto& lanes, const auto&) {
@@ -278,10 +292,19 @@ void store_velocities(const World& world, Velocities& to, const WideContacts& wi
 
 void load_shifts(const World& world, WideContacts& wide) {
   const State& s = world.state;
-  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
-    if (i == 0) return;
-    wide.shift[i] = shift_since(s, wide.slot[i], {wide.start_q[i], wide.start_x[i]});
-  });
+  const auto in_lanes = turn_kernels().shift;
+  each_four_bodies(
+      world, wide,
+      [&](std::uint32_t i) {
+        static_assert(sizeof(BodyShift) == 8 * sizeof(double));
+        in_lanes({s.x.data()->data(), s.q.data()->data(), wide.start_x[i].data(), wide.start_q[i].data(),
+                  reinterpret_cast<double*>(&wide.shift[i])},
+                 &wide.slot[i]);
+        return true;
+      },
+      [&](std::uint32_t i) {
+        wide.shift[i] = shift_since(s, wide.slot[i], {wide.start_q[i], wide.start_x[i]});
+      });
 }
 
 void lead_lanes(const World& world, WideContacts& wide, Real h) {
@@ -289,13 +312,20 @@ void lead_lanes(const World& world, WideContacts& wide, Real h) {
   if (c.turning_pairs.empty()) return;
   const State& state = world.state;
   Array<BodyTurn>& turn = wide.placing->turn;
-  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
-    if (i == 0) return;
-    const std::uint32_t slot = wide.slot[i];
-    const Vec3 &x = state.x[slot], &omega = state.omega[slot];
-    const Quat q = exp_map(h * omega);
-    turn[i] = {{x.x(), x.y(), x.z()}, {q.x(), q.y(), q.z()}, q.w(), {omega.x(), omega.y(), omega.z()}};
-  });
+  const auto in_lanes = turn_kernels().lead;
+  each_four_bodies(
+      world, wide,
+      [&](std::uint32_t i) {
+        static_assert(sizeof(BodyTurn) == 10 * sizeof(double));
+        return in_lanes({state.x.data()->data(), state.omega.data()->data(), reinterpret_cast<double*>(&turn[i])},
+                        &wide.slot[i], h);
+      },
+      [&](std::uint32_t i) {
+        const std::uint32_t slot = wide.slot[i];
+        const Vec3 &x = state.x[slot], &omega = state.omega[slot];
+        const Quat q = exp_map(h * omega);
+        turn[i] = {{x.x(), x.y(), x.z()}, {q.x(), q.y(), q.z()}, q.w(), {omega.x(), omega.y(), omega.z()}};
+      });
   over_contacts(world, [&](const auto& sweeps, const auto& run) { sweeps.lead(run, turn.data(), h); });
   if (std::ranges::any_of(c.turning_pairs, &TurningPair::has_belts)) lead_belts(world, wide, h);
 }

@@ -57,6 +57,8 @@ struct Four {
             predicted_omega->data(),
             kMomentumAgrees * kMomentumAgrees};
   }
+  /// From where they were moved and turned to.
+  Shifts shifts_from_there(double* to) const { return {x->data(), q->data(), to_x->data(), predicted_q->data(), to}; }
   bool is_moved(std::uint32_t i, Real h) const {
     const Vec3 turn = turned[i] ? Vec3(omega[i] - turned_omega[i]) : omega[i];
     return to_x[i] == x[i] + h * v[i] && to_q[i] == normalized(exp_map(h * turn) * (turned[i] ? turned_q[i] : q[i]));
@@ -72,6 +74,25 @@ struct Four {
     at = normalized(at);
     const Vec3 spin = top.unsorted(spin_of(top, at, l));
     return predicted_q[i] == top.unsorted(at) && predicted_omega[i] == spin && to_omega[i] == spin;
+  }
+  /// Of the four in their order.
+  bool is_shifted(const std::uint32_t* body, const double* to) const {
+    for (std::uint32_t k = 0; k < kCount; ++k, to += 8) {
+      const Quat turn = q[body[k]] * predicted_q[k].conjugate();
+      if (Vec3::from(to) != x[body[k]] - to_x[k] || Vec3::from(to + 3) != turn.vec() || to[6] != turn.w() || to[7] != 0)
+        return false;
+    }
+    return true;
+  }
+  bool is_led(const std::uint32_t* body, const double* to, Real h) const {
+    for (std::uint32_t k = 0; k < kCount; ++k, to += 10) {
+      const std::uint32_t i = body[k];
+      const Quat turn = exp_map(h * omega[i]);
+      if (Vec3::from(to) != x[i] || Vec3::from(to + 3) != turn.vec() || to[6] != turn.w() ||
+          Vec3::from(to + 7) != omega[i])
+        return false;
+    }
+    return true;
   }
   bool is_untouched(std::uint32_t i) const {
     return to_x[i].is_zero() && to_q[i] == Quat::zero() && predicted_q[i] == Quat::zero() && to_momentum[i].is_zero() &&
@@ -91,6 +112,11 @@ void every_width_gives_the_bits_of_one_body_at_a_time(void**) {
         assert_true(kernels->move(four.motions(), kBody, kStep));
         assert_true(kernels->split(four.tops(), kBody, kStep));
         for (std::uint32_t i = 0; i < kCount; ++i) assert_true(four.is_moved(i, kStep) && four.is_split(i, kStep));
+        double to[10 * kCount];
+        kernels->shift(four.shifts_from_there(to), kBody);
+        assert_true(four.is_shifted(kBody, to));
+        assert_true(kernels->lead({four.x->data(), four.omega->data(), to}, kBody, kStep));
+        assert_true(four.is_led(kBody, to, kStep));
       }
     }
   }
