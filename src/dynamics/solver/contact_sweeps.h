@@ -407,13 +407,13 @@ CAROM_LANES_INLINE bool is_to_be_parted(const LaneRunOf<Number>& run, const Pair
     if (deep[0] | deep[1] | deep[2] | deep[3]) return true;
   }
   LaneMask displaced = {0, 0, 0, 0};
-  for (int i = 0; i < kLanes; ++i)
-    for (const std::uint32_t body : {pair.a[i], pair.b[i]})
-      for (const int half : {0, 1}) {
-        LaneMask bits;
-        __builtin_memcpy(&bits, reinterpret_cast<const double*>(run.velocity + body) + half * kLanes, sizeof bits);
-        displaced |= bits;
-      }
+  const auto look_at = [&](std::uint32_t body) __attribute__((always_inline)) {
+    LaneMask bits[2];
+    static_assert(sizeof bits == sizeof(BodyVelocity));
+    __builtin_memcpy(bits, run.velocity + body, sizeof bits);
+    displaced |= bits[0] | bits[1];
+  };
+  for (int i = 0; i < kLanes; ++i) look_at(pair.a[i]), look_at(pair.b[i]);
   return (displaced[0] | displaced[1] | displaced[2] | displaced[3]) != 0;
 }
 
