@@ -183,11 +183,10 @@ std::uint32_t FarthestVertex::climb_from(std::uint32_t at, const Vec3& n) const 
   }
 }
 
-/// Two pairs of lanes, each keeping its best: the same comparisons at any SIMD width. Nothing branches on data that
-/// no branch predictor could know.
+/// Two pairs of lanes, each keeping its best height: the same comparisons at any SIMD width. Nothing branches on data that
+/// no branch predictor could know. Whose height that is is looked up afterwards, in its lane alone.
 std::uint32_t FarthestVertex::scan(const Vec3& n) const {
   typedef double Lanes __attribute__((vector_size(16)));
-  typedef std::int64_t Which __attribute__((vector_size(16)));
   const std::size_t padded = coordinates_.size() / 3;
   const double *x = coordinates_.data(), *y = x + padded, *z = y + padded;
   const double dx = n.x(), dy = n.y(), dz = n.z();
@@ -199,19 +198,17 @@ std::uint32_t FarthestVertex::scan(const Vec3& n) const {
     return px * dx + py * dy + pz * dz;
   };
   Lanes best = {-kInfinity, -kInfinity}, other = best;
-  Which at = {0, 1}, which = at, which_other = at;
-  for (std::size_t i = 0; i < padded; i += kLanes, at += kLanes) {
+  for (std::size_t i = 0; i < padded; i += kLanes) {
     const Lanes h = along(i), g = along(i + 2);
-    const Which better = h > best, better_other = g > other;
-    best = better ? h : best;
-    which = better ? at : which;
-    other = better_other ? g : other;
-    which_other = better_other ? at : which_other;
+    best = h > best ? h : best;
+    other = g > other ? g : other;
   }
-  const Which better = other > best;
-  best = better ? other : best;
-  which = better ? which_other + 2 : which;
-  return std::min(static_cast<std::uint32_t>(which[best[1] > best[0]]), count_ - 1);  // padding repeats the last
+  const double first = core::larger(best[0], other[0]), second = core::larger(best[1], other[1]);
+  const std::size_t odd = second > first;
+  const double most = core::larger(first, second);
+  std::size_t i = odd + (best[odd] < most ? 2 : 0);
+  while (i < padded && x[i] * dx + y[i] * dy + z[i] * dz != most) i += kLanes;
+  return i < padded ? std::min(static_cast<std::uint32_t>(i), count_ - 1) : 0;  // padding repeats the last
 }
 
 }  // namespace carom::collision

@@ -15,7 +15,7 @@ constexpr Real kSamePlane = 1e-9;  // of the extent
 // Of the largest coordinate: points of a file in single precision are off by half of their last place each, and so are
 // the three that name a face's plane; four times that for planes that reach beyond their three.
 constexpr Real kSamePlaneInFloats = 8 * 0x1p-24;
-constexpr Real kStraight = 1e-6;   // rad
+constexpr Real kStraight = 1e-6;  // rad
 // Of the extent: a triangle lower than this has no normal to speak of (u / 1e-7 is what rounding turns it by), and
 // opens no face.
 constexpr Real kSliver = 1e-7;
@@ -160,12 +160,27 @@ class Gatherer {
   Real tolerance_ = 0;
 };
 
+/// Which faces look the same way as another one: of two that do, normals differ by less than kSameWay along x.
+void find_alike(HullFaces& faces) {
+  const Array<Vec3>& normal = faces.normal;
+  Array<std::uint32_t> order(normal.size(), 0, faces.loop.get_allocator());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t i, std::uint32_t k) { return normal[i].x() < normal[k].x(); });
+  faces.has_alike.assign(normal.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t k = i + 1; k < order.size() && normal[order[k]].x() - normal[order[i]].x() <= HullFaces::kSameWay;
+         ++k)
+      if (faces.look_alike(order[i], order[k])) faces.has_alike[order[i]] = faces.has_alike[order[k]] = true;
+}
+
 }  // namespace
 
 void make_hull_faces(std::span<const double> xyz, HullFaces& faces) {
   faces.normal.clear(), faces.area.clear(), faces.begin.clear(), faces.loop.clear(), faces.own.clear();
   Array<std::uint32_t> triangles(faces.loop.get_allocator());
   if (convex_hull(xyz, triangles) && !triangles.empty()) Gatherer(xyz, triangles, faces).run();
+  find_alike(faces);
 }
 
 void make_box_faces(const Vec3& half, HullFaces& faces) {
@@ -182,6 +197,7 @@ void make_box_faces(const Vec3& half, HullFaces& faces) {
       faces.area.push_back(4 * half[(k + 1) % 3] * half[(k + 2) % 3]);
       faces.begin.push_back(static_cast<std::uint32_t>(faces.loop.size()));
     }
+  find_alike(faces);
 }
 
 void make_faces(Shape& shape) {

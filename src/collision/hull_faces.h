@@ -10,13 +10,21 @@ namespace carom::collision {
 
 /// Faces with their corners; triangles of the hull that lie in one plane are one face.
 struct HullFaces {
-  explicit HullFaces(Memory* memory) : normal(memory), area(memory), begin(memory), loop(memory), own(memory) {}
+  explicit HullFaces(Memory* memory)
+      : normal(memory), area(memory), has_alike(memory), begin(memory), loop(memory), own(memory) {}
 
-  Array<Vec3> normal;          // unit, outward
-  Array<Real> area;            // m^2
-  Array<std::uint32_t> begin;  // [faces + 1] into loop
-  Array<std::uint32_t> loop;   // corners (indices of vertices), counter-clockwise seen from outside
-  Array<double> own;           // a box's corners; a polytope's vertices lie in its shape's params
+  /// rad: faces whose normals enclose less look the same way.
+  static constexpr Real kSameWay = 0.045;
+  bool look_alike(std::size_t i, std::size_t k) const {
+    return normal[i].dot(normal[k]) > 1 - 0.5 * kSameWay * kSameWay;
+  }
+
+  Array<Vec3> normal;             // unit, outward
+  Array<Real> area;               // m^2
+  Array<std::uint8_t> has_alike;  // another face looks the same way
+  Array<std::uint32_t> begin;     // [faces + 1] into loop
+  Array<std::uint32_t> loop;      // corners (indices of vertices), counter-clockwise seen from outside
+  Array<double> own;              // a box's corners; a polytope's vertices lie in its shape's params
 
   std::size_t count() const { return normal.size(); }
   bool empty() const { return normal.empty(); }

@@ -60,21 +60,26 @@ Aabb climbed_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   return b;
 }
 
-/// One pass over the verified vertices: all six sides at once, where the support function would scan six times.
+/// One pass over the verified vertices, two at a time: all six sides at once, where the support function would scan six times.
 Aabb polytope_bounds(const Shape& s, const Mat3& r, const Vec3& p) {
   if (s.farthest.climbs()) return climbed_bounds(s, r, p);
-  Vec3 lo = Vec3::constant(kInfinity), hi = Vec3::constant(-kInfinity);
-  for (std::size_t k = 0; k + 3 <= s.vertices.size(); k += 3) {
-    const double* v = &s.vertices[k];
+  typedef double Both __attribute__((vector_size(16)));
+  constexpr Both kMost = {kInfinity, kInfinity};
+  Both lo[3] = {kMost, kMost, kMost}, hi[3] = {-kMost, -kMost, -kMost};
+  const double *v = s.vertices.data(), *const end = v + s.vertices.size();
+  while (v < end) {
+    const double* const w = v + 3 < end ? v + 3 : v;
+    const Both x = {v[0], w[0]}, y = {v[1], w[1]}, z = {v[2], w[2]};
     for (int i = 0; i < 3; ++i) {
-      const Real x = r(i, 0) * v[0] + r(i, 1) * v[1] + r(i, 2) * v[2];
-      lo[i] = x < lo[i] ? x : lo[i];
-      hi[i] = x > hi[i] ? x : hi[i];
+      const Both at = r(i, 0) * x + r(i, 1) * y + r(i, 2) * z;
+      lo[i] = at < lo[i] ? at : lo[i];
+      hi[i] = at > hi[i] ? at : hi[i];
     }
+    v = w + 3;
   }
   Aabb b;
-  b.lo = lo + p;
-  b.hi = hi + p;
+  for (int i = 0; i < 3; ++i)
+    b.lo[i] = core::smaller(lo[i][0], lo[i][1]) + p[i], b.hi[i] = core::larger(hi[i][0], hi[i][1]) + p[i];
   return b;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "core/jobs.h"
 #include "core/memory.h"
@@ -39,16 +40,38 @@ struct Participants {
   /// Likewise, shared by threads: f(i) writes nothing that f of another slot reads or writes.
   template <class F>
   void each(Jobs* jobs, F&& f) const {
-    if (runs.empty()) return;
-    const std::uint32_t first = runs.front().begin;
-    in_parts(jobs, runs.back().end - first, kSlotsAPart, [&](std::uint32_t begin, std::uint32_t end) {
-      const std::uint32_t from = first + begin, to = first + end;
-      auto r = std::partition_point(runs.begin(), runs.end(), [&](const Run& run) { return run.end <= from; });
-      for (; r != runs.end() && r->begin < to; ++r)
-        for (std::uint32_t i = std::max(r->begin, from); i < std::min(r->end, to); ++i) f(i);
+    in_slots(jobs, [&](std::uint32_t from, std::uint32_t to) { each_within(from, to, f); });
+  }
+  /// Likewise f(slots, count) for up to four at a time, of those of which is_one(slot).
+  template <class IsOne, class F>
+  void each_four(Jobs* jobs, IsOne&& is_one, F&& f) const {
+    in_slots(jobs, [&](std::uint32_t from, std::uint32_t to) {
+      std::uint32_t four[4], held = 0;
+      each_within(from, to, [&](std::uint32_t i) {
+        if (!is_one(i)) return;
+        four[held++] = i;
+        if (held == 4) f(four, std::exchange(held, 0u));
+      });
+      if (held > 0) f(four, held);
     });
   }
   static constexpr std::size_t kSlotsAPart = 128;  // some microseconds of a loop
+
+ private:
+  /// f(from, to) for parts of all slots, which threads share.
+  template <class F>
+  void in_slots(Jobs* jobs, const F& f) const {
+    if (runs.empty()) return;
+    const std::uint32_t first = runs.front().begin;
+    in_parts(jobs, runs.back().end - first, kSlotsAPart,
+             [&](std::uint32_t begin, std::uint32_t end) { f(first + begin, first + end); });
+  }
+  template <class F>
+  void each_within(std::uint32_t from, std::uint32_t to, const F& f) const {
+    auto r = std::partition_point(runs.begin(), runs.end(), [&](const Run& run) { return run.end <= from; });
+    for (; r != runs.end() && r->begin < to; ++r)
+      for (std::uint32_t i = std::max(r->begin, from); i < std::min(r->end, to); ++i) f(i);
+  }
 };
 
 /// Call f(slot) for who is in either of two lists that share none, ascending.

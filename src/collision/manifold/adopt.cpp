@@ -28,10 +28,27 @@ int successor(const ContactPoint& old, const ContactPoint* points, int count, co
   return best;
 }
 
+/// What adopt() does with a point that is alone, as all are of what is round.
+void adopt_one(const ContactPoint& point, const ManifoldSettings& settings, Manifold& manifold) {
+  if (!(point.separation <= settings.contact_distance)) {
+    manifold.count = 0;
+    return;
+  }
+  const bool taken = false;
+  const Real merge = merge_distance(settings);
+  std::uint32_t age = 0;
+  for (int k = 0; k < manifold.count && age == 0; ++k)
+    if (successor(manifold.point[k], &point, 1, &taken, merge * merge) == 0) age = manifold.point[k].age + 1;
+  manifold.count = 1, manifold.has_more_corners = false;
+  manifold.point[0] = point;
+  manifold.point[0].age = age;
+}
+
 }  // namespace
 
 void adopt(const Frame& a, const ContactPoint* points, int count, const ManifoldSettings& settings,
            Manifold& manifold) {
+  if (count == 1) return adopt_one(*points, settings, manifold);
   bool taken[Pool::kMax] = {};
   Real width2 = 0;
   int near = 0;

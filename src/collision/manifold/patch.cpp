@@ -30,7 +30,8 @@ struct Party {
 /// precision, which would else be seen in parts, now this one, now that. The larger ones first, as many as there is
 /// space for. Its normal is their mean.
 void unite(const HullFaces& faces, std::uint32_t best, Facet& f) {
-  const Vec3& n = faces.normal[best];
+  f.united = 0;
+  if (!faces.has_alike[best]) return;
   std::size_t corners = 0;
   Vec3 sum = Vec3::zero();
   const auto take = [&](std::uint32_t i) {
@@ -41,10 +42,8 @@ void unite(const HullFaces& faces, std::uint32_t best, Facet& f) {
     corners += more;
     sum += faces.area[i] * faces.normal[i];
   };
-  f.united = 0;
-  const auto same_way = [&](std::uint32_t i) { return faces.normal[i].dot(n) > 1 - 0.5 * kFacing * kFacing; };
   for (std::uint32_t i = 0; i < faces.count(); ++i) {
-    if (i == best || !same_way(i)) continue;
+    if (i == best || !faces.look_alike(i, best)) continue;
     if (f.united == 0) take(best);
     if (f.united > 0) take(i);
   }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <mutex>
 #include <new>
+#include <utility>
 
 #include "collision/narrow/carry_over.h"
 #include "collision/narrow/hybrid.h"
@@ -182,6 +183,7 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
     const FloatGuard guard;
     NarrowReport own_report;
     Candidates found;
+    SupportFault fault;
     NarrowSettings own = settings;  // with the pair's own contact distance: fast colliders reach farther
     for (std::uint32_t i = begin; i < end; ++i) {
       PairTable::Place& place = pairs.place(i);
@@ -197,13 +199,12 @@ void narrow_phase(const Colliders& table, const NarrowSettings& settings, PairTa
         continue;
       }
       own.manifold.contact_distance = reach;
-      SupportFault fault;
       update(pair, own, record, pairs.certificate(i), found, own_report, fault);
       guard.put_back();
       place.points = static_cast<std::uint32_t>(record.manifold.count);
       place.horizon =
           place.points == 0 && fault.kind == SupportFault::none ? horizon_of(table, place.pair, found) : -kInfinity;
-      if (fault.kind != SupportFault::none) findings.add(i, fault);
+      if (fault.kind != SupportFault::none) findings.add(i, std::exchange(fault, {}));
     }
     findings.add(own_report);
   };

@@ -25,6 +25,7 @@ TriangleShape::TriangleShape(Memory* memory) : shape_(memory) {
   shape_.vertices = shape_.params;
   shape_.faces.normal.assign(2, Vec3::unit_y());
   shape_.faces.area.assign(2, 0);
+  shape_.faces.has_alike.assign(2, false);
   shape_.faces.begin = {0, 3, 6};
   shape_.faces.loop = {0, 1, 2, 0, 2, 1};  // front, back
 }

@@ -33,9 +33,8 @@ inline Real tolerable_depth(const World& world, const RowGeometry& g) {
   return tolerable_depth(world, world.pairs.place(g.pair).pair);
 }
 
-/// m/s^2, what pulls harder of two that touch.
-inline Real pull_on(const Scene& scene, const Row& row) {
-  const Real gravity = scene.gravity.norm();
+/// m/s^2, what pulls harder of two that touch.   @param gravity  m/s^2, the world's
+inline Real pull_on(const Scene& scene, const Row& row, Real gravity) {
   const auto of = [&](bool moves, std::uint32_t body) {
     return moves ? std::fabs(scene.gravity_factor_of(body)) * gravity : 0;
   };
@@ -43,5 +42,6 @@ inline Real pull_on(const Scene& scene, const Row& row) {
              ? gravity
              : std::max(of(row.moves_a, row.a), of(row.moves_b, row.b));
 }
+inline Real pull_on(const Scene& scene, const Row& row) { return pull_on(scene, row, scene.gravity.norm()); }
 
 }  // namespace carom::dynamics

@@ -97,13 +97,31 @@ struct RollsOn {
   int at_alone = -1;  // of more points, that which it rolls on: the others are in the air, and stay there
 };
 
+/// Materials of pairs that come one after the other: most are those of the pair before.
+class Mixing {
+ public:
+  explicit Mixing(const Scene& scene) : scene_(scene) {}
+  const MixedMaterial& of(std::uint32_t collider_a, std::uint32_t collider_b) {
+    const std::uint32_t a = scene_.colliders.material[collider_a], b = scene_.colliders.material[collider_b];
+    if (is_known_ && a == a_ && b == b_) return known_;
+    known_ = mixed(scene_, collider_a, collider_b);
+    a_ = a, b_ = b, is_known_ = !scene_.modes.forbidden_anywhere;
+    return known_;
+  }
+
+ private:
+  const Scene& scene_;
+  bool is_known_ = false;
+  std::uint32_t a_ = 0, b_ = 0;  // slots of materials
+  MixedMaterial known_{};
+};
+
 /// @param dt  s, a step; 0: nothing rolls   @param sign  of the normal, outwards   @param point  of a point, on the
 /// body, in its shape's frame
 template <class PointOf>
 RollsOn round_by(const World& world, std::uint32_t collider, std::uint32_t body, std::uint32_t other,
                  const Manifold& manifold, Real dt, Real sign, const PointOf& point) {
   const Shape& shape = *world.scene.colliders.shape[collider];
-  if (!may_roll(shape)) return {shape.core_radius};
   const Vec3 turn = dt * (world.state.omega[body] - world.state.omega[other]);
   if (shape.core_radius > 0 || turn == Vec3::zero()) return {shape.core_radius};
   const Mat3 from_world = (world.plan->rotation[body] * world.plan->local[collider].r).transpose();
@@ -126,18 +144,26 @@ RollsOn round_by(const World& world, std::uint32_t collider, std::uint32_t body,
   return first > 0 && std::fabs(last - first) <= kAlike * first ? RollsOn{first} : RollsOn{};
 }
 
-/// The rows of a pair, from `at` on.
+/// What is found out of the pairs that a thread fills rows of.
+struct Filled {
+  std::uint64_t with_friction = 0;  // rows
+  bool bounces = false, rolls = false;
+};
+
+/// The rows of a pair, and what is said of it beside them.
 /// @param cursor  in the old ones, not after the pair; moved on to it
 /// @param scale   substep now over substep then; 0: start cold   @param dt  s, a step
-void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std::size_t& cursor, Real scale, Real dt) {
+void fill_rows(const World& world, std::size_t pair_index, ContactPair& contact, Mixing& mixing, std::size_t& cursor,
+               Real scale, Real dt, Filled& filled) {
   Contacts& c = *world.contacts;
   const Array<OldImpulse>& olds = world.impulses.old;
   const Scene& scene = world.scene;
   const Manifold& manifold = world.pairs[pair_index].manifold;
   const Pair pair = world.pairs.place(pair_index).pair;
   const std::uint32_t ca = pair.a, cb = pair.b;
+  const Shape &shape_a = *scene.colliders.shape[ca], &shape_b = *scene.colliders.shape[cb];
   const Movers m(world, pair);
-  const MixedMaterial material = mixed(scene, ca, cb);
+  const MixedMaterial& material = mixing.of(ca, cb);
   const Frame &fa = world.plan->local[ca], &fb = world.plan->local[cb];
   while (cursor < olds.size() && olds[cursor].pair < pair) ++cursor;
   std::size_t last = cursor;
@@ -152,17 +178,20 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
   const Real rolls_in = one_normal ? dt : 0;  // s: on several normals nothing rolls as on a ball
   const auto on_a = [](const ContactPoint& p) { return p.on_a; };
   const auto on_body_b = [](const ContactPoint& p) { return p.on_b; };
-  const RollsOn round_a = round_by(world, ca, m.a, m.b, manifold, rolls_in, 1, on_a),
-                round_b = round_by(world, cb, m.b, m.a, manifold, rolls_in, -1, on_body_b);
+  RollsOn round_a{shape_a.core_radius}, round_b{shape_b.core_radius};
+  if (may_roll(shape_a)) round_a = round_by(world, ca, m.a, m.b, manifold, rolls_in, 1, on_a);
+  if (may_roll(shape_b)) round_b = round_by(world, cb, m.b, m.a, manifold, rolls_in, -1, on_body_b);
   const Real radius_a = round_a.radius, radius_b = round_b.radius;
-  const bool rolls =
-      radius_a != scene.colliders.shape[ca]->core_radius || radius_b != scene.colliders.shape[cb]->core_radius;
-  const int at_alone = std::max(round_a.at_alone, round_b.at_alone);
+  const bool rolls = radius_a != shape_a.core_radius || radius_b != shape_b.core_radius;
+  const int at_alone = std::max(round_a.at_alone, round_b.at_alone), count = manifold.count;
+  const Mat3 &rotation_a = world.plan->rotation[m.a], &rotation_b = world.plan->rotation[m.b];
+  Row* const rows = &c.rows[contact.row];
+  RowGeometry* const geometry = &c.geometry[contact.row];
   std::size_t found = 0;
-  for (int k = 0; k < manifold.count; ++k) {
+  for (int k = 0; k < count; ++k) {
     const ContactPoint& point = manifold.point[k];
-    Row& row = c.rows[at + static_cast<std::uint32_t>(k)];
-    RowGeometry& g = c.geometry[at + static_cast<std::uint32_t>(k)];
+    Row& row = rows[k];
+    RowGeometry& g = geometry[k];
     const OldImpulse* const old = match[static_cast<std::size_t>(k)];
     found += old != nullptr;
     row.u = Vec3::zero();
@@ -172,25 +201,29 @@ void fill_rows(const World& world, std::size_t pair_index, std::uint32_t at, std
     row.restitution = material.restitution;
     row.a = m.a, row.b = m.b, row.moves_a = m.moves_a, row.moves_b = m.moves_b;
     row.one_normal = one_normal, row.rolls = rolls;
-    g.is_asked_again = false;
+    g.is_asked_again = false, g.turning_pairs = 0;
     g.radius_a = radius_a, g.radius_b = radius_b;
     const ContactPoint& where = at_alone < 0 ? point : manifold.point[at_alone];
     g.l_a = fa.apply(where.on_a);
     g.l_b = fb.apply(where.on_b);
-    if (radius_a > 0) g.l_a -= radius_a * (world.plan->rotation[m.a].transpose() * row.n);
-    if (radius_b > 0) g.l_b += radius_b * (world.plan->rotation[m.b].transpose() * row.n);
+    if (radius_a > 0) g.l_a -= radius_a * (rotation_a.transpose() * row.n);
+    if (radius_b > 0) g.l_b += radius_b * (rotation_b.transpose() * row.n);
     g.impulse = Vec3::zero();
     g.place = place_of(point, on_b);
     g.separation = where.separation;
     g.pair = static_cast<std::uint32_t>(pair_index);
     g.point = static_cast<std::uint16_t>(k);
   }
-  c.rows[at].loads_known = found == last - cursor;
-  find_slide(world, at, static_cast<std::uint32_t>(manifold.count), nullptr);
+  rows->loads_known = found == last - cursor;
+  contact.a = m.a, contact.b = m.b, contact.moves_a = m.moves_a, contact.moves_b = m.moves_b;
+  contact.one_normal = one_normal;
+  if (material.friction > 0) filled.with_friction += contact.count;
+  filled.bounces |= material.restitution > 0, filled.rolls |= rolls;
+  find_slide(world, contact.row, contact.count, nullptr);
 }
 
 /// Rows of all pairs, in their order: first how many each has, then what they are.
-void fill_all_rows(const World& world, StepReport& report, Real scale, Real dt) {
+Filled fill_all_rows(const World& world, StepReport& report, Real scale, Real dt) {
   constexpr std::size_t kPairsAPart = 64;
   Contacts& c = *world.contacts;
   const Array<OldImpulse>& olds = world.impulses.old;
@@ -208,18 +241,28 @@ void fill_all_rows(const World& world, StepReport& report, Real scale, Real dt) 
   c.first_row[pairs] = n;
   report.contact_pairs = c.contact_pairs.size();
   remake(c.rows, n), remake(c.geometry, n);
+  std::atomic<std::uint64_t> with_friction{0};
+  std::atomic<bool> any_bounces{false}, any_rolls{false};
   in_parts(world.jobs, pairs, kPairsAPart, [&](std::uint32_t begin, std::uint32_t end) {
     const auto before = [](const OldImpulse& old, const Pair& pair) { return old.pair < pair; };
     auto cursor = static_cast<std::size_t>(
         std::lower_bound(olds.begin(), olds.end(), world.pairs.place(begin).pair, before) - olds.begin());
+    const auto begins_before = [](const ContactPair& contact, std::uint32_t row) { return contact.row < row; };
+    auto contact = std::lower_bound(c.contact_pairs.begin(), c.contact_pairs.end(), c.first_row[begin], begins_before);
+    Mixing mixing(world.scene);
+    Filled part;
     for (std::uint32_t i = begin; i < end; ++i) {
       world.pairs.fetch(i + kPairsAhead);
-      if (c.first_row[i] < c.first_row[i + 1]) fill_rows(world, i, c.first_row[i], cursor, scale, dt);
+      if (c.first_row[i] < c.first_row[i + 1]) fill_rows(world, i, *contact++, mixing, cursor, scale, dt, part);
     }
+    with_friction.fetch_add(part.with_friction, std::memory_order_relaxed);
+    if (part.bounces) any_bounces.store(true, std::memory_order_relaxed);
+    if (part.rolls) any_rolls.store(true, std::memory_order_relaxed);
   });
+  return {with_friction.load(std::memory_order_relaxed), any_bounces.load(std::memory_order_relaxed),
+          any_rolls.load(std::memory_order_relaxed)};
 }
 
-/// Runs of rows of one pair, and which of them bounce or have friction.
 /// For who bounces and has unlike moments.
 void reserve_spins(const World& world) {
   Contacts& c = *world.contacts;
@@ -229,34 +272,19 @@ void reserve_spins(const World& world) {
   if (c.one_spin.runs.empty()) c.one_spin.add(0);
 }
 
-void list_contact_pairs(const World& world) {
+/// Who bounces; and how many take part in what.
+void list_impacts(const World& world, const Filled& filled) {
   Contacts& c = *world.contacts;
   c.bouncing.clear(), c.impacts.clear();
-  std::atomic<std::uint64_t> with_friction{0};
-  std::atomic<bool> any_bounces{false}, any_rolls{false};
-  in_parts(world.jobs, c.contact_pairs.size(), kRowsAPart, [&](std::uint32_t begin, std::uint32_t end) {
-    std::uint64_t of_part = 0;
-    bool bounces = false, rolls = false;
-    for (std::uint32_t i = begin; i < end; ++i) {
-      ContactPair& m = c.contact_pairs[i];
-      const Row& row = c.rows[m.row];
-      m.a = row.a, m.b = row.b, m.moves_a = row.moves_a, m.moves_b = row.moves_b, m.one_normal = row.one_normal;
-      if (row.friction > 0) of_part += m.count;
-      bounces |= row.restitution > 0, rolls |= row.rolls;
-    }
-    with_friction.fetch_add(of_part, std::memory_order_relaxed);
-    if (bounces) any_bounces.store(true, std::memory_order_relaxed);
-    if (rolls) any_rolls.store(true, std::memory_order_relaxed);
-  });
-  c.any_rolls = any_rolls.load(std::memory_order_relaxed);
-  if (any_bounces.load(std::memory_order_relaxed))
+  c.any_rolls = filled.rolls;
+  if (filled.bounces)
     for (const ContactPair& m : c.contact_pairs)
       for (std::uint32_t k = m.row; c.rows[m.row].restitution > 0 && k < m.row + m.count; ++k) {
         c.geometry[k].impact = static_cast<std::uint32_t>(c.impacts.size());
         c.bouncing.push_back(k);
         c.impacts.emplace_back().row = k;
       }
-  count_participants(world, EffectId::friction, with_friction.load(std::memory_order_relaxed));
+  count_participants(world, EffectId::friction, filled.with_friction);
   count_participants(world, EffectId::restitution, c.bouncing.size());
   count_participants(world, EffectId::response, c.contact_pairs.size());
 }
@@ -324,9 +352,9 @@ Real start_scale(const World& world, Real h) {
 void make_rows(const World& world, StepReport& report, const StepTime& time) {
   Contacts& c = *world.contacts;
   for (const std::uint32_t i : c.bodies) world.plan->touched[i] = 0;  // of the last step
-  fill_all_rows(world, report, start_scale(world, time.h), time.dt);
+  const Filled filled = fill_all_rows(world, report, start_scale(world, time.h), time.dt);
   report.contact_points = c.rows.size();
-  list_contact_pairs(world);
+  list_impacts(world, filled);
   find_asked_again(world, time);
 }
 

@@ -124,10 +124,13 @@ SeamTerms seam_terms(const Dials& dials, const Shape& body, const Shape& ground)
 void leave_out_ghosts(const World& world, PairTable& pairs, const StepTime& time) {
   Array<GroundContact>& found = world.contacts->grounds;
   found.clear();
+  std::uint32_t of = kInvalid, a = kNoGround;  // pairs of one A come one after the other
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     const PairTable::Place& place = pairs.place(i);
+    if (place.pair.a != of) of = place.pair.a, a = ground_of(world, of);
+    const std::uint32_t b = ground_of(world, place.pair.b);
+    if (a == kNoGround && b == kNoGround) continue;
     if (place.points == 0 && !may_be_asked_again(world, place.pair, time)) continue;
-    const std::uint32_t a = ground_of(world, place.pair.a), b = ground_of(world, place.pair.b);
     const auto add = [&](std::uint32_t body, std::uint32_t ground, bool ground_is_a) {
       found.push_back({key_of(body, ground), i, ground_is_a, 0});
     };

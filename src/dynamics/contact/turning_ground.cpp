@@ -78,7 +78,6 @@ void find_turning_pairs(const World& world, const StepTime& time) {
   c.turning_pairs.clear();
   for (const ContactPair& m : c.contact_pairs) {
     const Row& row = c.rows[m.row];
-    for (std::uint32_t k = 0; k < m.count; ++k) c.geometry[m.row + k].turning_pairs = 0;
     if (!(row.friction > 0)) continue;
     const bool has_belts = !c.surface.empty() && Belts(world, row, c.geometry[m.row]).any();
     if (!turns(world, row, time.dt) && !(has_belts && Belts(world, row, c.geometry[m.row]).turn())) continue;

@@ -6,6 +6,7 @@
 #include "dynamics/body_state.h"
 #include "dynamics/contact/mean_motion.h"
 #include "dynamics/force/force.h"
+#include "dynamics/integrate/turn_kernels.h"
 #include "dynamics/ledger/ledger.h"
 #include "dynamics/quarantine.h"
 
@@ -52,6 +53,21 @@ void stop_listed(const World& world, Quarantining to) {
 }
 
 }  // namespace
+
+Motions motions_of(const World& world, Array<Vec3>& to_x, Array<Quat>& to_q) {
+  const State& s = world.state;
+  const Plan& plan = *world.plan;
+  return {.x = s.x.data()->data(),
+          .v = s.v.data()->data(),
+          .q = s.q.data()->data(),
+          .omega = s.omega.data()->data(),
+          .turned = plan.rotation_method ? plan.turns_by_method.data() : nullptr,
+          .turned_q = plan.predicted.q.data()->data(),
+          .turned_omega = plan.predicted.omega.data()->data(),
+          .to_x = to_x.data()->data(),
+          .to_q = to_q.data()->data(),
+          .most_x = kMaxPosition};
+}
 
 void integrate_velocity(const World& world, Quarantining to, const StepTime& time) {
   Plan& plan = *world.plan;
@@ -104,11 +120,16 @@ void integrate_position(const World& world, Poses& poses, Quarantining to, const
   } else {
     const auto free = [&](std::uint32_t i) { return !plan.touched[i] && !s.held_out[i]; };
     plan.linear.each(world.jobs, [&](std::uint32_t i) { free(i) ? place(i, plan.predicted.x[i]) : move(i); });
-    plan.rotating.each(world.jobs, [&](std::uint32_t i) {
-      if (free(i))
-        place(i, plan.predicted.x[i]), face(i, plan.predicted.q[i]);
-      else
-        move(i), orient(i);
+    const Motions motions = motions_of(world, poses.x, poses.q);
+    const auto in_lanes = turn_kernels().move;
+    const auto is_moved = [&](std::uint32_t i) {
+      if (free(i)) place(i, plan.predicted.x[i]), face(i, plan.predicted.q[i]);
+      return !free(i);
+    };
+    plan.rotating.each_four(world.jobs, is_moved, [&](const std::uint32_t* body, std::uint32_t count) {
+      const auto is_held = [&](std::uint32_t i) { return s.held_out[i] != 0; };
+      if (count == 4 && std::none_of(body, body + 4, is_held) && in_lanes(motions, body, h)) return;
+      for (std::uint32_t k = 0; k < count; ++k) move(body[k]), orient(body[k]);
     });
   }
   plan.kinematic.each([&](std::uint32_t i) { move(i), spin(i); });

@@ -33,6 +33,8 @@
 
 namespace carom::dynamics {
 
+struct Motions;  // turn_kernels.h
+
 struct Integrator {
   const char* name;
   bool proposes;         // fills plan.predicted for every dynamic body
@@ -43,6 +45,9 @@ struct Integrator {
   std::size_t rotations;
   void (*velocity)(const World& world, Velocities& to, Real h);
 };
+
+/// What lanes take of the state, and where they put it.
+Motions motions_of(const World& world, Array<Vec3>& to_x, Array<Quat>& to_q);
 
 extern const Integrator kExplicitEuler, kSemiImplicitEuler, kRungeKutta4, kVelocityVerlet;
 

@@ -8,6 +8,7 @@
 // since the parabola has no third derivative.   @source [Hairer2006 §I.1.4, §II.5]
 #include "dynamics/integrate/integrator.h"
 #include "dynamics/integrate/rotation/rotation.h"
+#include "dynamics/integrate/turn_kernels.h"
 
 namespace carom::dynamics {
 namespace {
@@ -23,9 +24,19 @@ void velocity_by_verlet(const World& world, Velocities& end, Real h) {
   const auto move = [&](std::uint32_t i) { to.x[i] = s.x[i] + h * s.v[i]; };
   plan.linear.each(world.jobs, move);
   const bool carries = plan.rotation_method != nullptr;
-  plan.rotating.each(world.jobs, [&](std::uint32_t i) {
+  const auto turns = [&](std::uint32_t i) {
+    if (!carries || !plan.turns_by_method[i]) return true;
     move(i);
-    if (!carries || !plan.turns_by_method[i]) to.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
+    return false;
+  };
+  const Motions motions = motions_of(world, to.x, to.q);
+  const auto in_lanes = turn_kernels().move;
+  plan.rotating.each_four(world.jobs, turns, [&](const std::uint32_t* body, std::uint32_t count) {
+    if (count == 4 && in_lanes(motions, body, h)) return;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t i = body[k];
+      move(i), to.q[i] = normalized(exp_map(h * s.omega[i]) * s.q[i]);
+    }
   });
   turn_tops(world, end, h);
 

@@ -120,7 +120,7 @@ bool turns_far(const World& world, const Row& row, std::uint32_t body, Real h) {
 bool look_at(const World& world, std::size_t group, Real w2, Real h, Real weight, GroupView& view, Seen& seen) {
   Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
-  const Real rate = 1 / h;
+  const Real rate = 1 / h, gravity = scene.gravity.norm();
   bool is_under_impact = false;
   const auto sources = [&](const PairRows& pair, PointSources& of) {
     of = point_sources(world, pair);
@@ -138,7 +138,7 @@ bool look_at(const World& world, std::size_t group, Real w2, Real h, Real weight
   each_pair(c, rows, sources, world.wide->kernels->points.watch, [&](const PairRows& pair, const PointMotions& points) {
     const Row& row = c.rows[pair.row];
     const Real thickness = least_thickness(world, c.geometry[pair.row]);
-    const Real pull = pull_on(scene, row);
+    const Real pull = pull_on(scene, row, gravity);
     const Real fall = 2 * pull * thickness;                             // (m/s)^2
     const Real thick = 1 / (row.moves_a && row.moves_b ? w2 : 4 * w2);  // s^2
     const Real give = soft_give(thick, pull, thickness) / thickness;    // s^2/m

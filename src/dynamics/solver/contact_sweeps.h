@@ -398,6 +398,25 @@ void relax(const LaneRunOf<Number>& run, double per_substep) {
       });
 }
 
+/// Whether part() has anything to do at four pairs: a point is deeper than what is left to it, or a body was displaced.
+template <class Number>
+CAROM_LANES_INLINE bool is_to_be_parted(const LaneRunOf<Number>& run, const PairLanesOf<Number>& pair,
+                                        LanesOf<Number> left) {
+  for (std::uint32_t k = 0; k < pair.points; ++k) {
+    const auto deep = -run.points[pair.first + k].separation > left;
+    if (deep[0] | deep[1] | deep[2] | deep[3]) return true;
+  }
+  LaneMask displaced = {0, 0, 0, 0};
+  const auto look_at = [&](std::uint32_t body) __attribute__((always_inline)) {
+    LaneMask bits[2];
+    static_assert(sizeof bits == sizeof(BodyVelocity));
+    __builtin_memcpy(bits, run.velocity + body, sizeof bits);
+    displaced |= bits[0] | bits[1];
+  };
+  for (int i = 0; i < kLanes; ++i) look_at(pair.a[i]), look_at(pair.b[i]);
+  return (displaced[0] | displaced[1] | displaced[2] | displaced[3]) != 0;
+}
+
 template <class Number>
 void part(const LaneRunOf<Number>& run, double of_depth, double tolerated, double tolerated_of_thin) {
   using Lanes = LanesOf<Number>;
@@ -408,6 +427,7 @@ void part(const LaneRunOf<Number>& run, double of_depth, double tolerated, doubl
   for (std::size_t i = 0; i < run.count; ++i) {
     const PairLanesOf<Number>& pair = run.pairs[i];
     const Lanes left = smaller(all<Number>(slop), of_thin * pair.thickness);
+    if (!is_to_be_parted(run, pair, left)) continue;
     Both<Number> both(pair, run);
     for (std::uint32_t k = 0; k < pair.points; ++k) {
       const PointLanesOf<Number>& p = run.points[pair.first + k];

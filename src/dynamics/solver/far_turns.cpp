@@ -263,12 +263,14 @@ void find_far_turners(const World& world, WideContacts& wide) {
   wide.far_turn.assign(wide.slot.size(), {});
   wide.far_turners = false;
   if (!plan.rotation_method || (wide.manifolds.empty() && world.contacts->links.empty())) return;
+  plan.effects[+EffectId::gyroscopic].candidates.each([&](std::uint32_t slot) {  // @see may_turn_far()
+    const std::uint32_t i = wide.body[slot];
+    if (i >= wide.first_moved && wide.slot[i] == slot) wide.far_turn[i].may = wide.far_turners = true;
+  });
   each_moved(world, wide, [&](std::uint32_t i) {
     FarTurn& f = wide.far_turn[i];
-    f.may = may_turn_far(world, wide.slot[i]);
     if (f.may) f.unlike = worst_misfit(plan, wide.slot[i]);
   });
-  wide.far_turners = std::ranges::any_of(wide.far_turn, &FarTurn::may);
   if (wide.far_turners && wide.one_turner.runs.empty()) wide.one_turner.add(0);
 }
 

@@ -8,6 +8,7 @@
 #include "dynamics/contact/depth.h"
 #include "dynamics/contact/held_arms.h"
 #include "dynamics/contact/turning_ground.h"
+#include "dynamics/integrate/turn_kernels.h"
 #include "dynamics/quarantine.h"
 #include "dynamics/solver/far_turns.h"
 #include "dynamics/solver/fill_lanes.h"
@@ -42,8 +43,9 @@ static_assert(sizeof(RowGeometry) == kGeometryNumbers * sizeof(double) &&
 constexpr double kZeros[kPairPoints * kRowNumbers] = {};
 
 /// What four lanes are filled from; and whose they are.
+/// @param gravity  m/s^2
 template <class Number>
-LaneSources sources_of(const World& world, const WideContacts& wide, const std::uint32_t* occupant,
+LaneSources sources_of(const World& world, const WideContacts& wide, const std::uint32_t* occupant, Real gravity,
                        PairLanesOf<Number>& pair) {
   const Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
@@ -78,7 +80,7 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     of.slide[lane] = row.slides + row.slides_by_load;
     of.bounce_speed[lane] = row.restitution > 0 ? scene.dials[Dial::restitution_speed] : kInfinity;
     of.thickness[lane] = least_thickness(world, g);
-    of.pull[lane] = pull_on(scene, row);
+    of.pull[lane] = pull_on(scene, row, gravity);
   }
   return of;
 }
@@ -120,12 +122,13 @@ void fill_drives(const World& world, const WideContacts& wide, ContactLanes<Numb
 /// Whose turns ground that turns takes what it bears round by.
 template <class Number>
 void fill_turning_pairs(const World& world, const WideContacts& wide, ContactLanes<Number>& rows) {
+  const WideContacts::Manifold* m = wide.manifolds.data();  // in the order of the rows, as these pairs are
   for (const TurningPair& of : world.contacts->turning_pairs) {
     if (!world.contacts->solved_in_lanes(of.row)) continue;
-    const WideContacts::Manifold& m = wide.manifold_of(of.row);
-    DriveLanesOf<Number>& drive = drive_of(rows, rows.pairs[m.pair]);
+    while (m->row != of.row) ++m;
+    DriveLanesOf<Number>& drive = drive_of(rows, rows.pairs[m->pair]);
     const OwnShares share(world.scene, world.contacts->rows[of.row]);
-    const auto lane = static_cast<int>(m.lane);
+    const auto lane = static_cast<int>(m->lane);
     set(drive.share_a, lane, share.a), set(drive.share_b, lane, share.b);
   }
 }
@@ -184,6 +187,7 @@ template <class Number>
 bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, const ContactSweeps<Number>& sweeps) {
   remake(rows.pairs, wide.first_point.size()), remake(rows.points, wide.parts.back().point);
   const LaneRunOf<Number> run = everything(wide, rows, wide.velocity.data());
+  const Real gravity = world.scene.gravity.norm();
   each_four<LaneSources>(
       world, wide,
       [&](std::uint32_t i, const std::uint32_t* occupant) {
@@ -191,7 +195,7 @@ bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, co
         const WideContacts::Manifold& of = wide.manifolds[*occupant];
         pair.first = wide.first_point[i], pair.points = of.points, pair.one_normal = has_one_normal(of);
         pair.driven = pair.locked = 0;
-        return sources_of(world, wide, occupant, pair);
+        return sources_of(world, wide, occupant, gravity, pair);
       },
       [&](std::uint32_t begin, std::uint32_t end, const LaneSources* sources) {
         over_part(run, begin, end, [&](const auto& part) { sweeps.lay_out(part, sources); });
@@ -204,6 +208,19 @@ bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, co
     if (!sweeps.prepare(part)) bearable.store(false, std::memory_order_relaxed);
   });
   return bearable;
+}
+
+/// Solver bodies but the first, which is none: four(first of them), where there are as many and it takes them, else
+/// one(each).
+template <class Four, class One>
+void each_four_bodies(const World& world, const WideContacts& wide, const Four& four, const One& one) {
+  if (wide.slot.empty()) return;
+  in_parts(world.jobs, wide.slot.size() - 1, kBodiesAPart, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; i += kLanes) {
+      if (i + kLanes <= end && four(1 + i)) continue;
+      for (std::uint32_t k = i; k < std::min<std::uint32_t>(i + kLanes, end); ++k) one(1 + k);
+    }
+  });
 }
 
 /// Belts on ground that turns, one by one: what their drive is, and the friction that goes along.
@@ -275,10 +292,19 @@ void store_velocities(const World& world, Velocities& to, const WideContacts& wi
 
 void load_shifts(const World& world, WideContacts& wide) {
   const State& s = world.state;
-  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
-    if (i == 0) return;
-    wide.shift[i] = shift_since(s, wide.slot[i], {wide.start_q[i], wide.start_x[i]});
-  });
+  const auto in_lanes = turn_kernels().shift;
+  each_four_bodies(
+      world, wide,
+      [&](std::uint32_t i) {
+        static_assert(sizeof(BodyShift) == 8 * sizeof(double));
+        in_lanes({s.x.data()->data(), s.q.data()->data(), wide.start_x[i].data(), wide.start_q[i].data(),
+                  reinterpret_cast<double*>(&wide.shift[i])},
+                 &wide.slot[i]);
+        return true;
+      },
+      [&](std::uint32_t i) {
+        wide.shift[i] = shift_since(s, wide.slot[i], {wide.start_q[i], wide.start_x[i]});
+      });
 }
 
 void lead_lanes(const World& world, WideContacts& wide, Real h) {
@@ -286,13 +312,20 @@ void lead_lanes(const World& world, WideContacts& wide, Real h) {
   if (c.turning_pairs.empty()) return;
   const State& state = world.state;
   Array<BodyTurn>& turn = wide.placing->turn;
-  in_parallel(world.jobs, wide.slot.size(), kBodiesAPart, [&](std::uint32_t i) {
-    if (i == 0) return;
-    const std::uint32_t slot = wide.slot[i];
-    const Vec3 &x = state.x[slot], &omega = state.omega[slot];
-    const Quat q = exp_map(h * omega);
-    turn[i] = {{x.x(), x.y(), x.z()}, {q.x(), q.y(), q.z()}, q.w(), {omega.x(), omega.y(), omega.z()}};
-  });
+  const auto in_lanes = turn_kernels().lead;
+  each_four_bodies(
+      world, wide,
+      [&](std::uint32_t i) {
+        static_assert(sizeof(BodyTurn) == 10 * sizeof(double));
+        return in_lanes({state.x.data()->data(), state.omega.data()->data(), reinterpret_cast<double*>(&turn[i])},
+                        &wide.slot[i], h);
+      },
+      [&](std::uint32_t i) {
+        const std::uint32_t slot = wide.slot[i];
+        const Vec3 &x = state.x[slot], &omega = state.omega[slot];
+        const Quat q = exp_map(h * omega);
+        turn[i] = {{x.x(), x.y(), x.z()}, {q.x(), q.y(), q.z()}, q.w(), {omega.x(), omega.y(), omega.z()}};
+      });
   over_contacts(world, [&](const auto& sweeps, const auto& run) { sweeps.lead(run, turn.data(), h); });
   if (std::ranges::any_of(c.turning_pairs, &TurningPair::has_belts)) lead_belts(world, wide, h);
 }

@@ -14,25 +14,41 @@
 // exact at any h.
 // @source [McLachlan1993], [Touma1994], [Hairer2006 §V.3.2, §VII.5]
 #include "dynamics/integrate/rotation/split_turn.h"
+#include "dynamics/integrate/turn_kernels.h"
 
 namespace carom::dynamics {
 namespace {
 
 template <std::size_t n>
-void split(const World& world, Velocities& to, const Participants& participants, Real h, const Real (&g)[n]) {
-  carry_tops(world, to, participants, h, [&g](const Principal& top, Real step, const Vec3& l, Vec3& p, Quat& q) {
-    turn_split(top, step, l, p, q, g);
+auto split(const Real (&g)[n]) {
+  return [&g](const Principal& top, Real step, const Vec3& l, Vec3& p, Quat& q) { turn_split(top, step, l, p, q, g); };
+}
+
+/// Four at a time, where lanes are for them.
+void split_in_lanes(const World& world, Velocities& to, const Participants& participants, Real h) {
+  const State& s = world.state;
+  PredictedPose& predicted = world.plan->predicted;
+  const Tops tops = {world.plan->principal.data(),     s.q.data()->data(),
+                     s.omega.data()->data(),           s.momentum.data()->data(),
+                     to.momentum.data()->data(),       to.omega.data()->data(),
+                     predicted.q.data()->data(),       predicted.omega.data()->data(),
+                     kMomentumAgrees * kMomentumAgrees};
+  const auto in_lanes = turn_kernels().split;
+  const auto all = [](std::uint32_t) { return true; };
+  participants.each_four(world.jobs, all, [&](const std::uint32_t* body, std::uint32_t count) {
+    if (count == 4 && in_lanes(tops, body, h)) return;
+    for (std::uint32_t k = 0; k < count; ++k) carry_top(world, to, body[k], h, split(kOne));
   });
 }
 
 }  // namespace
 
-const Rotation kSplitting = {
-    "splitting", [](const World& w, Velocities& to, const Participants& c, Real h) { split(w, to, c, h, kOne); }};
-const Rotation kSplitting4 = {
-    "splitting_4", [](const World& w, Velocities& to, const Participants& c, Real h) { split(w, to, c, h, kSuzuki4); }};
+const Rotation kSplitting = {"splitting", split_in_lanes};
+const Rotation kSplitting4 = {"splitting_4", [](const World& w, Velocities& to, const Participants& c, Real h) {
+                                carry_tops(w, to, c, h, split(kSuzuki4));
+                              }};
 const Rotation kSplitting6 = {"splitting_6", [](const World& w, Velocities& to, const Participants& c, Real h) {
-                                split(w, to, c, h, kYoshida6);
+                                carry_tops(w, to, c, h, split(kYoshida6));
                               }};
 
 }  // namespace carom::dynamics

@@ -28,7 +28,10 @@ inline Quat unscaled_exp(const Vec3& phi) {
   return Quat(c, s * phi.x(), s * phi.y(), s * phi.z());
 }
 
-/// Carries each top over h by turn(top, h, l, p, q): q (unit, principal -> world) becomes the orientation at the end,
+// What spin_of() rounds by: two rotations, 8 u each with a length of q off by 4 u, a sum of terms up to 2 |omega|.
+inline constexpr Real kMomentumAgrees = 64 * kUnitRoundoff;
+
+/// Carries a top over h by turn(top, h, l, p, q): q (unit, principal -> world) becomes the orientation at the end,
 /// of any length; l is the momentum in the world, p in principal axes at the start.
 ///
 /// Momentum. omega stands in the state, L does not follow from it to the last bit, and 3,600 steps of rounding there
@@ -36,26 +39,27 @@ inline Quat unscaled_exp(const Vec3& phi) {
 /// found: whoever else has written omega or q (a contact, a torque, a host) has changed them by more than rounding, or
 /// not at all.
 template <class Method>
-void carry_tops(const World& world, Velocities& to, const Participants& participants, Real h, Method&& turn) {
-  // What spin_of() rounds by: two rotations, 8 u each with a length of q off by 4 u, a sum of terms up to 2 |omega|.
-  constexpr Real kAgree = 64 * kUnitRoundoff;
+void carry_top(const World& world, Velocities& to, std::uint32_t i, Real h, Method&& turn) {
   const State& s = world.state;
   Plan& plan = *world.plan;
-  participants.each(world.jobs, [&](std::uint32_t i) {
-    const Principal& top = plan.principal[i];
-    Quat q = top.sorted(s.q[i]);
-    Vec3 l = top.sorted(s.momentum[i]), p = q.conjugate() * l;
-    const Vec3 omega = top.sorted(s.omega[i]);
-    if (!((spin_of(top, q, l, p) - omega).squared_norm() < kAgree * kAgree * omega.squared_norm())) {
-      p = top.moment.times(q.conjugate() * omega);
-      l = q * p;
-      to.momentum[i] = top.unsorted(l);
-    }
-    turn(top, h, l, p, q);
-    q = normalized(q);
-    plan.predicted.q[i] = top.unsorted(q);
-    plan.predicted.omega[i] = to.omega[i] = top.unsorted(spin_of(top, q, l));
-  });
+  const Principal& top = plan.principal[i];
+  Quat q = top.sorted(s.q[i]);
+  Vec3 l = top.sorted(s.momentum[i]), p = q.conjugate() * l;
+  const Vec3 omega = top.sorted(s.omega[i]);
+  if (!((spin_of(top, q, l, p) - omega).squared_norm() < kMomentumAgrees * kMomentumAgrees * omega.squared_norm())) {
+    p = top.moment.times(q.conjugate() * omega);
+    l = q * p;
+    to.momentum[i] = top.unsorted(l);
+  }
+  turn(top, h, l, p, q);
+  q = normalized(q);
+  plan.predicted.q[i] = top.unsorted(q);
+  plan.predicted.omega[i] = to.omega[i] = top.unsorted(spin_of(top, q, l));
+}
+/// Likewise each of them.
+template <class Method>
+void carry_tops(const World& world, Velocities& to, const Participants& participants, Real h, Method&& turn) {
+  participants.each(world.jobs, [&](std::uint32_t i) { carry_top(world, to, i, h, turn); });
 }
 
 }  // namespace carom::dynamics
