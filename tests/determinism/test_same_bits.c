@@ -125,8 +125,8 @@ static void handle_numbers_do_not_matter(void** state) {
  * floats (soft_step, auto). When physics is meant to change, so do these: say why in the commit. */
 static void the_bits_are_those_of_every_other_build(void** state) {
   const uint64_t golden[kSettings] = {0xd26f51eb8ebaa981u, 0xea595e90983bc931u, 0x8a2dc29b81dc1924u,
-                                      0xa3e0c2945dcef022u, 0x2216439547e01483u, 0x186a31bed1da3cddu,
-                                      0x2216439547e01483u};
+                                      0xc119ab72f608f8b1u, 0x39bc280ebc116b2eu, 0x186a31bed1da3cddu,
+                                      0x39bc280ebc116b2eu};
   int setting, wrong = 0;
   (void)state;
   for (setting = 0; setting < kSettings; ++setting) {
@@ -180,7 +180,7 @@ static void so_are_those_of_particles(void** state) {
 /* The same of joints, by solver (soft_step, direct, auto): one of each kind between the world and the bodies of
  * the stage, a motor, a spring and limits on them; 200 steps. */
 static void so_are_those_of_joints(void** state) {
-  const uint64_t golden[3] = {0x5fe76185554603fau, 0x8ef29908cd8a1152u, 0x0b6db8df98b4ab40u};
+  const uint64_t golden[3] = {0x5fe76185554603fau, 0xe103d169e33e3cb0u, 0x0b6db8df98b4ab40u};
   uint32_t solver, kind;
   int wrong = 0;
   (void)state;
@@ -221,7 +221,7 @@ static void so_are_those_of_joints(void** state) {
 /* The same of bodies with a gravity factor, of locked bodies (also on a joint) and of belts, by solver, and of soft_step
  * with contacts in floats. 200 steps. */
 static void so_are_those_of_factors_locks_and_belts(void** state) {
-  const uint64_t golden[4] = {0x22e764d33cb317bcu, 0xadf845252329bb6fu, 0xbd1ba55c97c13465u, 0x11372563e5ca6756u};
+  const uint64_t golden[4] = {0x22e764d33cb317bcu, 0xb0cbb17e4eaf284cu, 0xc0b7376aa7b13273u, 0x11372563e5ca6756u};
   const double belt[3] = {0.75, 0, 0.25}, turn[3] = {0, 0.5, 0};
   uint32_t i;
   int wrong = 0;
@@ -259,7 +259,7 @@ static void so_are_those_of_factors_locks_and_belts(void** state) {
 /* The same of a heap so large that its bodies are halved into regions, on one to three threads: soft_step
  * with contacts in doubles, auto, and soft_step with contacts in floats. 40 steps. */
 static void so_are_those_of_heaps(void** state) {
-  const uint64_t golden[3] = {0x1bb554cd8d1c22a6u, 0xb5fde3d939a2f2c2u, 0x04d9825aff7885dau};
+  const uint64_t golden[3] = {0x1bb554cd8d1c22a6u, 0x388b317ce6a66f7fu, 0x04d9825aff7885dau};
   const uint32_t solver[3] = {CAROM_SOLVER_SOFT_STEP, CAROM_SOLVER_AUTO, CAROM_SOLVER_SOFT_STEP};
   const uint32_t precision[3] = {CAROM_PRECISION_DOUBLE, CAROM_PRECISION_AUTO, CAROM_PRECISION_FLOAT};
   int i, k, wrong = 0;

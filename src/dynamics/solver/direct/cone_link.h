@@ -46,7 +46,7 @@ struct ConeLink {
   Real best, p0, u0, du;
   LinkLine line;
   Real linear;           // N s or N m s, by whether it is held: p, but for what goes on
-  bool goes_on = false;  // as before the round, otherwise than u says
+  bool goes_on = false;  // holds though u says otherwise: @see Round::go_on()
   bool is_held = false;  // in the factor
   // Of a limit or drive of a joint of the forest: S^T of its row, @see TreeNode; and whose, in ConeProblem::tree.
   bool is_of_child = false;

@@ -62,6 +62,7 @@ struct ConeContact {
   Vec3 z;                                         // N s, its impulse before it is projected, at u
   Vec3 du;                                        // m/s, of a Newton step
   ConeCurvature curvature = ConeCurvature::none;  // of the factor
+  bool goes_on = false;                           // holds as z is, which is beyond its cone: @see Round::go_on()
   Mat3 slope;                                     // kg, of its impulse by -u, where it is neither nought nor alike
   ConeLine line;
 };

@@ -28,25 +28,25 @@ std::uint32_t Round::minimise(Real tolerance, std::uint32_t most_steps) {
   std::uint32_t steps = 0;
   bool is_reached = false;
   Real left = kInfinity, off = tolerance;
-  bool whole = false;     // the last step was
-  bool as_before = true;  // the next step goes on so
+  bool whole = false;   // the last step was
+  bool goes_on = true;  // rows that their whole k holds do in the next step
   while (steps < most_steps && problem_.may_go_on()) {
     const Real now = find_gradient();
     off = std::min(now, tolerance), is_reached = now <= tolerance;
     if (is_reached) break;
-    as_before = as_before && go_on_as_before();
+    goes_on = goes_on && go_on();
     const NextFactor factor = find_factor(steps == 0 ? tolerance : 0);
     if (factor == NextFactor::none) break;
     if (factor == NextFactor::same && !(now < kFalls * left) && (whole || now <= rounding())) break;
-    left = as_before ? kInfinity : now;  // that of another function
+    left = goes_on ? kInfinity : now;  // that of another function
     ++problem_.taken.steps, problem_.taken.products += work_of_contacts();
     find_step();
     const Real length = search();
-    if (length == 0 && as_before) {
-      as_before = false;
+    if (length == 0 && goes_on) {
+      goes_on = false;
       continue;
     }
-    whole = length == 1, as_before = false, ++steps;
+    whole = length == 1, goes_on = false, ++steps;
     if (length == 0) {
       is_stuck_ = true;
       break;
@@ -90,7 +90,7 @@ Real Round::rounding() const {
 // M change = J^T (q - p0) holds before and after a step L: its M step = J^T (p - q - W du), W the slope of p by -u.
 void Round::trace(Real length) {
   for (ConeContact& c : problem_.contacts) {
-    Vec3 next = c.p;
+    Vec3 next = c.goes_on ? c.z : c.p;
     if (c.curvature == ConeCurvature::alike) next -= c.du / resistance(c);
     if (c.curvature == ConeCurvature::slope) next -= c.slope * c.du;
     c.traced_p += length * (next - c.traced_p);
@@ -111,7 +111,7 @@ Real Round::find_gradient() {
   bool any = has_moved_;
   for (ConeBody& b : bodies_of(problem_)) b.gradient = momentum_of(b, b.change);
   for (ConeContact& c : problem_.contacts) {
-    c.z = pull(c, c.u), c.p = project(c, c.z);
+    c.z = pull(c, c.u, resistance(c)), c.p = project(c, c.z), c.goes_on = false;
     if (c.p != c.p0) any = true, add_impulse<&ConeBody::gradient>(problem_, c, c.p0 - c.p);
   }
   for (TreeNode& node : problem_.tree) node.pushed.set_zero();
@@ -132,8 +132,14 @@ Real Round::find_gradient() {
   return std::sqrt(most);
 }
 
-bool Round::go_on_as_before() {
+bool Round::go_on() {
   bool any = false;
+  for (ConeContact& c : problem_.contacts) {
+    const Vec3 whole = pull(c, c.u, c.k);
+    if (c.p == c.z || project(c, whole) != whole) continue;
+    any = c.goes_on = true;
+    add_impulse<&ConeBody::gradient>(problem_, c, c.p - c.z);
+  }
   for (ConeLink& c : problem_.links) {
     const Real r = resistance(c);
     if (!(c.k > 0) || c.follows(c.u, r, c.p0) || !c.follows(c.u, c.k, c.p0)) continue;
@@ -164,6 +170,7 @@ std::uint64_t Round::work_of_contacts() const {
 }
 
 ConeCurvature Round::curvature_of(const ConeContact& c, Real still) const {
+  if (c.goes_on) return ConeCurvature::alike;
   if (c.p0 == Vec3::zero() && resistance(c) * c.z.norm() <= still) return ConeCurvature::alike;  // at the tip
   if (c.p == Vec3::zero()) return ConeCurvature::none;
   return c.p == c.z ? ConeCurvature::alike : ConeCurvature::slope;

@@ -45,16 +45,16 @@ class Round {
   /// Impulses that have given the bodies the velocities of the steps taken, along with one more.
   void trace(Real length);
   /// Impulse before it is projected, at velocity u.
-  Vec3 pull(const ConeContact& c, const Vec3& u) const {
-    return c.p0 - (u - (c.want - c.slip) * c.n + c.give * c.p0) / resistance(c);
+  Vec3 pull(const ConeContact& c, const Vec3& u, Real r) const {
+    return c.p0 - (u - (c.want - c.slip) * c.n + c.give * c.p0) / r;
   }
   /// Impulses at the present velocities, and what is lacking in the bodies' momentum.
   /// @return m/s, the most that a contact's velocity would change if bodies had the momentum that impulses give
   Real find_gradient();
-  /// For the first step: rows of joints that hold by their whole k do, though by R they don't. The velocities that a round begins with
+  /// For the first step: rows hold that would by their whole k, though by R they don't. The velocities that a round begins with
   /// are off by a share of what loads do, which over R is far beyond any bound; Newton's method then finds row by row what holds.
   /// @return whether any does
-  bool go_on_as_before();
+  bool go_on();
   enum class NextFactor { none, same, another };  // same as of the last step: the function is quadratic between
   /// The factor for the next step.
   /// @param still  m/s, @see find_curvatures()

@@ -140,6 +140,8 @@ Real Round::falls_at_start() const {
   for (const ConeBody& b : bodies_of(problem_)) d += b.gradient.dot(b.step);
   for (const TreeNode& node : problem_.tree)
     for (int k = 0; node.drives > 0 && k < node.freedom; ++k) d += node.pushed[k] * node.q[k];
+  for (const ConeContact& c : problem_.contacts)
+    if (c.goes_on) d -= (c.p - c.z).dot(c.du);
   for (const ConeLink& c : problem_.links)
     if (c.goes_on) d -= (c.p - c.linear) * c.du;
   return d;
