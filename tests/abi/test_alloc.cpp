@@ -92,7 +92,7 @@ void steps_of_a_settled_world_allocate_nothing(void**) {
       assert_int_equal(bench_particles(&b, nullptr), CAROM_OK);
       assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_BROAD_PHASE, broad, nullptr), CAROM_OK);
       assert_int_equal(carom_world_set_dial(b.world, CAROM_DIAL_PAIR_ROUTINES, routines, nullptr), CAROM_OK);
-      assert_int_equal(bench_steps(b.world, 800, nullptr), CAROM_OK);  // all have landed, and rolled apart
+      assert_int_equal(bench_steps(b.world, 1200, nullptr), CAROM_OK);  // all have landed, and rolled apart
       const uint64_t before = ledger.allocations;
       assert_int_equal(bench_steps(b.world, 200, nullptr), CAROM_OK);
       assert_int_equal(ledger.allocations - before, 0);

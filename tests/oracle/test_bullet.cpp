@@ -352,6 +352,54 @@ static void what_hangs_on_springs_meets_midway(void**) {
     }
 }
 
+/// What lies aslant and is struck where it stands up turns about its edge within the step, faster than the points that its
+/// contacts knew as the step began: it lands flat, and does not turn on through the ground.
+static void what_a_blow_turns_does_not_get_through_the_ground(void**) {
+  struct Struck {
+    Shape shape;
+    Vec3 half;  // m
+    Real mass;  // kg
+  };
+  const Struck kinds[] = {{box(Vec3(0.06, 0.0025, 0.04)), Vec3(0.06, 0.0025, 0.04), 0.002},
+                          {box(Vec3(0.2, 0.01, 0.05)), Vec3(0.2, 0.01, 0.05), 0.3},
+                          {box(Vec3(0.3, 0.004, 0.3)), Vec3(0.3, 0.004, 0.3), 0.05},
+                          {ellipsoid(Vec3(0.1, 0.006, 0.03)), Vec3(0.1, 0.006, 0.03), 0.01}};
+  int through = 0, blows = 0;
+  for (const Struck& kind : kinds)
+    for (const Real lean : {0.15, 0.35, 0.7})
+      for (const Real speed : {3.0, 8.0, 20.0})
+        for (int phase = 0; phase < 4; ++phase) {
+          TestWorld t;
+          const std::uint32_t m = t.material(0.5, 0.4);
+          t.add(t.keep(half_space(Vec3(0, 1, 0), 0)), Vec3::zero(), BodyType::fixed, Quat::identity(), m);
+          const Quat turn = exp_map(Vec3(0, 0, lean));
+          const Shape* shape = t.keep(kind.shape);
+          const Real low =
+              support_point(*shape, turn.conjugate() * Vec3(0, -1, 0)).dot(turn.conjugate() * Vec3(0, -1, 0));
+          const std::uint32_t board = t.add(shape, Vec3(0, low, 0), BodyType::dynamic, turn, m);
+          MassGiven mass;
+          mass.mass = kind.mass;
+          t.world.set_mass(board, mass);
+          const Vec3 end = turn * Vec3(0.7 * kind.half.x(), kind.half.y(), 0);
+          const Real radius = 0.1, above = radius + 1.2 * kind.half.y() + speed * kDt * phase / 4;
+          const std::uint32_t ball = t.add(t.keep(sphere(radius)), Vec3(end.x(), low + end.y() + above, 0),
+                                           BodyType::dynamic, Quat::identity(), m);
+          mass.mass = 20;
+          t.world.set_mass(ball, mass);
+          t.world.set_velocity(ball, Vec3(0, -speed, 0), Vec3::zero());
+          Real lowest = 0;
+          for (int i = 0; i < 20; ++i) t.world.step(kDt), lowest = std::min(lowest, t.world.state.x[board].y());
+          ++blows;
+          if (lowest < -1e-3) {
+            ++through;
+            print_message("half %.3f m, lean %.2f, %.0f m/s, phase %d: %.4f m below\n", kind.half.x(), lean, speed,
+                          phase, -lowest);
+          }
+        }
+  print_message("%d of %d got through\n", through, blows);
+  assert_int_equal(through, 0);
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(impacts_are_where_and_when_they_must_be),
@@ -365,6 +413,7 @@ int main() {
       cmocka_unit_test(what_slides_fast_goes_on),
       cmocka_unit_test(a_bullet_hits_a_spinning_rod),
       cmocka_unit_test(what_hangs_on_springs_meets_midway),
+      cmocka_unit_test(what_a_blow_turns_does_not_get_through_the_ground),
   };
   return cmocka_run_group_tests_name("oracle/bullet", tests, nullptr, nullptr);
 }

@@ -200,6 +200,8 @@ void leave_to_sweep(const World& world, BroadPhases& broad, PairTable& pairs, co
 void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, const StepTime& time);
 /// What forces did to velocities in this substep.
 void save_accelerations(const World& world, const StepTime& time);
+/// Who has just been made so fast by contacts that these don't reach as far: swept from this substep on.
+void find_sped_up(const World& world, StepReport& report, const StepTime& time);
 /// The hits of a substep. Who sleeps and is hit wakes.
 using Sweeping = Writes<Poses, Velocities, SleepFlags, Sleep, BroadPhases, StepReport>;
 void sweep(const World& world, Sweeping to, const StepTime& time);

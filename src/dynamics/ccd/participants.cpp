@@ -74,6 +74,32 @@ bool sweeps_others(const World& world, std::uint32_t body, Real dt) {
   return any_convex(world, body, [&](std::uint32_t slot) { return comes_far(world, slot, dt); });
 }
 
+bool may_be_swept(const World& world, std::uint32_t body) {
+  return world.scene.def[body].continuous != SweepMode::never &&
+         !world.scene.modes.forbids(+EffectId::continuous, body) && can_sweep(world, body);
+}
+
+/// Whether a body moves by a quarter of its size in a step, or by more: what moves by less has no need to be looked at.
+bool may_outrun(const World& world, std::uint32_t body, Real dt) {
+  const State& s = world.state;
+  const Real r = radius_of_body(world, body);
+  return 32 * dt * dt * (s.v[body].squared_norm() + r * r * s.omega[body].squared_norm()) > r * r;
+}
+
+/// For what the substeps of a step may do.   @param known  bodies whose paths are
+void reserve_sweeps(const World& world, std::size_t known, std::size_t participants) {
+  Continuous& c = *world.continuous;
+  const std::size_t most = known + kHit + kHitEach * participants;
+  c.most_bodies = std::max(known, std::min<std::size_t>(world.scene.bodies.slots(), most));
+  c.most_hits = kHitsEach * (participants + 1);
+  c.index.resize(world.scene.bodies.slots(), kInvalid);
+  c.bodies.reserve(c.most_bodies), c.loose.reserve(c.most_bodies), c.found.reserve(2 * world.scene.colliders.slots());
+  c.planes.clear(known);
+  c.hits.reserve(c.most_hits);
+  if (senses_sweeps(world)) c.passed.reserve(kPassedEach * participants);
+  c.one.clear(), c.one.add(0);
+}
+
 void clear(Continuous& c) {
   for (const SweptBody& b : c.bodies) c.index[b.body] = kInvalid;
   c.bodies.clear(), c.loose.clear(), c.hits.clear(), c.passed.clear();
@@ -335,22 +361,45 @@ void begin_sweeps(const World& world, BroadPhases& broad, StepReport& report, co
       known->swept |= is_driven && world.scene.type[body] == BodyType::dynamic;  // it looks out for what comes
     }
   }
-  const std::size_t most =
-      std::min<std::size_t>(world.scene.bodies.slots(), c.bodies.size() + kHit + kHitEach * c.participants);
-  c.most_bodies = std::max(most, c.bodies.size()), c.most_hits = kHitsEach * (c.participants + 1);
-  c.bodies.reserve(most), c.loose.reserve(most), c.boxes.resize(c.participants);
-  c.tree.grow(c.participants);
+  reserve_sweeps(world, c.bodies.size(), c.participants);
+  c.boxes.resize(c.participants), c.tree.grow(c.participants);
   for (std::uint32_t k = 0; k < c.participants; ++k)
     c.boxes[k] = straight_way(world, c.bodies[k].body, c.bodies[k].radius, time.dt);
   c.build_tree();
   carry_all_known(world);
-  c.planes.clear(c.bodies.size());
-  c.hits.reserve(c.most_hits);
-  if (senses_sweeps(world)) c.passed.reserve(kPassedEach * c.participants);
-  c.one.clear(), c.one.add(0);
   world.plan->effects[+EffectId::continuous].evaluations += c.participants;
   report.swept_bodies = c.participants;
   if (world.accuracy) find_near(world, broad, time.dt);
+}
+
+void find_sped_up(const World& world, StepReport& report, const StepTime& time) {
+  if (!world.plan->watches_speed || world.contacts->rows.empty()) return;
+  Continuous& c = *world.continuous;
+  const auto is_one = [&](std::uint32_t i) {
+    if (!may_outrun(world, i, time.dt) || !may_be_swept(world, i)) return false;
+    const SweptBody* const known = c.find(i);
+    return !(known && known->swept) && (is_fast(world, i, time.dt) || may_tip_over(world, i, time.dt));
+  };
+  try {
+    c.found.clear();
+    const auto look_at = [&](std::uint32_t i) {
+      if (is_one(i)) c.found.push_back(i);
+    };
+    world.plan->linear.each(look_at), world.plan->rotating.each(look_at);
+    if (c.found.empty()) return;
+    world.plan->begun.resize(world.scene.bodies.slots());
+    const auto swept = static_cast<std::size_t>(std::ranges::count_if(c.bodies, &SweptBody::swept));
+    reserve_sweeps(world, c.bodies.size() + c.found.size(), swept + c.found.size());
+  } catch (const std::bad_alloc&) {
+    return;  // contacts have to do
+  }
+  for (const std::uint32_t i : c.found) {
+    SweptBody* known = c.find(i);
+    if (!known) known = &know(world, i), known->path = path_to(world.state, i, time.h);
+    known->swept = true;
+  }
+  world.plan->effects[+EffectId::continuous].evaluations += c.found.size();
+  report.swept_bodies += c.found.size();
 }
 
 void begin_paths(const World& world) {

@@ -14,4 +14,10 @@ Vec3 rotation_vector(const Quat& turn, const Vec3& near) {
   return least + kWhole * std::floor((near - least).dot(axis) / kWhole + Real(0.5)) * axis;
 }
 
+Path path_to(const State& s, std::uint32_t body, Real h) {
+  Path p{0, s.x[body] - h * s.v[body], s.q[body], Vec3::zero(), Vec3::zero()};
+  if (s.omega[body] != Vec3::zero()) p.q = normalized(exp_map(-h * s.omega[body]) * p.q);
+  return p;
+}
+
 }  // namespace carom::dynamics

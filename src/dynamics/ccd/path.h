@@ -3,6 +3,7 @@
 
 #include "collision/scenery/ask.h"
 #include "dynamics/ccd/parts.h"
+#include "dynamics/state.h"
 
 namespace carom::dynamics {
 
@@ -48,5 +49,8 @@ struct Path {
     return {a.min(b) - r, a.max(b) + r};
   }
 };
+
+/// That of a substep, as velocities tell it: to where a body is, and without its velocities.   @param h  s
+Path path_to(const State& s, std::uint32_t body, Real h);
 
 }  // namespace carom::dynamics

@@ -193,12 +193,10 @@ SweptBody* Sweeper::next() {
 Path Sweeper::path_of(std::uint32_t body) const {
   if (const SweptBody* const known = c_.find(body)) return known->path;
   const State& s = world_.state;
-  Path p{0, s.x[body], s.q[body], Vec3::zero(), Vec3::zero()};
-  if (world_.scene.type[body] == BodyType::fixed || s.held_out[body] || world_.state.sleeps(body)) return p;
-  if (has_its_turn_later(body)) return p;
+  if (world_.scene.type[body] == BodyType::fixed || s.held_out[body] || s.sleeps(body) || has_its_turn_later(body))
+    return {0, s.x[body], s.q[body], Vec3::zero(), Vec3::zero()};
+  Path p = path_to(s, body, time_.h);
   p.u = s.v[body], p.w = s.omega[body];
-  p.x -= time_.h * p.u;
-  if (p.w != Vec3::zero()) p.q = normalized(exp_map(-time_.h * p.w) * p.q);
   return p;
 }
 
@@ -241,7 +239,9 @@ bool is_led_by_sweep(const World& world, std::uint32_t body) {
 bool any_led_by_sweep(const World& world) { return std::ranges::any_of(world.continuous->bodies, &SweptBody::changed); }
 
 void sweep(const World& world, Sweeping to, const StepTime& time) {
-  if (!world.continuous->bodies.empty() && !world.continuous->waits) Sweeper(world, to, time).run();
+  if (world.continuous->waits) return;
+  find_sped_up(world, to, time);
+  if (!world.continuous->bodies.empty()) Sweeper(world, to, time).run();
 }
 
 }  // namespace carom::dynamics
