@@ -382,7 +382,7 @@ void ConeGroup::sweep_on(Real h) {
   sweep(problem_, 2, give_of_sweeps(h));
   find_lock_impulses(problem_);
   solution_.residual = residual(problem_);
-  rest_.is_far_off = is_far_off(h);
+  rest_.is_far_off = is_far_off();
 }
 
 void ConeGroup::go_on_by_sweeps(Velocities& to, Real h) {
@@ -393,14 +393,11 @@ void ConeGroup::go_on_by_sweeps(Velocities& to, Real h) {
 }
 
 /// Whether its solution came nowhere near the law. Of what stood, or hangs on joints: if it leaves more of the loads
-/// than soft contacts and joints would, which are what would solve it then. Or if that moves what stood, and is thin, by more than a
-/// tolerable depth in a step.
-bool ConeGroup::is_far_off(Real h) const {
-  if (solution_.reached) return false;
-  Real most = problem_.stood || is_joined() ? kUnborne * rest_.load : 0;
-  for (std::size_t i = 0; problem_.stood && i < problem_.contacts.size(); ++i)
-    most = std::min(most, tolerable_depth(world_, c_.geometry[row_[i]]) / (h * world_.plan->substeps));
-  return solution_.residual > std::max<Real>(most, world_.scene.dials[Dial::velocity_tolerance]);
+/// than soft contacts and joints would, which are what would solve it then.
+bool ConeGroup::is_far_off() const {
+  const Real tolerable = world_.scene.dials[Dial::velocity_tolerance];
+  return !solution_.reached &&
+         solution_.residual > (problem_.stood || is_joined() ? std::max(tolerable, kUnborne * rest_.load) : tolerable);
 }
 
 /// Block products that this substep may take: what there is for the step but for half of what each substep to come would have. An
@@ -444,10 +441,9 @@ void ConeGroup::find_solution(Real h, std::uint64_t work) {
   }
   account_work();
   rest_.is_close = solution_.residual < world_.scene.dials[Dial::velocity_tolerance];
-  rest_.is_far_off = is_far_off(h);
+  rest_.is_far_off = is_far_off();
   rest_.gave_up |= rest_.is_bounded && !rest_.lies && !is_few() && rest_.is_far_off;
-  // What soft contacts bore so far goes on as they left it, and joints from where they were: what was found in part may be anything.
-  if (!rest_.gave_up || !(is_joined() || problem_.stood)) return measure_energy();
+  if (!rest_.gave_up || !is_joined()) return measure_energy();
   return_to_impulses<&ConeContact::start_p, &ConeLink::start_p>(problem_);
   sweep_on(h);
 }

@@ -91,7 +91,7 @@ class ConeGroup {
   void find_solution(Real h, std::uint64_t work);
   void finish(Velocities& to);
   bool lies_still() const;
-  bool is_far_off(Real h) const;
+  bool is_far_off() const;
   void measure_energy();
   bool may_be_held() const;
   void hold();
