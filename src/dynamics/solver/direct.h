@@ -29,6 +29,10 @@ inline bool is_few(const Contacts& c, std::size_t group) {
   return joints + c.group_size[group].pairs <= kFew;
 }
 
+/// Whether contacts of a group may yield in all substeps for half of what few may take.
+/// @param work_of_step  block products, of Newton's method
+bool yields_for_half(std::uint64_t work_of_step, int substeps);
+
 /// What is known within a step of a group: how it was solved last, and whether it lies still.
 struct GroupRest {
   ConeSolution solution;

@@ -139,9 +139,12 @@ void DirectGroups::forget() {
   if (has_forest()) forest().joints.clear(), forest().nodes.clear(), forest().more.clear();
 }
 
+bool yields_for_half(std::uint64_t work_of_step, int substeps) {
+  return 2 * static_cast<std::uint64_t>(substeps) * kStepsOfYielding * work_of_step <= kWorkOfFew;
+}
+
 bool DirectGroups::may_yield(std::size_t group, int substeps) const {
-  const std::uint64_t steps = static_cast<std::uint64_t>(substeps) * kStepsOfYielding;
-  return 2 * steps * rest[group].work_of_step <= kWorkOfFew;
+  return yields_for_half(rest[group].work_of_step, substeps);
 }
 
 void gather_groups(const World& world, SolverMemory& memory, Real h, std::uint64_t most_factor) {

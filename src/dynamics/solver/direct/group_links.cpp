@@ -405,6 +405,54 @@ void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkR
   }
 }
 
+namespace {
+
+/// Whether a row of a joint is of a place along an axis of A, at which B's point stays.
+bool holds_place(const JointLayout& layout, std::uint32_t row) {
+  for (std::uint32_t k = 0, next = 0; k < layout.parts; ++k) {
+    const JointPart part = layout.part[k];
+    if ((next += rows_of(part)) <= row) continue;
+    return part == JointPart::line || part == JointPart::place_x || part == JointPart::place_y ||
+           part == JointPart::place_z;
+  }
+  return false;
+}
+
+}  // namespace
+
+// A row's error d.g, of which d turns with A, bends by h/2 of its second derivative and h^2/6 of its third, in velocity. A rail takes
+// in what slides along it by 2 d'.g' in the former and 3 d'.g'' + d.g''' in the latter, where g'' is by how much more B's point is
+// flung outwards. Lanes have the former, by velocities of which rails have not had their share yet, and less of it the farther
+// bodies turn.
+void bend_as_gripped(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h) {
+  const WideJoints& w = *world.wide_joints;
+  const DirectGroups::LinkRow* const row = rows + problem.links.size();
+  for (std::size_t i = 0, next; i < problem.locks.size(); i = next) {
+    const JointLanes& joint = w.joints[row[i].joint];
+    const std::uint32_t lane = row[i].lane;
+    const auto holds = [&](std::size_t k) { return holds_place(joint.layout, row[k].row - joint.first); };
+    const auto velocity = [&](std::uint32_t solver_body) {
+      const BodyVelocity& v = world.wide->velocity[solver_body];
+      return Vec6{Vec3(v.v[0], v.v[1], v.v[2]), Vec3(v.omega[0], v.omega[1], v.omega[2])};
+    };
+    const Vec6 a = velocity(joint.a[lane]), b = velocity(joint.b[lane]);
+    const Vec3 w_a = a.angular(), w_b = b.angular(), r_a = get(joint.r_a, lane), r_b = get(joint.r_b, lane);
+    const Quat turn_a = exp_map(h * w_a), turn_b = exp_map(h * w_b);
+    const Vec3 v = b.linear() - a.linear(), parts = v + w_b.cross(r_b) - w_a.cross(r_a);
+    const Vec3 parted = turn_a * Vec3(v + w_b.cross(turn_b.conjugate() * r_b) - w_a.cross(turn_a.conjugate() * r_a));
+    const Vec3 flung = w_b.cross(w_b.cross(r_b)) - w_a.cross(w_a.cross(r_a));
+    Vec3 slides = parted - parts + h / 3 * flung;
+    for (next = i; next < problem.locks.size() && row[next].joint == row[i].joint && row[next].lane == lane; ++next)
+      if (holds(next)) slides -= problem.locks[next].d_b.dot(slides) * problem.locks[next].d_b;
+    const Real whole = 1 + h * h / 4 * (w_a.squared_norm() + w_b.squared_norm());
+    for (std::size_t k = i; k < next; ++k) {
+      ConeLink& lock = problem.locks[k];
+      lock.curve *= whole;
+      if (holds(k)) lock.curve += h * w_a.cross(lock.d_b).dot(slides);
+    }
+  }
+}
+
 void measure_links(ConeProblem& problem) {
   for (ConeLink& c : problem.links) c.u = c.surface + relative<&ConeBody::v>(problem.bodies, c);
 }

@@ -31,6 +31,9 @@ enum class Borne { in_substep, in_step };
 void stiffen(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h, Borne borne);
 /// Whether the impulses that were found are so much larger than those kept that somebody needs to be stiffer.
 bool is_jerked(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h);
+/// Locks bend by where their bodies go as the substep begins. What slides along an axis of A and is gripped does not go on so: it
+/// has the coordinate rate of the substep before, or it would be flung outwards. ConeLink::curve of locks, by that.
+void bend_as_gripped(const World& world, ConeProblem& problem, const DirectGroups::LinkRow* rows, Real h);
 /// Velocities at rows, from the bodies'.
 void measure_links(ConeProblem& problem);
 /// Add the impulses to the step's.

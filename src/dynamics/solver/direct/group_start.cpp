@@ -73,27 +73,42 @@ void ConeGroup::bend_ways(Real h) {
 }
 
 /// What hangs on an arm that swings leaves its circle by the tangent, and is displaced back onto it after the move: in
-/// contact locks are not asked for that bend (load_links()). Friction's target is where that leads the surface, else
-/// what is gripped creeps outwards by half (omega h)^2 of its arm in each substep. Of what sticks. Where a joint closes a
-/// loop its row leads bodies elsewhere than the forest alone: a track on sprockets gained energy.
+/// contact locks are not asked for that bend (load_links()). Friction's target is where that leads points of the surface, else
+/// what is gripped creeps outwards by half (omega h)^2 of its arm in each substep. Of pairs that stick: all of their points have
+/// one target, whichever of them bear. Where a joint closes a loop its row leads bodies elsewhere than the forest alone: a track on
+/// sprockets gained energy.
 void ConeGroup::bend_arms(Real h) {
   if (!shares() || problem_.tree.empty() || std::ranges::any_of(problem_.links, &ConeLink::is_lock)) return;
   // Since the substep before. What is gripped goes round with its gripper. A limb that rocks on the ground does not, and would
   // never come to rest.
-  const auto is_gripped = [&](const ConeContact& c) {
+  const auto is_gripped = [&](std::span<const ConeContact> pair) {
     constexpr Real kAlike = 0.1;  // of their spin
-    const Real n = c.p.dot(c.n);
-    if (c.a == kInvalid || c.b == kInvalid || !(n > 0 && (c.p - n * c.n).norm() < c.friction * n)) return false;
-    const Vec3 w_a = problem_.bodies[c.a].v.angular(), w_b = problem_.bodies[c.b].v.angular();
+    const ConeContact& of = pair.front();
+    if (of.a == kInvalid || of.b == kInvalid) return false;
+    Real bound = 0;
+    Vec3 along = Vec3::zero();
+    for (const ConeContact& c : pair) {
+      const Real n = c.p.dot(c.n);
+      along += c.p - n * c.n, bound += c.friction * n;
+    }
+    if (!(along.norm() < bound)) return false;
+    const Vec3 w_a = problem_.bodies[of.a].v.angular(), w_b = problem_.bodies[of.b].v.angular();
     const Real spin2 = std::max(w_a.squared_norm(), w_b.squared_norm());
     return spin2 * h * h < kBends * kBends && (w_a - w_b).squared_norm() <= kAlike * kAlike * spin2;
   };
-  if (std::ranges::none_of(problem_.contacts, is_gripped)) return;
-  find_bends(problem_, h);
-  for (ConeContact& c : problem_.contacts) {
-    if (!is_gripped(c)) continue;
-    const Vec3 bend = relative<&ConeBody::step>(problem_.bodies, c), along = bend - bend.dot(c.n) * c.n;
-    c.curve += along, c.surface += along;
+  bool is_known = false;
+  for (std::size_t i = 0, next; i < problem_.contacts.size(); i = next) {
+    const auto is_of_pair = [&](const ConeContact& c) {
+      return c.a == problem_.contacts[i].a && c.b == problem_.contacts[i].b;
+    };
+    for (next = i + 1; next < problem_.contacts.size() && is_of_pair(problem_.contacts[next]);) ++next;
+    if (!is_gripped(problem_.contacts.subspan(i, next - i))) continue;
+    if (!is_known) bend_as_gripped(world_, problem_, link_row_, h), find_bends(problem_, h), is_known = true;
+    for (ConeContact& c : problem_.contacts.subspan(i, next - i)) {
+      const Vec3 bend = relative<&ConeBody::step>(problem_.bodies, c);
+      const Vec3 along = bend - bend.dot(c.n) * c.n;
+      c.curve += along, c.surface += along;
+    }
   }
 }
 
