@@ -89,7 +89,6 @@ void look_for_slide(const World& world, std::uint32_t first, std::uint32_t count
 }
 
 bool may_slide(const World& world, std::uint32_t first, std::uint32_t count, Real more2) {
-  if (count < 2) return false;
   const Patch patch(world, first, count);
   return !(2 * (patch.most_slip2() + more2) <= kLeast2) && patch.bears();
 }

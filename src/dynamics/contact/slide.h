@@ -16,7 +16,8 @@ inline constexpr ConstantRow kPatchFrictionConstants[] = {kCreeps};
 
 /// Of a pair with more points than one, and friction, that may slip.
 void look_for_slide(const World& world, std::uint32_t first, std::uint32_t count, const Vec3* surface);
-/// Whether a pair may slide whose surfaces slip by something more than its bodies do; else find_slide() said so already.
+/// Whether a pair with more points than one may slide whose surfaces slip by something more than its bodies do; else
+/// find_slide() said so already.
 /// @param more2  (m/s)^2, bound on what is more
 bool may_slide(const World& world, std::uint32_t first, std::uint32_t count, Real more2);
 

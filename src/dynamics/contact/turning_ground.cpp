@@ -87,6 +87,7 @@ void find_turning_pairs(const World& world, const StepTime& time) {
       const Belts belts(world, row, c.geometry[m.row]);
       t.belt = belts.a.at(s.x[row.b]) - belts.b.at(s.x[row.a]);
     }
+    if (m.count < 2) continue;  // it has no patch to slide
     // What went along in the substep before slides by nothing, though its velocity is that of the chord. A chord as good as its tangent
     // changes nothing.
     const Vec3 apart = s.x[row.b] - s.x[row.a];
