@@ -2,10 +2,10 @@
 #include "collision/farthest_vertex.h"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
 #include "collision/hull.h"
+#include "collision/scan_kernels.h"
 #include "core/int128.h"
 
 namespace carom::collision {
@@ -183,31 +183,9 @@ std::uint32_t FarthestVertex::climb_from(std::uint32_t at, const Vec3& n) const 
   }
 }
 
-/// Two pairs of lanes, each keeping its best height: the same comparisons at any SIMD width. Nothing branches on data that
-/// no branch predictor could know. Whose height that is is looked up afterwards, in its lane alone.
 std::uint32_t FarthestVertex::scan(const Vec3& n) const {
-  typedef double Lanes __attribute__((vector_size(16)));
   const std::size_t padded = coordinates_.size() / 3;
-  const double *x = coordinates_.data(), *y = x + padded, *z = y + padded;
-  const double dx = n.x(), dy = n.y(), dz = n.z();
-  const auto along = [&](std::size_t i) {
-    Lanes px, py, pz;
-    std::memcpy(&px, x + i, sizeof px);
-    std::memcpy(&py, y + i, sizeof py);
-    std::memcpy(&pz, z + i, sizeof pz);
-    return px * dx + py * dy + pz * dz;
-  };
-  Lanes best = {-kInfinity, -kInfinity}, other = best;
-  for (std::size_t i = 0; i < padded; i += kLanes) {
-    const Lanes h = along(i), g = along(i + 2);
-    best = h > best ? h : best;
-    other = g > other ? g : other;
-  }
-  const double first = core::larger(best[0], other[0]), second = core::larger(best[1], other[1]);
-  const std::size_t odd = second > first;
-  const double most = core::larger(first, second);
-  std::size_t i = odd + (best[odd] < most ? 2 : 0);
-  while (i < padded && x[i] * dx + y[i] * dy + z[i] * dz != most) i += kLanes;
+  const std::size_t i = scan_kernel().farthest(coordinates_.data(), padded, n.data());
   return i < padded ? std::min(static_cast<std::uint32_t>(i), count_ - 1) : 0;  // padding repeats the last
 }
 

@@ -156,7 +156,11 @@ CAROM_LANES_INLINE FloatLanes transpose(LanesOf<float> a, LanesOf<float> b, Lane
 /// @param from  aligned as Lanes are
 CAROM_LANES_INLINE Lanes lanes_at(const double* from) { return *reinterpret_cast<const Lanes*>(from); }
 CAROM_LANES_INLINE LanesOf<float> to_float(Lanes a) { return __builtin_convertvector(a, LanesOf<float>); }
+#if defined(__AVX__) && !defined(__clang__)
+CAROM_LANES_INLINE Lanes to_double(LanesOf<float> a) { return __builtin_ia32_cvtps2pd256(a); }  // gcc takes it apart
+#else
 CAROM_LANES_INLINE Lanes to_double(LanesOf<float> a) { return __builtin_convertvector(a, Lanes); }
+#endif
 
 /// Four vectors, component by component.
 template <class Number>

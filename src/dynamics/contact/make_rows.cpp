@@ -174,7 +174,7 @@ void fill_rows(const World& world, std::size_t pair_index, ContactPair& contact,
     match = match_points(olds, cursor, last, manifold, on_b, scene.dials[Dial::cache_distance]);
 
   const auto is_first = [&](const ContactPoint& p) { return p.normal == manifold.point[0].normal; };
-  const bool one_normal = std::all_of(manifold.point, manifold.point + manifold.count, is_first);
+  const bool one_normal = std::all_of(manifold.point + 1, manifold.point + manifold.count, is_first);
   const Real rolls_in = one_normal ? dt : 0;  // s: on several normals nothing rolls as on a ball
   const auto on_a = [](const ContactPoint& p) { return p.on_a; };
   const auto on_body_b = [](const ContactPoint& p) { return p.on_b; };

@@ -29,12 +29,12 @@ struct Patch {
     }
     return touches && deepest >= -world.scene.dials[Dial::contact_distance];
   }
-  /// No point can slip as fast, however both move together: without a root.
-  bool is_slow() const {
+  /// (m/s)^2: no point can slip as fast, however both move together: without a root.
+  Real most_slip2() const {
     const State& s = world.state;
     const Pair& pair = world.pairs.place(geometry->pair).pair;
     const Real turns2 = most_speed2(rows->a, pair.a) + most_speed2(rows->b, pair.b);
-    return 3 * ((s.v[rows->b] - s.v[rows->a]).squared_norm() + turns2) <= kLeast2;
+    return 3 * ((s.v[rows->b] - s.v[rows->a]).squared_norm() + turns2);
   }
   /// (m/s)^2, bound on what a body's spin moves any place of a collider of it.
   Real most_speed2(std::uint32_t body, std::uint32_t collider) const {
@@ -81,11 +81,16 @@ struct Patch {
 void look_for_slide(const World& world, std::uint32_t first, std::uint32_t count, const Vec3* surface) {
   const Patch patch(world, first, count);
   Row& row = world.contacts->rows[first];
-  row.slides = (surface || !patch.is_slow()) && patch.bears() && patch.slips(surface);
+  row.slides = (surface || !(patch.most_slip2() <= kLeast2)) && patch.bears() && patch.slips(surface);
   row.slides_by_load = row.slides && row.loads_known && patch.slides_all_over();
   if (!row.slides) return;
   const collision::Manifold& manifold = world.pairs[patch.geometry->pair].manifold;
   row.twist_share = twist_share(manifold.count, manifold.has_more_corners);
+}
+
+bool may_slide(const World& world, std::uint32_t first, std::uint32_t count, Real more2) {
+  const Patch patch(world, first, count);
+  return !(2 * (patch.most_slip2() + more2) <= kLeast2) && patch.bears();
 }
 
 }  // namespace carom::dynamics

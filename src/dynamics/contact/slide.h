@@ -16,6 +16,10 @@ inline constexpr ConstantRow kPatchFrictionConstants[] = {kCreeps};
 
 /// Of a pair with more points than one, and friction, that may slip.
 void look_for_slide(const World& world, std::uint32_t first, std::uint32_t count, const Vec3* surface);
+/// Whether a pair with more points than one may slide whose surfaces slip by something more than its bodies do; else
+/// find_slide() said so already.
+/// @param more2  (m/s)^2, bound on what is more
+bool may_slide(const World& world, std::uint32_t first, std::uint32_t count, Real more2);
 
 /// Set what a pair's first row says of its friction. A pair slides if it slips at one of its points. Only of what
 /// slides does it matter where between them friction acts, and how sliding and spinning share it. What sticks keeps one

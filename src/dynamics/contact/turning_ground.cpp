@@ -87,12 +87,14 @@ void find_turning_pairs(const World& world, const StepTime& time) {
       const Belts belts(world, row, c.geometry[m.row]);
       t.belt = belts.a.at(s.x[row.b]) - belts.b.at(s.x[row.a]);
     }
+    if (m.count < 2) continue;  // it has no patch to slide
     // What went along in the substep before slides by nothing, though its velocity is that of the chord. A chord as good as its tangent
     // changes nothing.
     const Vec3 apart = s.x[row.b] - s.x[row.a];
     const Real turn2 = std::max(s.omega[row.a].squared_norm(), s.omega[row.b].squared_norm());
     const Real most2 = time.h * time.h / 4 * turn2 * turn2 * apart.squared_norm();  // (m/s)^2, of what is below
     if (!has_belts && most2 < 1e-4 * kCreeps * kCreeps) continue;
+    if (c.surface.empty() && !may_slide(world, m.row, m.count, most2)) continue;
     const Vec3 lag = lead_of(world, t, -time.h).at(apart);
     std::array<Vec3, Manifold::kMaxPoints> slip;
     for (std::uint32_t k = 0; k < m.count; ++k) slip[k] = c.surface.empty() ? lag : Vec3(lag + c.surface[m.row + k]);

@@ -162,9 +162,9 @@ struct PointPlaces {
 };
 /// What they do and bear.
 struct PointMotions {
-  Lanes closing, speed2;  // m/s along the normal, (m/s)^2 in any direction
-  Lanes response;         // 1/kg, normal velocity per normal impulse
-  Lanes p_n;              // N s, normal impulse that the substep starts from
+  Lanes closing;   // m/s along the normal
+  Lanes response;  // 1/kg, normal velocity per normal impulse
+  Lanes p_n;       // N s, normal impulse that the substep starts from
 };
 
 // In those, counted in doubles (wide_contacts.cpp holds them to it).

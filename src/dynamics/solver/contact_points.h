@@ -68,7 +68,6 @@ void watch_points(const PointSources* sources, std::size_t pairs, PointMotions* 
     const LaneVec u = vector_in_all(of.v_b) + cross(vector_in_all(of.omega_b), arms.b) - vector_in_all(of.v_a) -
                       cross(vector_in_all(of.omega_a), arms.a) + vector_at(of.surface, 0);
     to.closing = -inner(u, n);
-    to.speed2 = inner(u, u);
     to.response = response_along(n, arms.a, of.inv_mass_a, MatrixInAll(of.inv_inertia_a)) +
                   response_along(n, arms.b, of.inv_mass_b, MatrixInAll(of.inv_inertia_b));
     to.p_n = inner(vector_at(of.row, kRowImpulse), n);

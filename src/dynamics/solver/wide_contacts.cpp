@@ -45,11 +45,10 @@ constexpr double kZeros[kPairPoints * kRowNumbers] = {};
 /// What four lanes are filled from; and whose they are.
 /// @param gravity  m/s^2
 template <class Number>
-LaneSources sources_of(const World& world, const WideContacts& wide, const std::uint32_t* occupant, Real gravity,
-                       PairLanesOf<Number>& pair) {
+void find_sources(const World& world, const WideContacts& wide, const std::uint32_t* occupant, Real gravity,
+                  PairLanesOf<Number>& pair, LaneSources& of) {
   const Contacts& c = *world.contacts;
   const Scene& scene = world.scene;
-  LaneSources of;
   const auto inertia = [&](bool moves, std::uint32_t body) {
     return moves && rotates(scene, body) ? c.inv_inertia_w[body].data() : kZeros;
   };
@@ -82,7 +81,6 @@ LaneSources sources_of(const World& world, const WideContacts& wide, const std::
     of.thickness[lane] = least_thickness(world, g);
     of.pull[lane] = pull_on(scene, row, gravity);
   }
-  return of;
 }
 
 /// That of four pairs, which are at rest if it is new.
@@ -165,7 +163,7 @@ void fetch_rows(const Contacts& c, const WideContacts& wide, const std::uint32_t
 }
 
 /// Pairs of lanes with the rows that they are of, a few at a time, so that those are near when kernels come to them.
-/// @param find  -> Where, of (place in pairs, [kLanes] manifolds)   @param take  (begin, end, Where of each)
+/// @param find  (place in pairs, [kLanes] manifolds, Where to find)   @param take  (begin, end, Where of each)
 template <class Where, class Find, class Take>
 void each_four(const World& world, const WideContacts& wide, const Find& find, const Take& take) {
   constexpr std::uint32_t kAtOnce = 4;
@@ -176,7 +174,7 @@ void each_four(const World& world, const WideContacts& wide, const Find& find, c
       const std::uint32_t* const occupant = &wide.occupant[std::size_t(i) * kLanes];
       if (i + 1 < count) fetch_rows(*world.contacts, wide, occupant + kLanes);
       const std::uint32_t at = (i - begin) % kAtOnce;
-      found[at] = find(i, occupant);
+      find(i, occupant, found[at]);
       if (at + 1 == kAtOnce || i + 1 == end) take(i - at, i + 1, found.data());
     }
   });
@@ -190,12 +188,12 @@ bool fill(const World& world, WideContacts& wide, ContactLanes<Number>& rows, co
   const Real gravity = world.scene.gravity.norm();
   each_four<LaneSources>(
       world, wide,
-      [&](std::uint32_t i, const std::uint32_t* occupant) {
+      [&](std::uint32_t i, const std::uint32_t* occupant, LaneSources& found) {
         PairLanesOf<Number>& pair = rows.pairs[i];
         const WideContacts::Manifold& of = wide.manifolds[*occupant];
         pair.first = wide.first_point[i], pair.points = of.points, pair.one_normal = has_one_normal(of);
         pair.driven = pair.locked = 0;
-        return sources_of(world, wide, occupant, gravity, pair);
+        find_sources(world, wide, occupant, gravity, pair, found);
       },
       [&](std::uint32_t begin, std::uint32_t end, const LaneSources* sources) {
         over_part(run, begin, end, [&](const auto& part) { sweeps.lay_out(part, sources); });
@@ -370,10 +368,9 @@ void displace(const World& world, Poses& to, const WideContacts& wide) {
 namespace {
 
 /// Where four lanes are put.
-LaneTargets targets_of(const World& world, const WideContacts& wide, const std::uint32_t* occupant) {
+void find_targets(const World& world, const WideContacts& wide, const std::uint32_t* occupant, LaneTargets& of) {
   Contacts& c = *world.contacts;
   const State& s = world.state;
-  LaneTargets of;
   for (int lane = 0; lane < kLanes; ++lane) {
     if (occupant[lane] == kEmptyLane) {
       for (const auto& all :
@@ -391,7 +388,6 @@ LaneTargets targets_of(const World& world, const WideContacts& wide, const std::
     of.row[lane] = of.to_row[lane] = row.u.data();
     of.geometry[lane] = of.to_geometry[lane] = c.geometry[at].l_a.data();
   }
-  return of;
 }
 
 }  // namespace
@@ -401,7 +397,10 @@ void unpack(const World& world, WideContacts& wide) {
   with_lanes(wide, [&](auto& lanes, const auto& sweeps) {
     const auto run = everything(wide, lanes, wide.velocity.data());
     each_four<LaneTargets>(
-        world, wide, [&](std::uint32_t, const std::uint32_t* occupant) { return targets_of(world, wide, occupant); },
+        world, wide,
+        [&](std::uint32_t, const std::uint32_t* occupant, LaneTargets& found) {
+          find_targets(world, wide, occupant, found);
+        },
         [&](std::uint32_t begin, std::uint32_t end, const LaneTargets* targets) {
           over_part(run, begin, end, [&](const auto& part) { sweeps.read_back(part, targets); });
         });

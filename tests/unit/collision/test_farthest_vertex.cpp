@@ -2,6 +2,7 @@
 #include "carom_test.h"
 #include "collision/farthest_vertex.h"
 #include "collision/hull.h"
+#include "collision/scan_kernels.h"
 #include "core/pose.h"
 #include "random_pairs.h"
 
@@ -205,6 +206,25 @@ static void the_same_cloud_gives_the_same_vertices(void**) {
   }
 }
 
+/// Of equals too, as those of a grid are.
+static void scans_of_every_width_find_the_same_vertex(void**) {
+  Random random(8);
+  for (const std::size_t count : {4, 8, 44, 92}) {
+    std::vector<double> scattered(3 * count), level(3 * count);
+    for (double& x : scattered) x = random.uniform(-1, 1);
+    for (double& x : level) x = std::round(random.uniform(-1, 1));
+    for (const std::vector<double>& coordinates : {scattered, level}) {
+      for (int i = 0; i < 300; ++i) {
+        const Vec3 n = i < 6 ? Vec3((i % 2 ? 1 : -1) * Vec3::unit(i / 2)) : random.direction();
+        const std::size_t first = all_scan_kernels()[0]->farthest(coordinates.data(), count, n.data());
+        assert_true(first < count);
+        for (const ScanKernel* kernel : all_scan_kernels())
+          assert_int_equal(kernel->farthest(coordinates.data(), count, n.data()), first);
+      }
+    }
+  }
+}
+
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(round_clouds_are_climbed_to_the_best),
@@ -214,6 +234,7 @@ int main() {
       cmocka_unit_test(clouds_without_a_hull_are_scanned),
       cmocka_unit_test(a_direction_that_is_no_number_gives_some_vertex),
       cmocka_unit_test(the_same_cloud_gives_the_same_vertices),
+      cmocka_unit_test(scans_of_every_width_find_the_same_vertex),
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
