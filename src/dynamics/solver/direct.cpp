@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "dynamics/body_state.h"
 #include "dynamics/ccd/continuous.h"
 #include "dynamics/joint/wide_joints.h"
 #include "dynamics/solver/direct/cone_group.h"
@@ -123,13 +122,9 @@ void part_groups(const World& world, Poses& to, StepReport& report, Real h) {
   if (!d.links.empty()) place_joints(world);
   for (GroupRest& rest : d.rest) rest.has_parted = false;
   if (std::ranges::all_of(d.rest, &GroupRest::lasts)) return;
-  const auto orient = [&](std::uint32_t slot) { world.plan->rotation[slot] = world.state.q[slot].matrix(); };
-  world.plan->kinematic.each(orient);
+  world.plan->kinematic.each([&](std::uint32_t i) { world.plan->rotation[i] = world.state.q[i].matrix(); });
   in_parallel(world.jobs, d.groups(), kDirectGroupsAPart, [&](std::uint32_t g) {
-    if (!d.rest[g].parts_now()) return;
-    for (std::uint32_t i = d.begin[g].body; i < d.begin[g + 1].body; ++i)
-      if (rotates(world.scene, d.bodies[i].slot)) orient(d.bodies[i].slot);
-    ConeGroup(world, g).part(to, h);
+    if (d.rest[g].parts_now()) ConeGroup(world, g).part(to, h);
   });
   for (const GroupRest& rest : d.rest) report.position_moves += rest.solution.factorisations;
 }

@@ -89,6 +89,7 @@ Real ConeGroup::most_closed(Real h) const {
 }
 
 void ConeGroup::part(Poses& to, Real h) {
+  turn_frames();
   part(to, h, most_closed(h), may_contradict() || rest_.in_lanes ? Forest::as_it_began : Forest::anew);
 }
 
