@@ -1,7 +1,7 @@
 // Which kernels this machine can run.
 #include "collision/scan_kernels.h"
 
-#include <array>
+#include "core/kernel_choice.h"
 
 namespace carom::collision {
 
@@ -12,24 +12,19 @@ extern const ScanKernel kAvx2Scan;
 
 namespace {
 
-struct ScanKernelChoice {
-  std::array<const ScanKernel*, 2> kernels{};
-  std::size_t count = 0;
-
-  ScanKernelChoice() {
-    kernels[count++] = &kBaselineScan;
+core::KernelChoice<ScanKernel> scan_choice() {
+  core::KernelChoice<ScanKernel> choice(kBaselineScan);
 #if defined(__x86_64__)
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) kernels[count++] = &kAvx2Scan;
+  if (core::has_avx2()) choice.add(kAvx2Scan);
 #endif
-  }
-};
+  return choice;
+}
 
 }  // namespace
 
 std::span<const ScanKernel* const> all_scan_kernels() {
-  static const ScanKernelChoice kChoice;
-  return {kChoice.kernels.data(), kChoice.count};
+  static const core::KernelChoice<ScanKernel> kChoice = scan_choice();
+  return kChoice.all();
 }
 
 const ScanKernel& scan_kernel() {

@@ -1,7 +1,7 @@
 // Which kernels this machine can run.
 #include "dynamics/integrate/turn_kernels.h"
 
-#include <array>
+#include "core/kernel_choice.h"
 
 namespace carom::dynamics {
 
@@ -12,24 +12,19 @@ extern const TurnKernels kAvx2Turns;
 
 namespace {
 
-struct TurnKernelChoice {
-  std::array<const TurnKernels*, 2> kernels{};
-  std::size_t count = 0;
-
-  TurnKernelChoice() {
-    kernels[count++] = &kBaselineTurns;
+core::KernelChoice<TurnKernels> turn_choice() {
+  core::KernelChoice<TurnKernels> choice(kBaselineTurns);
 #if defined(__x86_64__)
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) kernels[count++] = &kAvx2Turns;
+  if (core::has_avx2()) choice.add(kAvx2Turns);
 #endif
-  }
-};
+  return choice;
+}
 
 }  // namespace
 
 std::span<const TurnKernels* const> all_turn_kernels() {
-  static const TurnKernelChoice kChoice;
-  return {kChoice.kernels.data(), kChoice.count};
+  static const core::KernelChoice<TurnKernels> kChoice = turn_choice();
+  return kChoice.all();
 }
 
 const TurnKernels& turn_kernels() { return *all_turn_kernels().back(); }

@@ -1,7 +1,7 @@
 // Which kernels this machine can run.
 #include "dynamics/particles/flight_kernels.h"
 
-#include <array>
+#include "core/kernel_choice.h"
 
 namespace carom::dynamics {
 
@@ -12,24 +12,19 @@ extern const FlightKernels kAvx2Flight;
 
 namespace {
 
-struct FlightKernelChoice {
-  std::array<const FlightKernels*, 2> kernels{};
-  std::size_t count = 0;
-
-  FlightKernelChoice() {
-    kernels[count++] = &kBaselineFlight;
+core::KernelChoice<FlightKernels> flight_choice() {
+  core::KernelChoice<FlightKernels> choice(kBaselineFlight);
 #if defined(__x86_64__)
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) kernels[count++] = &kAvx2Flight;
+  if (core::has_avx2()) choice.add(kAvx2Flight);
 #endif
-  }
-};
+  return choice;
+}
 
 }  // namespace
 
 std::span<const FlightKernels* const> all_flight_kernels() {
-  static const FlightKernelChoice kChoice;
-  return {kChoice.kernels.data(), kChoice.count};
+  static const core::KernelChoice<FlightKernels> kChoice = flight_choice();
+  return kChoice.all();
 }
 
 const FlightKernels& flight_kernels() { return *all_flight_kernels().back(); }

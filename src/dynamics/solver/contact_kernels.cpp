@@ -1,7 +1,7 @@
 // Which kernels this machine can run.
 #include "dynamics/solver/contact_kernels.h"
 
-#include <array>
+#include "core/kernel_choice.h"
 
 namespace carom::dynamics {
 
@@ -12,25 +12,20 @@ extern const ContactKernels kAvx2Kernels, kAvx512Kernels;
 
 namespace {
 
-struct ContactKernelChoice {
-  std::array<const ContactKernels*, 3> kernels{};
-  std::size_t count = 0;
-
-  ContactKernelChoice() {
-    kernels[count++] = &kBaselineKernels;
+core::KernelChoice<ContactKernels> contact_choice() {
+  core::KernelChoice<ContactKernels> choice(kBaselineKernels);
 #if defined(__x86_64__)
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) kernels[count++] = &kAvx2Kernels;
-    if (__builtin_cpu_supports("avx512vl")) kernels[count++] = &kAvx512Kernels;
+  if (core::has_avx2()) choice.add(kAvx2Kernels);
+  if (core::has_avx512vl()) choice.add(kAvx512Kernels);
 #endif
-  }
-};
+  return choice;
+}
 
 }  // namespace
 
 std::span<const ContactKernels* const> all_contact_kernels() {
-  static const ContactKernelChoice kChoice;
-  return {kChoice.kernels.data(), kChoice.count};
+  static const core::KernelChoice<ContactKernels> kChoice = contact_choice();
+  return kChoice.all();
 }
 
 const ContactKernels& contact_kernels() { return *all_contact_kernels().back(); }
